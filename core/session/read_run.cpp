@@ -2,6 +2,7 @@
 #include "core/session/read_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,7 @@
 
 #include "core/procedure/plain_numbers.h"
 #include "core/session/record_checksum.h"
+#include "core/session/recorded_rows.h"
 #include "core/session/recorder.h"
 #include "core/session/session_file.h"
 #include "core/session/session_tables.h"
@@ -21,6 +23,14 @@
 namespace kerf {
 
 namespace {
+
+/// Whether a page shows a column of `ticks`, or is made with it. The others stay compressed.
+bool is_drawn(std::string_view column) {
+    constexpr std::array names{"tick", "time", "thrust", "torque", "depth", "tissue", "removed"};
+    constexpr std::array starts{"device_from_handle_", "world_from_tool_", "modelled_f", "commanded_m", "signal_"};
+    return std::ranges::find(names, column) != names.end() ||
+           std::ranges::any_of(starts, [&](std::string_view start) { return column.starts_with(start); });
+}
 
 /// Reads one session's tables; the first that is not as a run writes it is the error.
 class Reading {
@@ -61,9 +71,9 @@ private:
         if (!query.is_null(column)) fail(std::string("its table `") + table + "` has something else than a number");
         return std::numeric_limits<double>::quiet_NaN();
     }
-    static int small(const SessionQuery& query, int column) {
+    static int small(std::int64_t integer) {
         constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-        return static_cast<int>(std::clamp(query.integer(column), -most, most));
+        return static_cast<int>(std::clamp(integer, -most, most));
     }
 
     template <class Take>
@@ -169,10 +179,10 @@ void Reading::read_result() {
          "rowid", [&](const SessionQuery& row) {
              MetricRow metric;
              metric.id = text(row, 0);
-             metric.revision = small(row, 1);
+             metric.revision = small(row.integer(1));
              metric.scope = text(row, 2);
-             metric.occurrence = small(row, 3);
-             metric.occurrences = small(row, 4);
+             metric.occurrence = small(row.integer(3));
+             metric.occurrences = small(row.integer(4));
              metric.value = number(row, 5, "metrics");
              metric.unit = text(row, 6);
              metric.per_unit = number(row, 7, "metrics");
@@ -184,21 +194,24 @@ void Reading::read_result() {
 }
 
 void Reading::read_ticks() {
-    const auto tables = session_tables(run_.summary.signals);
-    const auto& ticks =
-        *std::find_if(tables.begin(), tables.end(), [](const Table& table) { return table.name == "ticks"; });
-    std::string
-        columns;  // with the table's name: without it, SQLite takes a quoted name that it does not know for a text
+    const auto count = recorded_row_count(file_.handle(), ticks_table);
+    if (!count) return fail(std::string("its table `") + ticks_table + "` cannot be read");
+    run_.drawn.expect(*count);
+    const std::vector<Table> tables = recorded_tables(file_.handle());
+    const Table& ticks = find_table(tables, ticks_table);
+    std::vector<std::string> wanted;
     for (const TableColumn& column : ticks.columns)
-        columns += (columns.empty() ? "ticks.\"" : ", ticks.\"") + column.name + '"';
-
-    SessionQuery count(file_.handle(), "SELECT ifnull(max(tick) + 1, 0) FROM ticks");
-    const std::int64_t total = count.next() ? count.integer(0) : 0;
-    if (count.has_failed()) return fail("its table `ticks` cannot be read");
-    run_.drawn.expect(static_cast<std::uint64_t>(total));
-    each("ticks", columns, "tick", [&](const SessionQuery& query) {
-        int column = 0;
-        const auto next = [&] { return number(query, column++, "ticks"); };
+        if (is_drawn(column.name)) wanted.push_back(column.name);
+    RecordedRows rows(file_.handle(), ticks, wanted);
+    while (error_.empty() && rows.next()) {
+        std::size_t column = 0;
+        const auto integer = [&] { return rows.integer(column++); };
+        const auto next = [&] {
+            const std::size_t at = column++;
+            if (rows.is_number(at)) return rows.number(at);
+            if (!rows.is_null(at)) fail("its table `ticks` has something else than a number");
+            return std::numeric_limits<double>::quiet_NaN();
+        };
         const auto vector = [&] {
             const double x = next(), y = next(), z = next();
             return Vec3{x, y, z};
@@ -208,33 +221,25 @@ void Reading::read_ticks() {
             const double w = next(), x = next(), y = next(), z = next();
             return Pose{position, {w, x, y, z}};
         };
-        const auto wrench = [&](Vec6& all) {
-            for (double& component : all) component = next();
-        };
         TickRow row;
-        row.tick = static_cast<std::uint64_t>(query.integer(column++));
+        const std::int64_t tick = integer();
+        row.tick = static_cast<std::uint64_t>(tick);
         row.time = next();
-        row.step = small(query, column++);
         row.device_from_handle = pose();
         row.world_from_tool = pose();
-        wrench(row.modelled);
-        wrench(row.coupled);
-        wrench(row.limited);
-        wrench(row.commanded);
+        for (std::size_t i = 0; i < 3; ++i) row.modelled[i] = next();
+        for (std::size_t i = 3; i < 6; ++i) row.commanded[i] = next();
         row.thrust = next();
         row.torque = next();
         row.depth = next();
-        row.feed_rate = next();
-        row.tissue = small(query, column++);
-        row.iterations = small(query, column++);
-        row.power_hand = next();
-        row.power_drive = next();
+        row.tissue = small(integer());
         row.removed = next();
         for (std::size_t i = 0; i < run_.summary.signals.size(); ++i) row.signals[i] = next();
-        if (query.integer(0) < 0 || (run_.drawn.last() && row.tick <= run_.drawn.last()->tick))
-            fail("tick " + std::to_string(query.integer(0)) + " is there twice or before the first");
+        if (tick < 0 || (run_.drawn.last() && row.tick <= run_.drawn.last()->tick))
+            fail("tick " + std::to_string(tick) + " is there twice or before the first");
         run_.drawn.add(row);
-    });
+    }
+    if (!rows.fault().empty()) fail(rows.fault());
 }
 
 void Reading::read_surface() {

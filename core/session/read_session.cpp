@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <string>
 #include <system_error>
+#include <vector>
 
+#include "core/session/recorded_rows.h"
 #include "core/session/recorder.h"
 #include "core/session/session_file.h"
 #include "core/session/session_tables.h"
@@ -41,10 +43,11 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         if (key == "anatomy_hash") inputs.anatomy_hash = std::strtoull(keys.text(1).c_str(), nullptr, 16);
         if (key == "hash") inputs.hash = keys.text(1);
     }
-    SessionQuery ticks(
-        file.handle(),
-        "SELECT tick, device_from_handle_x, device_from_handle_y, device_from_handle_z, device_from_handle_qw, "
-        "device_from_handle_qx, device_from_handle_qy, device_from_handle_qz FROM ticks ORDER BY tick");
+    const std::vector<Table> all = recorded_tables(file.handle());
+    RecordedRows ticks(
+        file.handle(), find_table(all, ticks_table),
+        {"tick", "device_from_handle_x", "device_from_handle_y", "device_from_handle_z", "device_from_handle_qw",
+         "device_from_handle_qx", "device_from_handle_qy", "device_from_handle_qz"});
     while (ticks.next()) {
         if (ticks.integer(0) != static_cast<std::int64_t>(inputs.device_from_handle.size())) {
             error = path + ": tick " + std::to_string(inputs.device_from_handle.size()) +
@@ -54,7 +57,7 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         const Pose pose{{ticks.number(1), ticks.number(2), ticks.number(3)},
                         {ticks.number(4), ticks.number(5), ticks.number(6), ticks.number(7)}};
         bool is_all_numbers = true;
-        for (int column = 1; column <= 7; ++column) is_all_numbers = is_all_numbers && ticks.is_number(column);
+        for (std::size_t column = 1; column <= 7; ++column) is_all_numbers = is_all_numbers && ticks.is_number(column);
         if (!is_all_numbers || !is_plausible(pose)) {
             error = path + ": tick " + std::to_string(ticks.integer(0)) +
                     " holds no pose, so the file is damaged and cannot be replayed.";
@@ -81,13 +84,17 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         }
         inputs.missed.emplace_back(static_cast<std::uint64_t>(missed.integer(0)), count);
     }
-    if (keys.has_failed() || ticks.has_failed() || adoptions.has_failed() || asked.has_failed() ||
-        missed.has_failed() || inputs.device_from_handle.empty()) {
+    if (!ticks.fault().empty()) {
+        error = path + ": " + ticks.fault() + ", so it holds no ticks that can be replayed. Take an undamaged copy.";
+        return std::nullopt;
+    }
+    if (keys.has_failed() || adoptions.has_failed() || asked.has_failed() || missed.has_failed() ||
+        inputs.device_from_handle.empty()) {
         error = path + ": holds no ticks that can be read.";
         return std::nullopt;
     }
     SessionQuery version(file.handle(), "PRAGMA user_version");
-    inputs.is_old = version.next() && version.integer(0) < session_schema_version;
+    inputs.is_old = version.next() && version.integer(0) < first_schema_with_checksum;
     inputs.rows = check_record(file.handle());
     return inputs;
 }

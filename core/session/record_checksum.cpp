@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/session/content_hash.h"
+#include "core/session/recorder.h"
 #include "core/session/session_file.h"
 #include "core/session/session_tables.h"
 
@@ -74,11 +75,10 @@ std::optional<std::uint64_t> record_checksum(sqlite3* database) {
 }
 
 RecordCheck check_record(sqlite3* database) {
-    constexpr std::int64_t first_with_checksum = 3;
     const std::string expected = value_of(database, record_checksum_key);
     if (expected.empty()) {
         SessionQuery version(database, "PRAGMA user_version");
-        const bool must_have_one = version.next() && version.integer(0) >= first_with_checksum;
+        const bool must_have_one = version.next() && version.integer(0) >= first_schema_with_checksum;
         return must_have_one && value_of(database, "state") == "finished" ? RecordCheck::changed : RecordCheck::unknown;
     }
     const auto found = record_checksum(database);

@@ -14,6 +14,7 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -21,7 +22,9 @@
 #include <vector>
 
 #include "core/field/spsc_ring.h"
+#include "core/plugin/si_unit.h"
 #include "core/procedure/plain_numbers.h"
+#include "core/session/block_writer.h"
 #include "core/session/content_hash.h"
 #include "core/session/record_checksum.h"
 #include "core/session/session_tables.h"
@@ -67,14 +70,34 @@ std::int64_t integer(std::uint64_t value) noexcept { return static_cast<std::int
 
 SqliteStatement& operator<<(SqliteStatement& row, std::int32_t value) { return row << std::int64_t{value}; }
 
-SqliteStatement& operator<<(SqliteStatement& row, const Pose& pose) {
+// `Row` is a statement or a block.
+template <class Row>
+Row& operator<<(Row& row, const Pose& pose) {
     return row << pose.position.x << pose.position.y << pose.position.z << pose.rotation.w << pose.rotation.x
                << pose.rotation.y << pose.rotation.z;
 }
 
-SqliteStatement& operator<<(SqliteStatement& row, const Vec6& wrench) {
+template <class Row>
+Row& operator<<(Row& row, const Vec6& wrench) {
     for (const double component : wrench) row << component;
     return row;
+}
+
+/// The columns of `ticks`, from left to right.
+template <class Row>
+void put(Row& row, const TickRow& tick, std::size_t signal_count) {
+    row << integer(tick.tick) << tick.time << std::int64_t{tick.step} << tick.device_from_handle << tick.world_from_tool
+        << tick.modelled << tick.coupled << tick.limited << tick.commanded << tick.thrust << tick.torque << tick.depth
+        << tick.feed_rate << std::int64_t{tick.tissue} << std::int64_t{tick.iterations} << tick.power_hand
+        << tick.power_drive << tick.removed;
+    for (std::size_t i = 0; i < signal_count; ++i) row << tick.signals[i];
+}
+
+/// The columns of `cuts`.
+template <class Row>
+void put(Row& row, const CutRow& cut) {
+    row << integer(cut.sequence) << integer(cut.tick) << std::int64_t{cut.body} << std::int64_t{cut.solid} << cut.from
+        << cut.to;
 }
 
 std::string text_of(double value) {
@@ -88,10 +111,6 @@ std::string text_of(double value) {
 std::string for_people(const std::string& error) {
     const bool is_full = error.find("disk is full") != std::string::npos;
     return is_full ? "the disk is full. Free some space, or give a folder on another disk." : error + ".";
-}
-
-const Table& find_table(const std::vector<Table>& tables, std::string_view name) {
-    return *std::find_if(tables.begin(), tables.end(), [&](const Table& table) { return table.name == name; });
 }
 
 }  // namespace
@@ -111,6 +130,7 @@ struct Recorder::Impl {
     std::size_t signal_count = 0;
     SqliteDatabase database;
     SqliteStatement begin, commit, insert_tick, insert_cut, insert_event;
+    std::optional<BlockWriter> tick_blocks, cut_blocks;
 
     std::thread writer, checkpointer;
     std::mutex mutex;  ///< of `wake` alone; the loop never takes it
@@ -127,8 +147,9 @@ struct Recorder::Impl {
     std::uint64_t last_tick = 0;  ///< written
     double last_time = 0.0;
     bool is_closed = false;
-    std::string error;       ///< the first, once closed
-    std::string fold_error;  ///< why the -wal is still beside a session that is complete
+    std::string error;        ///< the first, once closed
+    std::string plain_error;  ///< why some rows of a session that is complete are not compressed
+    std::string fold_error;   ///< why the -wal is still next to a session that is complete
 
     void create(const SessionHeader& header);
     void open_to_write();
@@ -136,6 +157,7 @@ struct Recorder::Impl {
     void stop();
     void write_until_stopped();
     void close_abandoned();
+    void compress_rest();
     void checkpoint_until_stopped();
     bool write_batch();
     void write_tick(const TickRow& row);
@@ -157,8 +179,10 @@ void Recorder::Impl::set(const char* table, std::string_view key, std::string_vi
 
 void Recorder::Impl::create(const SessionHeader& header) {
     signal_count = std::min<std::size_t>(header.signals.size(), most_signal_columns);
-    tables = session_tables(header.signals);
+    tables = session_tables(header.signals, header.conditions.force_scale);
 
+    database.run(
+        "PRAGMA auto_vacuum=INCREMENTAL");       // before the first table: pages of rows now compressed are given back
     database.run("PRAGMA journal_mode=MEMORY");  // nobody reads it before it is whole: nothing needs undoing
     database.run("PRAGMA application_id=" + std::to_string(session_application_id));
     database.run("PRAGMA user_version=" + std::to_string(session_schema_version));
@@ -198,11 +222,12 @@ void Recorder::Impl::create(const SessionHeader& header) {
         tissue << integer(i) << header.tissues[i];
         tissue.run();
     }
-    SqliteStatement signal(database, "INSERT INTO signals VALUES(?,?,?,?,?,?)");
+    SqliteStatement signal(database, "INSERT INTO signals VALUES(?,?,?,?,?,?,?)");
     const std::vector<std::string> signal_columns = signal_column_names(header.signals);
     for (std::size_t i = 0; i < signal_count; ++i) {
         const SignalColumn& column = header.signals[i];
-        signal << integer(i) << column.id << signal_columns[i] << column.unit << column.per_unit << column.help;
+        signal << integer(i) << column.id << signal_columns[i] << si_unit_of(column.unit) << column.unit
+               << column.per_unit << column.help;
         signal.run();
     }
     database.run("COMMIT");
@@ -212,42 +237,48 @@ void Recorder::Impl::open_to_write() {
     database.run("PRAGMA journal_mode=WAL");
     database.run("PRAGMA synchronous=NORMAL");
     database.run("PRAGMA wal_autocheckpoint=0");
+    database.run("PRAGMA secure_delete=OFF");  // plain rows are in a block when they are deleted: no need to zero them
 
     begin.prepare(database, "BEGIN");
     commit.prepare(database, "COMMIT");
-    insert_tick.prepare(database, insert_sql(find_table(tables, "ticks")));
-    insert_cut.prepare(database, insert_sql(find_table(tables, "cuts")));
+    insert_tick.prepare(database, insert_sql(find_table(tables, ticks_table)));
+    insert_cut.prepare(database, insert_sql(find_table(tables, cuts_table)));
     insert_event.prepare(database, insert_sql(find_table(tables, "events")));
+    tick_blocks.emplace(find_table(tables, ticks_table));
+    cut_blocks.emplace(find_table(tables, cuts_table));
+    tick_blocks->prepare(database);
+    cut_blocks->prepare(database);
 }
 
 // ---- while it runs -----------------------------------------------------------------------------------------------
 
 void Recorder::Impl::write_tick(const TickRow& row) {
-    insert_tick << integer(row.tick) << row.time << row.step << row.device_from_handle << row.world_from_tool
-                << row.modelled << row.coupled << row.limited << row.commanded << row.thrust << row.torque << row.depth
-                << row.feed_rate << row.tissue << row.iterations << row.power_hand << row.power_drive << row.removed;
-    for (std::size_t i = 0; i < signal_count; ++i) insert_tick << row.signals[i];
+    put(insert_tick, row, signal_count);
     insert_tick.run();
+    put(tick_blocks->next_rows(), row, signal_count);
+    tick_blocks->next_rows().end_row();
     last_tick = row.tick;
     last_time = row.time;
 }
 
-/// One transaction with up to 250 rows of each kind. After a disk error it only empties the queues: the loop runs on.
+/// One transaction with up to 250 rows of each kind, none beyond a full block. After a disk error it only empties the
+/// queues: the loop runs on.
 bool Recorder::Impl::write_batch() {
     std::uint64_t tick_count = 0, cut_count = 0, event_count = 0;
     begin.run();
     for (std::size_t i = 0; i < batch_rows; ++i, ++tick_count) {
         const TickRow* row = ticks.front();
-        if (row == nullptr) break;
+        if (row == nullptr || tick_blocks->is_full()) break;
         write_tick(*row);
         ticks.pop();
     }
     for (std::size_t i = 0; i < batch_rows; ++i, ++cut_count) {
         const CutRow* cut = cuts.front();
-        if (cut == nullptr) break;
-        insert_cut << integer(cut->sequence) << integer(cut->tick) << std::int64_t{cut->body}
-                   << std::int64_t{cut->solid} << cut->from << cut->to;
+        if (cut == nullptr || cut_blocks->is_full()) break;
+        put(insert_cut, *cut);
         insert_cut.run();
+        put(cut_blocks->next_rows(), *cut);
+        cut_blocks->next_rows().end_row();
         cuts.pop();
     }
     for (std::size_t i = 0; i < batch_rows; ++i, ++event_count) {
@@ -259,7 +290,13 @@ bool Recorder::Impl::write_batch() {
         events.pop();
     }
     commit.run();
-    if (database.is_good()) return true;
+    if (database.is_good()) {
+        tick_blocks->work();
+        cut_blocks->work();
+        return true;
+    }
+    tick_blocks->give_up(database.error());
+    cut_blocks->give_up(database.error());
     lost_ticks += tick_count;
     lost_cuts += cut_count;
     lost_events += event_count;
@@ -384,7 +421,7 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
     SqliteStatement insert_metric(database, insert_sql(find_table(tables, "metrics")));
     for (const MetricRow& metric : summary.metrics) {
         insert_metric << metric.id << metric.revision << metric.scope << metric.occurrence << metric.occurrences
-                      << metric.value << metric.unit << metric.per_unit;
+                      << metric.value << si_unit_of(metric.unit) << metric.unit << metric.per_unit;
         metric.uncertainty < 0.0 ? insert_metric.null() : insert_metric << metric.uncertainty;
         insert_metric << metric.status << metric.help;
         insert_metric.run();
@@ -419,6 +456,17 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
 void Recorder::Impl::finalize() {
     for (SqliteStatement* statement : {&begin, &commit, &insert_tick, &insert_cut, &insert_event})
         statement->finalize();
+    if (tick_blocks) tick_blocks->finalize();
+    if (cut_blocks) cut_blocks->finalize();
+}
+
+/// All rows are in the file: where the disk is full, those that are left stay plain.
+void Recorder::Impl::compress_rest() {
+    if (!database.is_good()) return;
+    for (BlockWriter* blocks : {&*tick_blocks, &*cut_blocks}) {
+        blocks->finish();
+        if (plain_error.empty()) plain_error = blocks->error();
+    }
 }
 
 /// How the session ended, and the checksum of all that it holds, in one transaction.
@@ -437,6 +485,8 @@ bool Recorder::Impl::write_state(const char* state) {
 
 /// Says how the session ended, folds the -wal in and closes.
 void Recorder::Impl::close(const char* state) {
+    // Where the program cannot go on, nothing is done that can wait.
+    if (!is_abandoned.load(std::memory_order_acquire)) compress_rest();
     finalize();
     // A transaction that did not fit may leave room for these few bytes.
     if (!database.is_good()) {
@@ -449,6 +499,7 @@ void Recorder::Impl::close(const char* state) {
         database.run("UPDATE session SET value='incomplete' WHERE key='state'");
         (void)database.recover();
     }
+    database.try_run("PRAGMA incremental_vacuum");
     database.run("PRAGMA wal_checkpoint(TRUNCATE)");
     database.run("PRAGMA journal_mode=DELETE");
     fold_error = database.error();
@@ -568,6 +619,9 @@ std::string Recorder::finish(const RunSummary& summary, const DrawnSurface& bone
     if (!impl_->fold_error.empty())
         return impl_->path + " is complete together with session.db-wal, which could not be folded into it: " +
                for_people(impl_->fold_error) + " Keep both files together.";
+    if (!impl_->plain_error.empty())
+        return impl_->path + " is complete, and larger than it needs to be: some rows could not be compressed: " +
+               for_people(impl_->plain_error);
     return {};
 }
 

@@ -14,8 +14,9 @@ namespace kerf {
 
 /// `PRAGMA application_id` of a session: "KERF".
 inline constexpr std::int32_t session_application_id = 0x4b455246;
-/// 3: with a checksum of the record. Files of version 2, which have none, are read, too.
-inline constexpr std::int32_t session_schema_version = 3, oldest_readable_schema_version = 2;
+/// docs/design/session.md lists what each version has. Every one from the oldest readable on is read.
+inline constexpr std::int32_t session_schema_version = 4, oldest_readable_schema_version = 2;
+inline constexpr std::int32_t first_schema_with_checksum = 3, first_schema_with_blocks = 4;
 /// Bone came apart, and the loop took over its parts after this tick: an input, which a replay gives back.
 /// `came_apart`: there are further bodies; `crumbled`: crumbs alone.
 inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_event = "bone.crumbled";
@@ -80,6 +81,9 @@ struct SavedRecord {
 /// 100 ms. `kill -9` loses at most a quarter of a second by the clock, and the file still opens; a run in lock-step
 /// goes faster than the clock, and loses at most half a queue, 4096 ticks. A power cut loses what came after the last
 /// checkpoint: 5 s by the clock, or 8 MB.
+///
+/// The writer compresses the rows of ticks and cuts in blocks (core/session/block_writer.h), and `finish` those that
+/// are left. Where the disk has no room for a block, its rows stay as they are.
 ///
 /// The file is made under another name, `PATH.part`, and renamed when it is known as a session: whatever happens,
 /// `PATH` is a session or is not there. While it is open it has a -wal beside it, which begins anew at 8 MB, so that it

@@ -131,7 +131,7 @@ std::string SessionFile::open(const std::string& path, const std::vector<std::st
     if (const auto version = pragma(database_, "PRAGMA user_version");
         version < oldest_readable_schema_version || version > session_schema_version)
         return path + ": has session schema " + std::to_string(version) + ", need " +
-               std::to_string(oldest_readable_schema_version) + " or " + std::to_string(session_schema_version) +
+               std::to_string(oldest_readable_schema_version) + " to " + std::to_string(session_schema_version) +
                ". Record it anew with this Kerf, or take the one that wrote it.";
     for (const std::string& table : tables)
         if (computes(database_, table))

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/procedure/printable_lines.h"
+#include "tests/support/plain_session.h"
 #include "tests/support/program.h"
 
 namespace kerf {
@@ -60,8 +61,11 @@ struct ChangedRecord {
     TemporaryFolder folder;
     std::string record = folder / "record/session.db";
 
-    explicit ChangedRecord(const char* sql) {
+    explicit ChangedRecord(const char* sql, bool is_plain = false) {
         EXPECT_EQ(kerf(short_run + " --out " + (folder / "record")).exit_code, 1);
+        if (is_plain) {
+            EXPECT_EQ(test::make_rows_plain(record), "");
+        }
         EXPECT_TRUE(changed(record, sql));
     }
     [[nodiscard]] Ended replayed() const {
@@ -82,9 +86,10 @@ TEST(Replay, ReportsAChangedRecording) {
 }
 
 TEST(Replay, EndsWithAFaultWhereTheBitsDiffer) {
-    // Sessions of version 2 have no checksum: the hash alone decides.
+    // Sessions of version 2 have plain rows and no checksum: the hash alone decides.
     const ChangedRecord run("UPDATE session SET value='0123456789abcdef' WHERE key='hash'; DELETE FROM session "
-                            "WHERE key='record_checksum'; PRAGMA user_version=2");
+                            "WHERE key='record_checksum'; PRAGMA user_version=2",
+                            true);
     const Ended replayed = run.replayed();
     EXPECT_EQ(replayed.exit_code, 3) << replayed.out << replayed.err;
     EXPECT_TRUE(has(replayed.out, "replay: NOT the same bits\n")) << replayed.out << replayed.err;

@@ -13,6 +13,7 @@
 
 #include "core/session/recorder.h"
 #include "tests/bad_inputs/input.h"
+#include "tests/support/plain_session.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
@@ -89,13 +90,17 @@ Make session(const std::function<void(const std::string& path)>& change) {
         change(folder + "/session.db");
     };
 }
+void change(const std::string& path, const std::string& sql) {
+    if (const std::string error = run_sql(path, sql); !error.empty()) throw std::runtime_error(sql + ": " + error);
+}
 Make session_after(const std::string& sql) {
+    return session([=](const std::string& path) { change(path, sql); });
+}
+/// The same with plain rows, as a killed run leaves its last ones.
+Make plain_session_after(const std::string& sql) {
     return session([=](const std::string& path) {
-        sqlite3* database = nullptr;
-        const bool is_done = sqlite3_open(path.c_str(), &database) == SQLITE_OK &&
-                             sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK;
-        sqlite3_close(database);
-        if (!is_done) throw std::runtime_error("sqlite: " + sql);
+        if (const std::string error = make_rows_plain(path); !error.empty()) throw std::runtime_error(error);
+        change(path, sql);
     });
 }
 Make cut_to(double share) {
@@ -309,15 +314,51 @@ std::vector<Input> session_inputs() {
          "refused", "session.db"},
         {"session, another schema", Way::session, "session.db", session_after("PRAGMA user_version=9"), "refused",
          "schema 9, need 2"},
-        {"session, a tick missing", Way::session, "session.db", session_after("DELETE FROM ticks WHERE tick=77"),
+        {"session, a tick missing", Way::session, "session.db", plain_session_after("DELETE FROM ticks WHERE tick=77"),
          "refused", "tick 77 is missing"},
-        {"session, no ticks", Way::session, "session.db", session_after("DELETE FROM ticks"), "refused", "no ticks"},
+        {"session, no ticks", Way::session, "session.db", session_after("DELETE FROM ticks; DELETE FROM blocks"),
+         "refused", "no ticks"},
         {"session, no table of ticks", Way::session, "session.db", session_after("DROP TABLE ticks"), "refused",
          "no ticks"},
         {"session, text in place of a number", Way::session, "session.db",
-         session_after("UPDATE ticks SET device_from_handle_x='a' WHERE tick=9"), "refused", "tick 9 holds no pose"},
+         plain_session_after("UPDATE ticks SET device_from_handle_x='a' WHERE tick=9"), "refused",
+         "tick 9 holds no pose"},
         {"session, a pose at infinity", Way::session, "session.db",
-         session_after("UPDATE ticks SET device_from_handle_x=9e999 WHERE tick=9"), "refused", "tick 9 holds no pose"},
+         plain_session_after("UPDATE ticks SET device_from_handle_x=9e999 WHERE tick=9"), "refused",
+         "tick 9 holds no pose"},
+        {"session, plain rows", Way::session, "session.db", plain_session_after(""), "loaded", ""},
+        {"session, a schema before the first", Way::session, "session.db", session_after("PRAGMA user_version=0"),
+         "refused", "schema 0, need 2"},
+        {"session, of a newer Kerf", Way::session, "session.db", session_after("PRAGMA user_version=5"), "refused",
+         "schema 5, need 2"},
+        {"session, an older schema's number on blocks", Way::session, "session.db",
+         session_after("PRAGMA user_version=3"), "refused", "no ticks"},
+        {"session, no table of blocks", Way::session, "session.db", session_after("DROP TABLE blocks"), "refused",
+         "no ticks"},
+        {"session, a column cut short", Way::session, "session.db",
+         session_after("UPDATE blocks SET data=substr(data, 1, 20) WHERE column_name='device_from_handle_x'"),
+         "refused", "damaged column `device_from_handle_x`"},
+        {"session, a column that is not there", Way::session, "session.db",
+         session_after("DELETE FROM blocks WHERE column_name='device_from_handle_x'"), "refused",
+         "lacks its column `device_from_handle_x`"},
+        {"session, a column of another", Way::session, "session.db",
+         session_after("UPDATE blocks SET data=(SELECT data FROM blocks WHERE column_name='device_from_handle_x'), "
+                       "differences=(SELECT differences FROM blocks WHERE column_name='device_from_handle_x') WHERE "
+                       "column_name='device_from_handle_qw'"),
+         "refused", "tick 0 holds no pose"},
+        {"session, more rows than the column has", Way::session, "session.db",
+         session_after("UPDATE blocks SET rows=201"), "refused", "damaged column `tick`"},
+        {"session, more rows than memory has", Way::session, "session.db",
+         session_after("UPDATE blocks SET rows=9223372036854775807"), "refused", "9223372036854775807 rows"},
+        {"session, a column of 100 MB", Way::session, "session.db",
+         session_after("UPDATE blocks SET data=zeroblob(100000000) WHERE column_name='device_from_handle_x'"),
+         "refused", "damaged column `device_from_handle_x`"},
+        {"session, blocks that are a view without end", Way::session, "session.db",
+         session_after(
+             "ALTER TABLE blocks RENAME TO b; CREATE VIEW blocks AS WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL "
+             "SELECT i+1 FROM n) SELECT 'ticks' AS table_name, i AS block, rows, column_name, differences, data "
+             "FROM n, b"),
+         "refused", "computes its table `blocks`"},
         {"session, ticks that are a view without end", Way::session, "session.db",
          session_after("ALTER TABLE ticks RENAME TO t; CREATE VIEW ticks AS WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL "
                        "SELECT i+1 FROM n) "
@@ -335,20 +376,31 @@ std::vector<Input> session_inputs() {
          "cannot be opened"},
         {"report, of an older schema", Way::report, "session.db", session_after("PRAGMA user_version=1"), "refused",
          "schema 1, need 2"},
+        {"report, of a newer Kerf", Way::report, "session.db", session_after("PRAGMA user_version=5"), "refused",
+         "schema 5, need 2"},
+        {"report, plain rows", Way::report, "session.db", plain_session_after(""), "loaded", ""},
+        {"report, a column cut short", Way::report, "session.db",
+         session_after("UPDATE blocks SET data=substr(data, 1, 8) WHERE column_name='thrust'"), "refused",
+         "damaged column `thrust`"},
+        {"report, more rows than memory has", Way::report, "session.db",
+         session_after("UPDATE blocks SET rows=9223372036854775807"), "refused", "9223372036854775807 rows"},
+        {"report, a column that no page shows, changed", Way::report, "session.db",
+         session_after("UPDATE blocks SET data=x'00' WHERE column_name='iterations'"), "refused",
+         "not those that the run wrote"},
         {"report, no table of events", Way::report, "session.db", session_after("DROP TABLE events"), "refused",
          "`events` cannot be read"},
         {"report, text in place of a number", Way::report, "session.db",
-         session_after("UPDATE ticks SET torque='a' WHERE tick=9"), "refused", "`ticks`"},
+         plain_session_after("UPDATE ticks SET torque='a' WHERE tick=9"), "refused", "`ticks`"},
         {"report, a number in place of every text", Way::report, "session.db",
          session_after("UPDATE session SET value=7 WHERE key LIKE 'run.%'; UPDATE session SET value='x' WHERE key LIKE "
                        "'result.%'"),
          "refused", "not those that the run wrote"},
         {"report, numbers at infinity", Way::report, "session.db",
-         session_after("UPDATE ticks SET thrust=9e999, depth=-9e999, time=1e300, tissue=9223372036854775807"),
+         plain_session_after("UPDATE ticks SET thrust=9e999, depth=-9e999, time=1e300, tissue=9223372036854775807"),
          "refused", "not those that the run wrote"},
         {"report, numbers of the greatest size", Way::report, "session.db",
-         session_after("UPDATE ticks SET thrust=1e308 * (1 - 2 * (tick % 2)), depth=thrust, time=thrust"), "refused",
-         "not those that the run wrote"},
+         plain_session_after("UPDATE ticks SET thrust=1e308 * (1 - 2 * (tick % 2)), depth=thrust, time=thrust"),
+         "refused", "not those that the run wrote"},
         {"report, a surface without vertices", Way::report, "session.db",
          session_after("INSERT INTO surface VALUES(1e-6, 1, 1, 1, x'', x'', x'', x'000000000000')"), "refused",
          "triangles without vertices"},

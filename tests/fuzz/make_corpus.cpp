@@ -23,6 +23,7 @@
 #include "core/session/recorder.h"
 #include "tests/core/procedure/every_key.h"
 #include "tests/support/dicom_writer.h"
+#include "tests/support/plain_session.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf {
@@ -367,14 +368,15 @@ void write_markups() {
 // ---- sessions
 // --------------------------------------------------------------------------------------------------------
 
-/// A database in pages of 512 bytes, so that a change of one byte meets something that counts.
+/// A database in pages of 512 bytes, so that a change of one byte meets something that counts. Its schema is the last
+/// that had plain rows alone, so that few tables make a session.
 std::string database(const std::string& sql) {
     const test::TemporaryFolder folder;
     const std::string path = folder / "session.db";
     sqlite3* open = nullptr;
     sqlite3_open(path.c_str(), &open);
     const std::string all = "PRAGMA page_size=512; PRAGMA application_id=" + std::to_string(session_application_id) +
-                            "; PRAGMA user_version=" + std::to_string(session_schema_version) + ";" + sql;
+                            "; PRAGMA user_version=" + std::to_string(first_schema_with_blocks - 1) + ";" + sql;
     char* error = nullptr;
     if (sqlite3_exec(open, all.c_str(), nullptr, nullptr, &error) != SQLITE_OK) {
         std::fprintf(stderr, "%s\n", error);
@@ -420,7 +422,7 @@ std::string endless(std::string database) {
 }
 
 /// A whole session as the recorder writes it, of two ticks and a triangle, in the same small pages.
-std::string recorded_session(const std::string& sql) {
+std::string recorded_session(const std::string& sql, bool is_plain = false) {
     const test::TemporaryFolder folder;
     const std::string path = folder / "session.db";
     SessionHeader header;
@@ -444,6 +446,7 @@ std::string recorded_session(const std::string& sql) {
     mesh.vertices = {{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}};
     mesh.triangles = {{0, 1, 2}};
     if (!recorder->finish(summary, drawn_surface(mesh)).empty()) std::abort();
+    if (is_plain && !test::make_rows_plain(path).empty()) std::abort();
     sqlite3* open = nullptr;
     sqlite3_open(path.c_str(), &open);
     // What only describes the file would be most of it
@@ -481,6 +484,15 @@ void write_sessions() {
     write("session", "good-sorted",
           database(keys + "CREATE TABLE ticks(tick INTEGER PRIMARY KEY, " + poses + ") WITHOUT ROWID;" + rows(20)));
     write("session", "good-recorded", recorded_session(""));
+    write("session", "good-recorded-plain", recorded_session("", true));
+    write("session", "bad-column-cut",
+          recorded_session("UPDATE blocks SET data=substr(data, 1, 8) WHERE column_name='thrust' OR "
+                           "column_name='device_from_handle_x';"));
+    write("session", "bad-rows-promised", recorded_session("UPDATE blocks SET rows=4096;"));
+    write("session", "bad-column-missing", recorded_session("DELETE FROM blocks WHERE column_name='tick';"));
+    write(
+        "session", "bad-block-twice",
+        recorded_session("INSERT INTO blocks SELECT table_name, 1, rows, column_name, differences, data FROM blocks;"));
     write(
         "session", "good-without-result",
         recorded_session("DELETE FROM session WHERE key LIKE 'result.%' OR key = 'record_checksum'; UPDATE session SET "

@@ -2,7 +2,7 @@
 #include "core/session/read_run.h"
 
 #include <gtest/gtest.h>
-#include <sqlite3.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +15,7 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "core/session/read_session.h"
@@ -23,6 +24,7 @@
 #include "core/session/report.h"
 #include "core/session/write_file.h"
 #include "synthetic_run.h"
+#include "tests/support/plain_session.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf {
@@ -58,25 +60,42 @@ std::unique_ptr<Recorder> recorder_of(const std::string& path, const RunSummary&
     return std::move(created.recorder);
 }
 
+enum class Rows { compressed, plain };
+
 /// A finished session of the made-up run, changed by `sql`.
-std::string session_after(const TemporaryFolder& folder, const std::string& sql) {
+std::string session_after(const TemporaryFolder& folder, const std::string& sql, Rows rows = Rows::compressed) {
     std::string path = folder / "session.db";
     const RunSummary summary = test::synthetic_summary();
     EXPECT_EQ(recorder_of(path, summary, test::synthetic_ticks(50), test::synthetic_events())
                   ->finish(summary, drawn_surface(test::synthetic_bone(4))),
               "");
-    sqlite3* database = nullptr;
-    EXPECT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
-    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
-    sqlite3_close(database);
+    if (rows == Rows::plain) {
+        EXPECT_EQ(test::make_rows_plain(path), "");
+    }
+    EXPECT_EQ(test::run_sql(path, sql), "") << sql;
     return path;
 }
 
-std::string refusal_after(const std::string& sql) {
+std::string refusal_after(const std::string& sql, Rows rows = Rows::compressed) {
     const TemporaryFolder folder;
     std::string error;
-    EXPECT_FALSE(read_run(session_after(folder, sql), error)) << sql;
+    EXPECT_FALSE(read_run(session_after(folder, sql, rows), error)) << sql;
     return error;
+}
+
+/// The ticks with the numbers that a session keeps of them: inputs of a replay exactly, all others as float32.
+std::vector<TickRow> as_kept(std::vector<TickRow> rows) {
+    const auto narrow = [](double& number) { number = static_cast<double>(static_cast<float>(number)); };
+    for (TickRow& row : rows) {
+        auto& [p, q] = row.world_from_tool;
+        for (double* number : {&p.x, &p.y, &p.z, &q.w, &q.x, &q.y, &q.z, &row.thrust, &row.torque, &row.depth,
+                               &row.feed_rate, &row.power_hand, &row.power_drive, &row.removed})
+            narrow(*number);
+        for (Vec6* wrench : {&row.modelled, &row.coupled, &row.limited, &row.commanded})
+            for (double& component : *wrench) narrow(component);
+        for (double& signal : row.signals) narrow(signal);
+    }
+    return rows;
 }
 
 std::string page_of(const RecordedRun& run) { return report_html(run.summary, run.drawn); }
@@ -109,7 +128,7 @@ TEST(ReadRun, ThePageMadeOfASessionIsThePageOfTheRunByteForByte) {
     ASSERT_TRUE(run) << error;
     EXPECT_EQ(run->missing, "");
     EXPECT_EQ(run->drawn.bone(), bone);
-    EXPECT_TRUE(page_of(*run) == report_html(summary, test::drawn_run(ticks, events, bone)));
+    EXPECT_TRUE(page_of(*run) == report_html(summary, test::drawn_run(as_kept(ticks), events, bone)));
 }
 
 TEST(ReadRun, ReadsTitlesFromTheRecordedProcedure) {
@@ -148,11 +167,13 @@ TEST(ReadRun, WhatWasCutShortHasAPageThatSaysSo) {
 TEST(ReadRun, LostRowsAreSaid) {
     const TemporaryFolder folder;
     std::string error;
-    const auto run = read_run(
-        session_after(folder, "UPDATE session SET value='incomplete' WHERE key='state'; "
-                              "UPDATE session SET value='17' WHERE key='lost_ticks'; DELETE FROM ticks WHERE tick=9; "
-                              "DELETE FROM session WHERE key='record_checksum'"),
-        error);
+    const auto run =
+        read_run(session_after(folder,
+                               "UPDATE session SET value='incomplete' WHERE key='state'; "
+                               "UPDATE session SET value='17' WHERE key='lost_ticks'; DELETE FROM ticks WHERE tick=9; "
+                               "DELETE FROM session WHERE key='record_checksum'",
+                               Rows::plain),
+                 error);
     ASSERT_TRUE(run) << error;
     EXPECT_EQ(run->drawn.ticks(), 49u);
     EXPECT_NE(page_of(*run).find("17 rows of it were lost"), std::string::npos);
@@ -160,10 +181,9 @@ TEST(ReadRun, LostRowsAreSaid) {
 
 TEST(ReadRun, WhatNoRunWritesIsRefused) {
     for (const auto& [sql, words] :
-         {std::pair<const char*, const char*>{"PRAGMA user_version=1", "schema 1, need 2 or 3"},
-          {"UPDATE ticks SET thrust='much' WHERE tick=7", "`ticks` has something else than a number"},
-          {"UPDATE ticks SET tick=-1 WHERE tick=7", "tick -1"},
-          {"UPDATE ticks SET tick=6 WHERE tick=7", "tick 6 is there twice"},
+         {std::pair<const char*, const char*>{"PRAGMA user_version=1", "schema 1, need 2 to 4"},
+          {"PRAGMA user_version=0", "schema 0, need 2 to 4"},
+          {"PRAGMA user_version=5", "schema 5, need 2 to 4"},
           {"DROP TABLE reasons", "`reasons` cannot be read"},
           {"ALTER TABLE ticks RENAME COLUMN thrust TO push", "`ticks` cannot be read"},
           {"UPDATE surface SET triangles=x'ffffffffffff'", "triangles without vertices"},
@@ -172,17 +192,131 @@ TEST(ReadRun, WhatNoRunWritesIsRefused) {
           {"UPDATE surface SET half_x=9e999", "triangles without vertices"},
           {"INSERT INTO surface SELECT * FROM surface", "two surfaces"},
           {"WITH RECURSIVE n(i) AS (SELECT 2 UNION ALL SELECT i+1 FROM n WHERE i < 40) INSERT INTO signals SELECT i, "
-           "'x', 'x', '', 1.0, '' FROM n",
+           "'x', 'x', '', '', 1.0, '' FROM n",
            "more than"},
           {"ALTER TABLE metrics RENAME TO m; CREATE VIEW metrics AS SELECT * FROM m", "computes its table `metrics`"},
           {"ALTER TABLE events ADD COLUMN more AS (printf('%.*c', 9, 'x'))", "computes its table `events`"}})
         EXPECT_NE(refusal_after(sql).find(words), std::string::npos) << sql << ": " << refusal_after(sql);
 }
 
+TEST(ReadRun, PlainRowsThatNoRunWritesAreRefused) {
+    for (const auto& [sql, words] :
+         {std::pair<const char*, const char*>{"UPDATE ticks SET thrust='much' WHERE tick=7",
+                                              "`ticks` has something else than a number"},
+          {"UPDATE ticks SET tick=-1 WHERE tick=7", "tick -1"},
+          {"UPDATE ticks SET tick=6 WHERE tick=7", "tick 6 is there twice"},
+          {"DROP TABLE blocks", "`ticks` cannot be read"},
+          {"ALTER TABLE blocks RENAME TO b; CREATE VIEW blocks AS SELECT * FROM b", "computes its table `blocks`"}})
+        EXPECT_NE(refusal_after(sql, Rows::plain).find(words), std::string::npos)
+            << sql << ": " << refusal_after(sql, Rows::plain);
+}
+
+TEST(ReadRun, BlocksThatNoRunWritesAreRefused) {
+    const std::string thrust = " WHERE table_name='ticks' AND column_name='thrust'";
+    for (const auto& [sql, words] : std::vector<std::pair<std::string, std::string>>{
+             // The column's bytes: cut short, none, something else, far too many
+             {"UPDATE blocks SET data=substr(data, 1, length(data) / 2)" + thrust, "damaged column `thrust`"},
+             {"UPDATE blocks SET data=substr(data, 1, length(data) - 1)" + thrust, "damaged column `thrust`"},
+             {"UPDATE blocks SET data=x''" + thrust, "damaged column `thrust`"},
+             {"UPDATE blocks SET data=NULL" + thrust, "damaged column `thrust`"},
+             {"UPDATE blocks SET data='much'" + thrust, "damaged column `thrust`"},
+             {"UPDATE blocks SET data=data || x'00'" + thrust, "damaged column `thrust`"},
+             {"UPDATE blocks SET data=zeroblob(50000000)" + thrust, "damaged column `thrust`"},
+             {"UPDATE blocks SET differences=4" + thrust, "damaged column `thrust`"},
+             {"UPDATE blocks SET differences=-9223372036854775808" + thrust, "damaged column `thrust`"},
+             // Lengths that lie
+             {"UPDATE blocks SET rows=51", "damaged column `tick`"},
+             {"UPDATE blocks SET rows=49", "damaged column `tick`"},
+             {"UPDATE blocks SET rows=4096", "damaged column `tick`"},
+             {"UPDATE blocks SET rows=51" + thrust, "lacks its column `thrust`"},
+             {"UPDATE blocks SET rows=0", "has 0 rows, and a block has 1 to 4096"},
+             {"UPDATE blocks SET rows=-1", "has -1 rows"},
+             {"UPDATE blocks SET rows=4097", "has 4097 rows"},
+             {"UPDATE blocks SET rows=1000000000000", "has 1000000000000 rows"},
+             // Columns and blocks that are missing, repeated or out of order
+             {"DELETE FROM blocks" + thrust, "lacks its column `thrust`"},
+             {"DELETE FROM blocks WHERE column_name LIKE 'signal%'", "block 0 of its table `ticks` is cut short"},
+             {"UPDATE blocks SET column_name='push'" + thrust, "lacks its column `thrust`"},
+             {"UPDATE blocks SET block=1", "lacks its column `tick`"},
+             {"INSERT INTO blocks SELECT * FROM blocks WHERE table_name='ticks'", "lacks its column `tick`"},
+             {"INSERT INTO blocks SELECT table_name, block + 1, rows, column_name, differences, data FROM blocks WHERE "
+              "table_name='ticks'",
+              "tick 0 is there twice"}})
+        EXPECT_NE(refusal_after(sql).find(words), std::string::npos) << sql << ": " << refusal_after(sql);
+}
+
+TEST(ReadRun, ALengthThatLiesTakesNoMemory) {
+    const TemporaryFolder folder;
+    const std::string path = session_after(folder, "UPDATE blocks SET rows=9223372036854775807");
+    const pid_t child = fork();
+    if (child == 0) {
+        rusage before{}, after{};
+        getrusage(RUSAGE_SELF, &before);
+        std::string error;
+        const bool is_read = read_run(path, error).has_value() || read_session(path, error).has_value();
+        getrusage(RUSAGE_SELF, &after);
+        _exit(is_read || after.ru_maxrss - before.ru_maxrss > 20'000 /* kB */ ? 1 : 0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST(ReadRun, ReadsBlocksAndThePlainRowsBehindThem) {
+    // Given a run that was given up in its second block, whose rows stayed plain
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    const auto ticks = test::synthetic_ticks(5000);
+    ASSERT_EQ(recorder_of(path, test::synthetic_summary(), ticks, {})->finish(test::synthetic_summary()), "");
+    ASSERT_EQ(test::make_rows_plain(path, 1), "");
+
+    // Then both parts are read, in order
+    std::string error;
+    const auto run = read_run(path, error);
+    ASSERT_TRUE(run) << error;
+    EXPECT_EQ(run->drawn.ticks(), 5000u);
+    EXPECT_EQ(run->drawn.last()->tick, 4999u);
+    const auto inputs = read_session(path, error);
+    ASSERT_TRUE(inputs) << error;
+    ASSERT_EQ(inputs->device_from_handle.size(), 5000u);
+    for (std::size_t tick : {0u, 4095u, 4096u, 4999u})
+        EXPECT_EQ(inputs->device_from_handle[tick].position.z, ticks[tick].device_from_handle.position.z) << tick;
+}
+
+void expect_changed(const char* sql, Rows rows) {
+    EXPECT_NE(refusal_after(sql, rows).find("not those that the run wrote"), std::string::npos)
+        << sql << refusal_after(sql, rows);
+    const TemporaryFolder folder;
+    std::string error;
+    const auto inputs = read_session(session_after(folder, sql, rows), error);
+    ASSERT_TRUE(inputs) << sql << error;
+    EXPECT_EQ(inputs->rows, RecordCheck::changed) << sql;
+}
+
+TEST(RecordChecksum, FindsAChangeInPlainRows) {
+    for (const char* sql : {"UPDATE ticks SET thrust=1e6 WHERE tick=7", "UPDATE ticks SET removed=1e-9"})
+        expect_changed(sql, Rows::plain);
+}
+
+TEST(RecordChecksum, FindsAChangeInABlock) {
+    for (const char* sql :
+         {// The thrust of another column, which unpacks
+          "UPDATE blocks SET data=(SELECT data FROM blocks WHERE column_name='depth'), differences=(SELECT differences "
+          "FROM blocks WHERE column_name='depth') WHERE column_name='thrust'",
+          "UPDATE blocks SET differences=differences+1-2*(differences>0) WHERE column_name='thrust'",
+          // A column that no page shows
+          "UPDATE blocks SET data=x'00' WHERE column_name='feed_rate'",
+          "UPDATE blocks SET data=NULL WHERE column_name='power_hand'",
+          "INSERT INTO ticks(tick, device_from_handle_qw, device_from_handle_qx, device_from_handle_qy, "
+          "device_from_handle_qz, device_from_handle_x, device_from_handle_y, device_from_handle_z) VALUES(50, 1, 0, "
+          "0, "
+          "0, 0, 0, 0)",
+          "INSERT INTO blocks VALUES('cuts', 0, 1, 'sequence', 0, x'00')"})
+        expect_changed(sql, Rows::compressed);
+}
+
 TEST(RecordChecksum, FindsAChangeInEveryTable) {
-    for (const char* sql : {"UPDATE ticks SET thrust=1e6 WHERE tick=7",
-                            "UPDATE ticks SET removed=1e-9",
-                            "UPDATE events SET detail='x'",
+    for (const char* sql : {"UPDATE events SET detail='x'",
                             "UPDATE metrics SET value=0",
                             "UPDATE metrics SET status='ok'",
                             "DELETE FROM metrics WHERE rowid=1",
@@ -207,15 +341,8 @@ TEST(RecordChecksum, FindsAChangeInEveryTable) {
                             "UPDATE session SET value='0000000000000000' WHERE key='record_checksum'",
                             "UPDATE events SET detail=CAST(detail AS BLOB) WHERE rowid=1",
                             "CREATE TABLE more (a)",
-                            "CREATE TRIGGER more AFTER INSERT ON ticks BEGIN DELETE FROM ticks; END"}) {
-        EXPECT_NE(refusal_after(sql).find("not those that the run wrote"), std::string::npos)
-            << sql << refusal_after(sql);
-        const TemporaryFolder folder;
-        std::string error;
-        const auto inputs = read_session(session_after(folder, sql), error);
-        ASSERT_TRUE(inputs) << sql << error;
-        EXPECT_EQ(inputs->rows, RecordCheck::changed) << sql;
-    }
+                            "CREATE TRIGGER more AFTER INSERT ON ticks BEGIN DELETE FROM ticks; END"})
+        expect_changed(sql, Rows::compressed);
 }
 
 TEST(RecordChecksum, HoldsForACopyAndAfterVacuum) {
@@ -232,7 +359,7 @@ TEST(RecordChecksum, HoldsForACopyAndAfterVacuum) {
 TEST(RecordChecksum, OfAnOlderSessionIsUnknown) {
     const TemporaryFolder folder;
     const std::string path =
-        session_after(folder, "DELETE FROM session WHERE key='record_checksum'; PRAGMA user_version=2");
+        session_after(folder, "DELETE FROM session WHERE key='record_checksum'; PRAGMA user_version=2", Rows::plain);
     std::string error;
     const auto run = read_run(path, error);
     EXPECT_TRUE(run) << error;

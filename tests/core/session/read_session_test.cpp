@@ -2,21 +2,25 @@
 #include "core/session/read_session.h"
 
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/session/recorder.h"
 #include "synthetic_run.h"
+#include "tests/support/plain_session.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
 
+enum class Rows { compressed, plain };
+
 /// A session of ten ticks, at rest a little beside the origin, changed by `sql`.
-std::string session_after(const test::TemporaryFolder& folder, const std::string& sql) {
+std::string session_after(const test::TemporaryFolder& folder, const std::string& sql, Rows rows = Rows::plain) {
     std::string path = folder / "session.db";
     auto recorder = Recorder::create(path, {}).recorder;
     for (std::uint64_t tick = 0; tick < 10; ++tick) {
@@ -26,28 +30,45 @@ std::string session_after(const test::TemporaryFolder& folder, const std::string
         recorder->push(row);
     }
     EXPECT_EQ(recorder->finish(test::synthetic_summary()), "");
-    sqlite3* database = nullptr;
-    EXPECT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
-    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
-    sqlite3_close(database);
+    if (rows == Rows::plain) {
+        EXPECT_EQ(test::make_rows_plain(path), "");
+    }
+    EXPECT_EQ(test::run_sql(path, sql), "") << sql;
     return path;
 }
 
-std::string refusal_after(const std::string& sql) {
+std::string refusal_after(const std::string& sql, Rows rows = Rows::plain) {
     const test::TemporaryFolder folder;
     std::string error;
-    EXPECT_FALSE(read_session(session_after(folder, sql), error)) << sql;
+    EXPECT_FALSE(read_session(session_after(folder, sql, rows), error)) << sql;
     return error;
 }
 
 TEST(ReadSession, GivesEveryPoseInOrder) {
-    const test::TemporaryFolder folder;
-    std::string error;
-    const auto inputs = read_session(session_after(folder, ""), error);
-    ASSERT_TRUE(inputs) << error;
-    ASSERT_EQ(inputs->device_from_handle.size(), 10u);
-    EXPECT_EQ(inputs->device_from_handle[9].position.z, -0.002);
-    EXPECT_EQ(inputs->hash, "0123456789abcdef");
+    for (const Rows rows : {Rows::compressed, Rows::plain}) {
+        const test::TemporaryFolder folder;
+        std::string error;
+        const auto inputs = read_session(session_after(folder, "", rows), error);
+        ASSERT_TRUE(inputs) << error;
+        ASSERT_EQ(inputs->device_from_handle.size(), 10u);
+        EXPECT_EQ(inputs->device_from_handle[9].position.z, -0.002);
+        EXPECT_EQ(inputs->hash, "0123456789abcdef");
+    }
+}
+
+TEST(ReadSession, ABlockThatIsDamagedIsRefused) {
+    const std::string pose = " WHERE column_name='device_from_handle_qx'";
+    for (const auto& [sql, words] : std::vector<std::pair<std::string, std::string>>{
+             {"UPDATE blocks SET data=substr(data, 1, 9)" + pose, "damaged column `device_from_handle_qx`"},
+             {"UPDATE blocks SET rows=1000000000", "has 1000000000 rows"},
+             {"DELETE FROM blocks" + pose, "lacks its column `device_from_handle_qx`"},
+             {"UPDATE blocks SET data=(SELECT data FROM blocks WHERE column_name='device_from_handle_qw')" + pose,
+              "tick 0 holds no pose"},
+             {"UPDATE blocks SET differences=0 WHERE column_name='tick'", "is missing, so it cannot be replayed"},
+             {"DELETE FROM blocks WHERE table_name='ticks'", "holds no ticks"},
+             {"DROP TABLE blocks", "`blocks` cannot be read"}})
+        EXPECT_NE(refusal_after(sql, Rows::compressed).find(words), std::string::npos)
+            << sql << ": " << refusal_after(sql, Rows::compressed);
 }
 
 TEST(ReadSession, APoseThatIsNoneIsRefusedWithItsTick) {
@@ -61,7 +82,7 @@ TEST(ReadSession, APoseThatIsNoneIsRefusedWithItsTick) {
 TEST(ReadSession, AMissingTickOrAnotherSchemaIsRefused) {
     EXPECT_NE(refusal_after("DELETE FROM ticks WHERE tick=5").find("tick 5 is missing"), std::string::npos);
     EXPECT_NE(refusal_after("DELETE FROM ticks").find("holds no ticks"), std::string::npos);
-    EXPECT_NE(refusal_after("PRAGMA user_version=9").find("schema 9, need 2 or 3"), std::string::npos);
+    EXPECT_NE(refusal_after("PRAGMA user_version=9").find("schema 9, need 2 to 4"), std::string::npos);
 }
 
 TEST(ReadSession, RowsThatAreComputedAreRefused) {
