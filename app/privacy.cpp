@@ -14,12 +14,16 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "core/import/image/dicom_elements.h"
 #include "core/import/image/packed_bytes.h"
+#include "core/session/packed_column.h"
 #include "core/session/recorder.h"
 
 namespace kerf {
@@ -453,6 +457,20 @@ bool is_of_the_run(const std::string& key, const std::string& value) {
            (key == "uuid" && is_written_as(value, "ffffffff-ffff-ffff-ffff-ffffffffffff"));
 }
 
+/// Whether a row of a session's table `blocks` holds numbers alone: what its bytes would look like means nothing.
+bool is_packed_column(sqlite3_stmt* row, ColumnUnpacker& unpacker, std::vector<std::uint64_t>& cells) {
+    constexpr int rows_column = 2, differences_column = 4, data_column = 5;
+    if (sqlite3_column_count(row) != data_column + 1) return false;
+    const auto rows = static_cast<std::uint64_t>(sqlite3_column_int64(row, rows_column));
+    if (rows > max_block_rows || sqlite3_column_type(row, data_column) != SQLITE_BLOB) return false;
+    cells.resize(rows);
+    const std::span<const unsigned char> bytes(static_cast<const unsigned char*>(sqlite3_column_blob(row, data_column)),
+                                               static_cast<std::size_t>(sqlite3_column_bytes(row, data_column)));
+    const int differences = sqlite3_column_int(row, differences_column);
+    return unpacker.unpack(bytes, differences, NumberFormat::float64, cells) ||
+           unpacker.unpack(bytes, differences, NumberFormat::float32, cells);
+}
+
 /// All texts of all tables, each on a line of its own; numbers would look like anything. Bytes are looked at here.
 /// Empty, and `is_whole` false, if it is damaged.
 std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyReport& report) {
@@ -469,6 +487,8 @@ std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyRe
         sqlite3_finalize(statement);
     };
     LookingAmongBytes among_bytes(report, ", among bytes");
+    ColumnUnpacker unpacker;
+    std::vector<std::uint64_t> cells;
     std::vector<std::string> tables;
     const auto text_of = [](sqlite3_stmt* row, int column) {
         const auto* bytes = static_cast<const char*>(sqlite3_column_blob(row, column));
@@ -492,10 +512,11 @@ std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyRe
             if (is_session && table == "envelope" && sqlite3_column_count(row) == 2 &&
                 is_of_the_run(text_of(row, 0), text_of(row, 1)))
                 return;
+            const bool is_numbers = is_session && table == "blocks" && is_packed_column(row, unpacker, cells);
             for (int column = 0; column < sqlite3_column_count(row); ++column)
                 if (const int type = sqlite3_column_type(row, column); type == SQLITE_TEXT)
                     all += text_of(row, column) + "\n";
-                else if (type == SQLITE_BLOB)
+                else if (type == SQLITE_BLOB && !is_numbers)
                     among_bytes.take(text_of(row, column) + '\0');
         });
     }

@@ -451,6 +451,31 @@ TEST(PrivacyReport, PassesASessionsOwnStartAndNumber) {
     }
 }
 
+TEST(PrivacyReport, ReadsNothingIntoTheNumbersOfASession) {
+    // Given a session with a megabyte of numbers that look like noise
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    auto recorder = Recorder::create(path, {}).recorder;
+    std::uint64_t noise = 1;
+    for (std::uint64_t tick = 0; tick < 6000; ++tick) {
+        TickRow row;
+        row.tick = tick;
+        for (double& component : row.coupled) {
+            noise = noise * 6364136223846793005u + 1442695040888963407u;
+            component = static_cast<double>(noise >> 11);
+        }
+        for (Vec6* same : {&row.modelled, &row.limited}) *same = row.coupled;
+        recorder->push(row);
+    }
+    recorder.reset();
+    ASSERT_GT(fs::file_size(path), 400'000u);
+    EXPECT_EQ(kinds_of(privacy_report(path)), std::vector<std::string>{});
+
+    // But bytes that are not numbers alone are searched
+    change_session(path, "UPDATE blocks SET data=CAST(data || '/home/jane/scans/1' AS BLOB) WHERE column_name='depth'");
+    EXPECT_EQ(kinds_of(privacy_report(path)), std::vector<std::string>{"a path, among bytes=/home/jane/scans/1"});
+}
+
 TEST(PrivacyReport, ReadsTheTextsOfANiftiHeader) {
     const TemporaryFolder folder;
     std::string header(352, '\0');
