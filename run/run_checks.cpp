@@ -134,6 +134,14 @@ void refuse_tool(const Procedure& procedure, const std::string& instrument, cons
             why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
 }
 
+void report_strategy(const Procedure& procedure, const std::string& instrument, const std::string& why,
+                     Diagnostics& diagnostics) {
+    const auto document = document_of(procedure);
+    Report(*document, diagnostics)
+        .error(Code::no_strategy, span_of_instrument(*document, instrument, "remeshing"),
+               "The instrument `" + instrument + "` leaves no exact surface: " + why);
+}
+
 namespace {
 
 /// Of what a tool leaves: a saw's kerf, the narrowest hole of what turns [m].

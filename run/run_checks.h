@@ -24,6 +24,10 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics);
 void refuse_tool(const Procedure& procedure, const std::string& instrument, const std::string& why,
                  Diagnostics& diagnostics);
 
+/// Reports that the remeshing strategy of an instrument cannot be started, and `why`. The run does without it.   [main]
+void report_strategy(const Procedure& procedure, const std::string& instrument, const std::string& why,
+                     Diagnostics& diagnostics);
+
 /// The spacing [m] at which a cut is as many voxels wide as it takes: two for a blade's kerf, four for a turning tool's
 /// hole.   [any] pure.
 [[nodiscard]] double coarsest_spacing(const ToolSolid& cutting);

@@ -943,6 +943,12 @@ constexpr CodeEntry entries[] = {
             "be one that nobody can drill. Only a warning.",
      .write = "Write a shorter `length:` or `gap:` of the sleeve, or a longer tool.",
      .is_warning = true},
+    {.number = 718,
+     .name = "strategy not installed",
+     .meaning = "The module with a remeshing strategy is not installed, or it cannot be loaded.",
+     .why = "Only the module can cut the exact surface. A run continues without it and ends with the same verdict.",
+     .write = "Install the package that the message names: `kerf-remesh-cgal` has `exact` and `local`. Or write "
+              "`isosurface`, which needs no module."},
 };
 
 /// `text` in lines of at most 100 characters, each after `indent`.

@@ -127,6 +127,7 @@ enum class Code {
     felt_below_friction = 715,
     narrow_guide = 716,     ///< a tool does not fit into its sleeve
     short_of_sleeve = 717,  ///< a tool does not reach through its sleeve
+    no_strategy = 718,      ///< what leaves an instrument's exact surface is not installed
 };
 
 /// `E0412`; `W0412` for a warning.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,34 @@ namespace {
 
 /// Cuts what another strategy for patches declines.
 constexpr const char* fallback = "local";
+
+/// Where a strategy of Kerf's own is: the stem of its module, and the package that installs it.
+struct ShippedStrategy {
+    std::string_view id, module, package;
+};
+constexpr ShippedStrategy own_strategies[] = {
+    {"exact", "kerf_remesh_cgal", "kerf-remesh-cgal"},
+    {"local", "kerf_remesh_cgal", "kerf-remesh-cgal"},
+    {"displace", "kerf_remesh_displace", "kerf"},
+};
+
+/// Why no module has a strategy.
+/// @param reasons   of each module, a line each
+std::string refusal_of(const std::string& strategy, const std::string& folder, const std::vector<std::string>& modules,
+                       const std::string& reasons) {
+    const auto own = std::ranges::find(own_strategies, strategy, &ShippedStrategy::id);
+    const bool is_missing =
+        own != std::end(own_strategies) && std::none_of(modules.begin(), modules.end(), [&](const std::string& module) {
+            return std::filesystem::path(module).stem() == own->module;
+        });
+    if (!is_missing)
+        return "no module in " + folder + " has a remeshing strategy `" + strategy + "`" +
+               (modules.empty() ? "; there are none." : ":" + reasons);
+    const std::string module(own->module);
+    return "the remeshing strategy `" + strategy + "` is not installed. Its module, " + module + ".so, is not in " +
+           folder + ". Install the package `" + std::string(own->package) + "`. In a build tree, build the target `" +
+           module + "`.";
+}
 
 }  // namespace
 
@@ -29,8 +59,7 @@ std::unique_ptr<RemeshChild> start_strategy(const RemeshFolders& folders, const 
         if (auto child = RemeshChild::start({folders.program, module, strategy}, reason)) return child;
         reasons += "\n      " + reason;
     }
-    error = "no module in " + folders.modules + " has a remeshing strategy `" + strategy + "`" +
-            (modules.empty() ? "; there are none." : ":" + reasons);
+    error = refusal_of(strategy, folders.modules, modules, reasons);
     return nullptr;
 }
 
@@ -41,7 +70,9 @@ std::string ExactStrategies::start(const RemeshFolders& folders, const std::stri
     if (child == nullptr) return error;
     const bool may_decline = child->scope() == KERF_REMESH_PATCH && strategy != fallback;
     running_.emplace(strategy, std::move(child));
-    return may_decline ? start(folders, fallback) : std::string();
+    if (may_decline) why_no_fallback_ = start(folders, fallback);
+    if (why_no_fallback_.ends_with('.')) why_no_fallback_.pop_back();
+    return {};
 }
 
 std::string ExactStrategies::start(const RemeshFolders& folders, const Procedure& procedure) {
@@ -49,8 +80,11 @@ std::string ExactStrategies::start(const RemeshFolders& folders, const Procedure
         const bool is_used = std::any_of(procedure.steps.begin(), procedure.steps.end(),
                                          [&](const Step& step) { return step.instrument == instrument.id; });
         if (instrument.remeshing.empty() || !is_used) continue;
-        if (const std::string error = start(folders, instrument.remeshing); !error.empty())
-            return why_not_ = "instrument `" + instrument.id + "`: " + error;
+        if (std::string error = start(folders, instrument.remeshing); !error.empty()) {
+            instrument_without_ = instrument.id;
+            why_not_ = "instrument `" + instrument.id + "`: " + error;
+            return error;
+        }
     }
     return {};
 }
@@ -66,6 +100,7 @@ ExactTools ExactStrategies::tools(const Scene& scene) const {
         tools.strategies[tool] = tools.strategies[scene.tools.size() + tool] =
             find(instrument_of(scene, tool).remeshing);
     tools.otherwise = find(fallback);
+    tools.why_no_otherwise = why_no_fallback_;
     return tools;
 }
 
@@ -73,6 +108,7 @@ ExactTools ExactStrategies::tools(const Scene& scene, const std::string& strateg
     ExactTools tools = exact_tools(scene);
     tools.strategies.assign(tools.solids.size(), find(strategy));
     tools.otherwise = find(fallback);
+    tools.why_no_otherwise = why_no_fallback_;
     return tools;
 }
 

@@ -29,12 +29,15 @@ public:
     /// Call it before any thread runs.   [main]
     /// A run goes on without them: `why_not` then stands in its results.
     [[nodiscard]] std::string start(const RemeshFolders& folders, const Procedure& procedure);
-    /// Starts one, unless it runs, and the one that gets what it declines.   [main]
+    /// Starts one, unless it runs, and the one that gets what it declines; without the latter it declines for good.
+    /// [main]
     [[nodiscard]] std::string start(const RemeshFolders& folders, const std::string& strategy);
 
     [[nodiscard]] bool are_any() const noexcept { return why_not_.empty() && !running_.empty(); }
     /// Why the strategies of a procedure did not start; empty: they did, or there are none.
     [[nodiscard]] const std::string& why_not() const noexcept { return why_not_; }
+    /// The instrument whose strategy did not start; empty: none.
+    [[nodiscard]] const std::string& instrument_without() const noexcept { return instrument_without_; }
     /// Returns the cutting solids of a scene with the strategy of each.   [main]
     [[nodiscard]] ExactTools tools(const Scene& scene) const;
     /// The same with one strategy for all of them. Pre: it runs.   [main]
@@ -48,7 +51,7 @@ private:
     [[nodiscard]] RemeshChild* find(const std::string& strategy) const;
 
     std::map<std::string, std::unique_ptr<RemeshChild>> running_;
-    std::string why_not_;
+    std::string why_not_, instrument_without_, why_no_fallback_;
 };
 
 }  // namespace kerf

@@ -17,6 +17,7 @@ struct ExactTools {
     std::vector<const ToolSolid*> solids;  ///< by the records' numbers
     std::vector<RemeshChild*> strategies;  ///< of each solid; null: it leaves no exact surface
     RemeshChild* otherwise = nullptr;      ///< gets the stretches that a strategy declines; null: none
+    std::string why_no_otherwise{};        ///< why it could not be started: part of a sentence
     double tolerance = 20e-6;              ///< [m] that a straight stretch may be off the recorded path
     double window = 2e-3;                  ///< [m] the longest stretch that is cut into a patch
     std::chrono::milliseconds limit = std::chrono::minutes(5);         ///< for a whole mesh

@@ -26,8 +26,11 @@ Box swept_by(const std::vector<CutRecord>& records, const std::vector<const Tool
 AskStrategy strategy_of(const ExactTools& tools) {
     return [&tools](const RemeshRequest& patch) {
         const auto solid = std::find(tools.solids.begin(), tools.solids.end(), patch.solids.front());
-        return tools.strategies[static_cast<std::size_t>(solid - tools.solids.begin())]->remesh(patch,
-                                                                                                tools.patch_limit);
+        RemeshChild& strategy = *tools.strategies[static_cast<std::size_t>(solid - tools.solids.begin())];
+        RemeshResult result = strategy.remesh(patch, tools.patch_limit);
+        if (result.status == KERF_REMESH_DECLINED && !tools.why_no_otherwise.empty())
+            result.message += "; " + tools.why_no_otherwise;
+        return result;
     };
 }
 AskStrategy fallback_of(const ExactTools& tools) {

@@ -14,7 +14,11 @@
 
 #include "core/import/image/read_image.h"
 #include "core/import/make_body.h"
+#include "core/procedure/read_procedure.h"
+#include "run/exact/exact_strategies.h"
+#include "run/run_checks.h"
 #include "tests/support/dicom_writer.h"
+#include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
@@ -420,6 +424,19 @@ const std::map<int, std::function<Diagnostics()>>& direct_causes() {
              scan.missing = 1000;
              scan.write_to("scan.mha");
              if (header) (void)read_image("scan.mha", *header, {{0, 0, 0}, header->size}, 0, found);
+             std::filesystem::current_path(before);
+             return found;
+         }},
+        {718,
+         [] {
+             Diagnostics found;
+             const std::filesystem::path before = std::filesystem::current_path();
+             std::filesystem::current_path(KERF_SOURCE_DIR "/tests/golden");
+             ExactStrategies strategies;
+             if (const auto procedure = read_procedure("E0718.yaml", plugins().catalog(), found)) {
+                 const std::string why = strategies.start({"libexec/kerf/kerf-remesh", "lib/kerf-remesh"}, *procedure);
+                 report_strategy(*procedure, strategies.instrument_without(), why, found);
+             }
              std::filesystem::current_path(before);
              return found;
          }},

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -18,10 +19,12 @@
 #include "run/exact/exact_strategies.h"
 #include "run/run.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
 
+namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 const RemeshFolders folders{KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", KERF_BUILD_DIR "/lib/kerf-remesh"};
@@ -211,7 +214,51 @@ TEST(ExactFollower, WithoutItsModuleTheRunGoesOn) {
     const RunOutcome outcome = run_procedure(scene, test::plugins(), request);
     EXPECT_EQ(outcome.error, "");
     ASSERT_TRUE(outcome.summary.exact.has_value());
-    EXPECT_NE(outcome.summary.exact->why_not.find("no module in"), std::string::npos) << outcome.summary.exact->why_not;
+    EXPECT_NE(outcome.summary.exact->why_not.find("Install the package `kerf-remesh-cgal`"), std::string::npos)
+        << outcome.summary.exact->why_not;
+    EXPECT_EQ(outcome.summary.hash, plain_run("local").summary.hash);
+}
+
+/// As it is where the package with the GPL's strategies is not installed.
+class WithoutCgal : public testing::Test {
+protected:
+    void SetUp() override {
+        fs::create_symlink(fs::path(folders.modules) / "kerf_remesh_displace.so",
+                           fs::path(folder_.path()) / "kerf_remesh_displace.so");
+    }
+    [[nodiscard]] RemeshFolders own() const { return {folders.program, folder_.path()}; }
+
+private:
+    test::TemporaryFolder folder_;
+};
+
+TEST_F(WithoutCgal, ItsStrategiesNameTheirPackage) {
+    for (const char* id : {"exact", "local"}) {
+        ExactStrategies strategies;
+        const std::string why = strategies.start(own(), id);
+        EXPECT_NE(why.find("Install the package `kerf-remesh-cgal`"), std::string::npos) << why;
+        EXPECT_NE(why.find("`" + std::string(id) + "`"), std::string::npos) << why;
+    }
+}
+
+TEST_F(WithoutCgal, DisplaceStarts) {
+    ExactStrategies strategies;
+    EXPECT_EQ(strategies.start(own(), "displace"), "");
+    EXPECT_TRUE(strategies.are_any());
+}
+
+TEST_F(WithoutCgal, WhatDisplaceDeclinesNamesThePackage) {
+    const Scene scene = leg_with("displace");  // a blade, which it always declines
+    ExactStrategies strategies;
+    ASSERT_EQ(strategies.start(own(), scene.procedure), "");
+    RunRequest request;
+    request.rehearsal = "expert";
+    request.strategies = &strategies;
+    const RunOutcome outcome = run_procedure(scene, test::plugins(), request);
+    EXPECT_EQ(outcome.error, "");
+    ASSERT_TRUE(outcome.summary.exact.has_value());
+    EXPECT_NE(outcome.summary.exact->why_not.find("Install the package `kerf-remesh-cgal`"), std::string::npos)
+        << outcome.summary.exact->why_not;
     EXPECT_EQ(outcome.summary.hash, plain_run("local").summary.hash);
 }
 
