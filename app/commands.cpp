@@ -21,10 +21,10 @@
 #include "app/make_bone.h"
 #include "app/new_plugin.h"
 #include "app/outputs.h"
-#include "app/plan_procedure.h"
 #include "app/preview/preview_page.h"
 #include "app/privacy.h"
 #include "app/progress.h"
+#include "app/read_scene.h"
 #include "app/remesh_session.h"
 #include "app/replay.h"
 #include "app/standard_streams.h"
@@ -41,10 +41,8 @@
 #include "core/session/report.h"
 #include "core/session/write_file.h"
 #include "run/exact/exact_strategies.h"
+#include "run/run_checks.h"
 #include "run/run_procedure.h"
-#include "studies/chart/chart_files.h"
-#include "studies/stability/atlas.h"
-#include "studies/stability/suite.h"
 
 namespace kerf {
 
@@ -86,22 +84,6 @@ void print_summary(const RunSummary& s) {
     if (s.exact) print(text_of(*s.exact));
     print("checks of the simulation:\n");
     print_metrics(true);
-}
-
-DocumentRequest request_of(const std::string& file, const CommandLine& line) {
-    return {file, line.anatomy, {line.variant, line.settings}, line.shipped};
-}
-
-std::optional<Scene> make_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins,
-                                Diagnostics& diagnostics, const ImportOptions& options = {}) {
-    auto documents = check_documents(request_of(file, line), plugins, diagnostics);
-    return documents ? make_bone(std::move(*documents), file, diagnostics, options) : std::nullopt;
-}
-
-std::optional<Scene> read_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins) {
-    Diagnostics diagnostics;
-    auto scene = make_scene(file, line, plugins, diagnostics);
-    return with_findings(std::move(scene), diagnostics);
 }
 
 // ---- validate ----------------------------------------------------------------------------------------------------
@@ -200,7 +182,7 @@ ExitCode compare(const RecordedInputs& recorded, const RunSummary& replayed) {
     return code;
 }
 
-ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
+ExitCode run(const CommandLine& line, const PluginRegistry& plugins, const Installation& here) {
     if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty())
         return complain(refusal, exit_bad_input);
     const std::string& file = line.files.front();
@@ -227,8 +209,11 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     if (const std::string refusal = refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
         return complain(refusal, exit_bad_input);
     ExactStrategies strategies;  // started while this process has one thread and little memory
-    if (const std::string error = strategies.start(remesh_folders(line), documents->procedure); !error.empty())
-        print_error("kerf: the run makes no exact surface: " + error + "\n");
+    if (const std::string error = strategies.start(here.remeshing(), documents->procedure); !error.empty()) {
+        Diagnostics missing;  // apart from the others: the run does without it
+        report_strategy(documents->procedure, strategies.instrument_without(), error, missing);
+        print_error(to_text(missing));
+    }
     const Interruption interruption;  // a second one ends the program at once
     auto made = make_bone(std::move(*documents), file, diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
@@ -282,84 +267,6 @@ ExitCode report(const CommandLine& line) {
         return complain(error + (line.out.empty() ? " Give another place with `--out`." : ""), exit_bad_input);
     if (!run->missing.empty()) print_error(run->missing + "\n");
     print(file + "\n");
-    return exit_pass;
-}
-
-ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
-    if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty())
-        return complain(refusal, exit_bad_input);
-    const auto scene = read_scene(line.files.front(), line, plugins);
-    if (!scene) return exit_bad_input;
-    const PlanOutcome outcome =
-        plan_procedure(*scene, plugins, line.out, remesh_folders(line), [](const std::string& text) { print(text); });
-    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_planned ? exit_fault : exit_bad_input);
-    return outcome.is_kept ? exit_pass : exit_not_passed;
-}
-
-/// The papers' laws, which only `stability` and `chart` show.
-void scan_papers(PluginRegistry& papers, const std::string& folder) {
-    papers.scan({folder});
-    for (const auto& refusal : papers.refusals()) print_error(refusal + "\n");
-}
-
-ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed_folder) {
-    using namespace stability;
-    const std::string out = line.out.empty() ? "out/stability" : line.out;
-    if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
-    PluginRegistry papers;
-    scan_papers(papers, printed_folder);
-    print(std::string(notice_line) + ".\n" + table_head() + "\n");
-    const stability::Report print_line = [](const Finding& finding) {
-        print(table_line(finding) + "\n");
-        std::fflush(stdout);
-    };
-    std::string error;
-    const auto findings = run_suite(plugins, papers, line.plugin, line.is_quick, print_line, error);
-    if (!error.empty()) return complain(error, exit_bad_input);
-    print(tally(findings));
-    if (error = write_atlas(out, findings); !error.empty()) return complain(error, exit_fault);
-    print(out + "/stability.svg\n");
-    return is_kerf_stable(findings) ? exit_pass : exit_not_passed;
-}
-
-/// The strategies whose surfaces are compared; none if one of them cannot be started.
-std::map<std::string, std::unique_ptr<RemeshChild>> start_chart_strategies(const CommandLine& line) {
-    std::map<std::string, std::unique_ptr<RemeshChild>> started;
-    for (const char* id : {"displace", "local", "exact"}) {
-        std::string error;
-        auto child = start_strategy(remesh_folders(line), id, error);
-        if (child == nullptr) {
-            print_error("kerf: " + error + " The chart goes without surfaces.\n");
-            return {};
-        }
-        started.emplace(id, std::move(child));
-    }
-    return started;
-}
-
-ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed_folder) {
-    const std::string out = line.out.empty() ? "out/chart" : line.out;
-    if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
-    PluginRegistry printed;
-    scan_papers(printed, printed_folder);
-    if (printed.plugins().empty())
-        print_error("kerf: the papers as printed are not in " + printed_folder + ": the chart goes without them.\n");
-    print(std::string(notice_line) + ".\n");
-    chart::Request request{.scene = line.scene, .is_quick = line.is_quick};
-    request.progress = [](const std::string& what) { print_error(what + "\n"); };
-    // First, while this process has one thread and little memory.
-    const auto strategies = start_chart_strategies(line);
-    if (!strategies.empty())
-        request.strategies = [&](const std::string& id) -> AskStrategy {
-            RemeshChild* child = strategies.at(id).get();
-            constexpr std::chrono::minutes limit(5);
-            return [child, limit](const RemeshRequest& one) { return child->remesh(one, limit); };
-        };
-    std::string error;
-    const chart::Chart drawn = chart::make_chart({&plugins, &printed}, request, error);
-    if (!error.empty()) return complain(error, exit_bad_input);
-    if (error = chart::write_chart(out, drawn); !error.empty()) return complain(error, exit_fault);
-    print(out + "/chart.html\n");
     return exit_pass;
 }
 
@@ -469,19 +376,16 @@ ExitCode begin_plugin(const CommandLine& line) {
 
 }  // namespace
 
-ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed) {
-    if (line.command == "run") return run(line, plugins);
+ExitCode run_command(const CommandLine& line, const PluginRegistry& plugins, const Installation& here) {
+    if (line.command == "run") return run(line, plugins, here);
     if (line.command == "validate") return validate(line, plugins);
-    if (line.command == "plan") return plan(line, plugins);
-    if (line.command == "stability") return look_at_stability(line, plugins, printed);
-    if (line.command == "chart") return draw_chart(line, plugins, printed);
     if (line.command == "expand") return expand(line, plugins);
     if (line.command == "explain") return explain(line);
     if (line.command == "schema") return print_schema(line, plugins);
     if (line.command == "import") return import(line);
     if (line.command == "preview") return preview(line, plugins);
     if (line.command == "report") return report(line);
-    if (line.command == "remesh") return remesh_session(line, plugins);
+    if (line.command == "remesh") return remesh_session(line, plugins, here.remeshing());
     if (line.command == "privacy") return tell_privacy(line);
     if (line.command == "anatomy") return check_anatomy(line, plugins);
     if (line.command == "describe") return describe(line, plugins);

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-
 #include "app/command_line.h"
+#include "app/installation.h"
 #include "core/plugin/loader.h"
 
 namespace kerf {
 
-/// Does what was asked, prints what came of it, and says how the program ends.   [main]
-/// @param printed  folder of plugins that no procedure may use: laws as the papers print them, for charts
-[[nodiscard]] ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed);
+/// Runs a command that is part of `kerf`, prints its result and returns how the program ends.   [main]
+[[nodiscard]] ExitCode run_command(const CommandLine& line, const PluginRegistry& plugins, const Installation& here);
 
 }  // namespace kerf

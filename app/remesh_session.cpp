@@ -16,6 +16,7 @@
 #include "app/replay.h"
 #include "app/standard_streams.h"
 #include "core/procedure/printable_lines.h"
+#include "core/procedure/read_codes.h"
 #include "core/procedure/read_procedure.h"
 #include "core/session/content_hash.h"
 #include "core/session/exact_summary.h"
@@ -114,12 +115,7 @@ std::string write_pieces(const std::string& folder, const ExactSurface& made, co
 
 }  // namespace
 
-RemeshFolders remesh_folders(const CommandLine& line) {
-    const fs::path prefix = fs::path(line.shipped).parent_path().parent_path().parent_path();
-    return {(prefix / "libexec" / "kerf" / "kerf-remesh").string(), (prefix / "lib" / "kerf-remesh").string()};
-}
-
-ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins) {
+ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins, const RemeshFolders& folders) {
     std::string error;
     const auto recorded = read_session(line.source, error);
     if (!recorded) return complain(error, exit_bad_input);
@@ -136,8 +132,11 @@ ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins) 
 
     // First, while this process has one thread and little memory.
     ExactStrategies strategies;
-    if (error = strategies.start(remesh_folders(line), line.strategy); !error.empty())
-        return complain(error, exit_fault);
+    if (error = strategies.start(folders, line.strategy); !error.empty()) {
+        print_error(to_text({error_about("--strategy " + line.strategy, code_text(Code::no_strategy),
+                                         "No exact surface can be made: " + error)}));
+        return exit_fault;
+    }
 
     Diagnostics diagnostics;
     auto documents =

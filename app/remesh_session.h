@@ -7,11 +7,9 @@
 
 namespace kerf {
 
-/// Returns where this program's remeshing modules are.   [main]
-[[nodiscard]] RemeshFolders remesh_folders(const CommandLine& line);
-
 /// `kerf remesh SESSION.db`: repeats a session, and makes the exact surface of what it left: bone-exact.stl, one file
 /// for each further piece, and remesh.json.   [main]
-[[nodiscard]] ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins);
+[[nodiscard]] ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins,
+                                      const RemeshFolders& folders);
 
 }  // namespace kerf

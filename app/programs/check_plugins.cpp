@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/check_plugins.h"
+#include "app/programs/check_plugins.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -65,17 +65,16 @@ ExitCode accept_or_record(const CommandLine& line, const std::string& child) {
 
 }  // namespace
 
-ExitCode check_plugins(const CommandLine& line, const std::string& program) {
+ExitCode check_plugins(const CommandLine& line, const Installation& here) {
     if (const std::string refusal = refusal_of(line); !refusal.empty()) return complain(refusal, exit_bad_input);
-    const fs::path prefix = fs::path(program).parent_path().parent_path();
-    const std::string child = (prefix / "libexec" / "kerf" / "kerf-check-child").string();
+    const std::string child = here.helper("kerf-check-child");
     if (!line.accept.empty() || !line.record.empty()) return accept_or_record(line, child);
     const Interruption interruption;
     CheckRequest request{.child = child,
                          .level = line.level,
                          .only = line.only,
                          .is_interrupted = [&] { return interruption.has_come(); },
-                         .program = program,
+                         .program = here.program(),
                          .procedures = line.procedures,
                          .shipped = line.shipped,
                          .twin = line.twin};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/plan_procedure.h"
+#include "app/programs/plan_procedure.h"
 
 #include <algorithm>
 #include <cmath>

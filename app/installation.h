@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "run/exact/exact_strategies.h"
+
+namespace kerf {
+
+/// Where the parts of this Kerf are: below one prefix, which may be moved as a whole.
+struct Installation {
+    std::filesystem::path prefix;
+
+    /// bin/kerf
+    [[nodiscard]] std::string program() const { return (prefix / "bin" / "kerf").string(); }
+    /// A program that `kerf` starts: libexec/kerf/NAME.
+    [[nodiscard]] std::string helper(const std::string& name) const {
+        return (prefix / "libexec" / "kerf" / name).string();
+    }
+    /// Plugins that procedures may name.
+    [[nodiscard]] std::string plugins() const { return (prefix / "lib" / "kerf").string(); }
+    /// Laws as the papers print them, which only charts and the stability suite may use.
+    [[nodiscard]] std::string printed_laws() const { return (prefix / "lib" / "kerf-bench").string(); }
+    [[nodiscard]] std::string procedures() const { return (prefix / "share" / "kerf" / "procedures").string(); }
+    [[nodiscard]] RemeshFolders remeshing() const {
+        return {helper("kerf-remesh"), (prefix / "lib" / "kerf-remesh").string()};
+    }
+};
+
+/// Returns the installation of the program that runs, which is in its bin or its libexec/kerf.   [main]
+[[nodiscard]] Installation this_installation();
+
+}  // namespace kerf

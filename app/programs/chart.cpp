@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf-chart: `kerf chart`.
+#include <chrono>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "app/outputs.h"
+#include "app/program.h"
+#include "app/programs/printed_laws.h"
+#include "app/standard_streams.h"
+#include "core/session/recorder.h"
+#include "run/exact/exact_strategies.h"
+#include "studies/chart/chart_files.h"
+
+namespace kerf {
+namespace {
+
+/// The strategies whose surfaces are compared; none if one of them cannot be started.
+std::map<std::string, std::unique_ptr<RemeshChild>> start_strategies(const RemeshFolders& folders) {
+    std::map<std::string, std::unique_ptr<RemeshChild>> started;
+    for (const char* id : {"displace", "local", "exact"}) {
+        std::string error;
+        auto child = start_strategy(folders, id, error);
+        if (child == nullptr) {
+            print_error("kerf: " + error + " The chart goes without surfaces.\n");
+            return {};
+        }
+        started.emplace(id, std::move(child));
+    }
+    return started;
+}
+
+ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, const Installation& here) {
+    const std::string out = line.out.empty() ? "out/chart" : line.out;
+    if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
+    PluginRegistry printed;
+    scan_printed_laws(printed, here);
+    if (printed.plugins().empty())
+        print_error("kerf: the papers as printed are not in " + here.printed_laws() +
+                    ": the chart goes without them.\n");
+    print(std::string(notice_line) + ".\n");
+    chart::Request request{.scene = line.scene, .is_quick = line.is_quick};
+    request.progress = [](const std::string& what) { print_error(what + "\n"); };
+    // First, while this process has one thread and little memory.
+    const auto strategies = start_strategies(here.remeshing());
+    if (!strategies.empty())
+        request.strategies = [&](const std::string& id) -> AskStrategy {
+            RemeshChild* child = strategies.at(id).get();
+            constexpr std::chrono::minutes limit(5);
+            return [child, limit](const RemeshRequest& one) { return child->remesh(one, limit); };
+        };
+    std::string error;
+    const chart::Chart drawn = chart::make_chart({&plugins, &printed}, request, error);
+    if (!error.empty()) return complain(error, exit_bad_input);
+    if (error = chart::write_chart(out, drawn); !error.empty()) return complain(error, exit_fault);
+    print(out + "/chart.html\n");
+    return exit_pass;
+}
+
+}  // namespace
+}  // namespace kerf
+
+int main(int argc, char** argv) {
+    using namespace kerf;
+    return run_program(argc, argv, [](CommandLine& line, const Installation& here) {
+        return with_plugins(line, here, [&](const PluginRegistry& plugins) { return draw_chart(line, plugins, here); });
+    });
+}

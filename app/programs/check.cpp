@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf-check: `kerf check`. It loads no plugin: kerf-check-child does.
+#include "app/program.h"
+#include "app/programs/check_plugins.h"
+
+int main(int argc, char** argv) {
+    using namespace kerf;
+    return run_program(argc, argv,
+                       [](CommandLine& line, const Installation& here) { return check_plugins(line, here); });
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf-plan: `kerf plan`.
+#include <string>
+
+#include "app/outputs.h"
+#include "app/program.h"
+#include "app/programs/plan_procedure.h"
+#include "app/read_scene.h"
+#include "app/standard_streams.h"
+
+namespace kerf {
+namespace {
+
+ExitCode plan(const CommandLine& line, const PluginRegistry& plugins, const RemeshFolders& remeshing) {
+    if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty())
+        return complain(refusal, exit_bad_input);
+    const auto scene = read_scene(line.files.front(), line, plugins);
+    if (!scene) return exit_bad_input;
+    const PlanOutcome outcome =
+        plan_procedure(*scene, plugins, line.out, remeshing, [](const std::string& text) { print(text); });
+    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_planned ? exit_fault : exit_bad_input);
+    return outcome.is_kept ? exit_pass : exit_not_passed;
+}
+
+}  // namespace
+}  // namespace kerf
+
+int main(int argc, char** argv) {
+    using namespace kerf;
+    return run_program(argc, argv, [](CommandLine& line, const Installation& here) {
+        return with_plugins(line, here,
+                            [&](const PluginRegistry& plugins) { return plan(line, plugins, here.remeshing()); });
+    });
+}

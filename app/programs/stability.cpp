@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf-stability: `kerf stability`.
+#include <cstdio>
+#include <string>
+
+#include "app/outputs.h"
+#include "app/program.h"
+#include "app/programs/printed_laws.h"
+#include "app/standard_streams.h"
+#include "core/session/recorder.h"
+#include "studies/stability/atlas.h"
+#include "studies/stability/suite.h"
+
+namespace kerf {
+namespace {
+
+ExitCode run_stability(const CommandLine& line, const PluginRegistry& plugins, const Installation& here) {
+    using namespace stability;
+    const std::string out = line.out.empty() ? "out/stability" : line.out;
+    if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
+    PluginRegistry printed;
+    scan_printed_laws(printed, here);
+    print(std::string(notice_line) + ".\n" + table_head() + "\n");
+    const stability::Report print_line = [](const Finding& finding) {
+        print(table_line(finding) + "\n");
+        std::fflush(stdout);
+    };
+    std::string error;
+    const auto findings = run_suite(plugins, printed, line.plugin, line.is_quick, print_line, error);
+    if (!error.empty()) return complain(error, exit_bad_input);
+    print(tally(findings));
+    if (error = write_atlas(out, findings); !error.empty()) return complain(error, exit_fault);
+    print(out + "/stability.svg\n");
+    return is_kerf_stable(findings) ? exit_pass : exit_not_passed;
+}
+
+}  // namespace
+}  // namespace kerf
+
+int main(int argc, char** argv) {
+    using namespace kerf;
+    return run_program(argc, argv, [](CommandLine& line, const Installation& here) {
+        return with_plugins(line, here,
+                            [&](const PluginRegistry& plugins) { return run_stability(line, plugins, here); });
+    });
+}
