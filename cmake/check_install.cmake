@@ -36,6 +36,28 @@ message(STATUS "installed, `kerf list` says\n${said}")
 file(MAKE_DIRECTORY ${WORK}/elsewhere)
 run("kerf validate" ${CMAKE_COMMAND} -E chdir ${WORK}/elsewhere ${program} validate pedicle-screw.yaml)
 
+# By component, as the Debian packages have it. Without the module under the GPL one error names the package to install, and
+# the run goes on; with it there is none.
+foreach(component program remesh_cgal)
+  run("cmake --install --component ${component}" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/parts --component ${component})
+  execute_process(COMMAND ${WORK}/parts/bin/kerf run ${SOURCE}/tests/golden/E0718.yaml --out ${WORK}/elsewhere/${component}
+    RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE complaint)
+  string(REGEX MATCHALL "E0718 [^\n]*" errors "${said}${complaint}")
+  list(LENGTH errors count)
+  set(expected 0)
+  if(component STREQUAL "program")
+    set(expected 1)
+  endif()
+  if(NOT (count EQUAL expected AND (expected EQUAL 0 OR errors MATCHES "Install the package `kerf-remesh-cgal`")
+      AND said MATCHES "verdict: "))
+    message(FATAL_ERROR "with the components up to ${component}, `kerf run` ended with ${status} and printed\n${said}${complaint}\n"
+      "Without remesh_cgal it must print one E0718 that names the package kerf-remesh-cgal, and a verdict; with it no E0718.")
+  endif()
+endforeach()
+if(EXISTS ${WORK}/parts/include)
+  message(FATAL_ERROR "the components program and remesh_cgal install headers. Add COMPONENT sdk to their rule.")
+endif()
+
 # The compilers that are here; the first that is not the tree's own builds Kerf's plugins.
 string(REPLACE "," ";" COMPILERS "${COMPILERS}")
 file(REAL_PATH "${USED}" used)
