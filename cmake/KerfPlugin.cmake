@@ -5,17 +5,17 @@ include(CheckCXXCompilerFlag)
 set(KERF_PLUGIN_TEST ${CMAKE_CURRENT_LIST_DIR}/KerfPluginTest.cmake CACHE INTERNAL "")
 
 # kerf_add_plugin(drilling ENTRY plugin.cpp [SOURCES edge_law.cpp edge_law.h …] [PROCEDURES drill.yaml …]
-#                 [ANATOMIES anatomy/femur.yaml …] [ACCEPTANCE drill.csv …] [FOLDER kerf] [UNCHECKED])
+#                 [ANATOMIES anatomy/femur.yaml …] [ACCEPTANCE drill.csv …] [FOLDER kerf] [UNCHECKED] [OPTIONAL])
 #   → kerf_drilling    the module that the host loads, lib/kerf/kerf_drilling.so where built and where installed
 #   → kerf::drilling   SOURCES as a static library, or as an interface library where all of them are headers; tests link it
 #   → drilling.loads   a test: `kerf` loads the module and describes it
 #   → drilling.check   a test: `kerf check` passes it at level 3; not for a plugin that is UNCHECKED
 #   → drilling.accepts.NAME   for each acceptance file NAME.csv a test: the law makes the forces that it holds
 #   → drilling.NAME    for each procedure NAME.yaml a test: all of its rehearsals end as they expect
-# FOLDER: below lib; procedures find the modules in `kerf` only. A plugin outside of Kerf's tree is installed where that
-# Kerf is, unless CMAKE_INSTALL_PREFIX says otherwise.
+# FOLDER: below lib; procedures find the modules in `kerf` only. OPTIONAL: `cmake --install` passes over a module that was not
+# built. A plugin outside of Kerf's tree is installed where that Kerf is, unless CMAKE_INSTALL_PREFIX says otherwise.
 function(kerf_add_plugin name)
-  cmake_parse_arguments(arg "UNCHECKED" "ENTRY;FOLDER" "SOURCES;PROCEDURES;ANATOMIES;ACCEPTANCE" ${ARGN})
+  cmake_parse_arguments(arg "UNCHECKED;OPTIONAL" "ENTRY;FOLDER" "SOURCES;PROCEDURES;ANATOMIES;ACCEPTANCE" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_ENTRY)
     message(FATAL_ERROR "kerf_add_plugin(${name}): got \"${arg_UNPARSED_ARGUMENTS}\", need ENTRY, the file with KERF_PLUGIN. "
       "Write kerf_add_plugin(${name} ENTRY plugin.cpp), with SOURCES a.cpp a.h for further files.")
@@ -62,28 +62,43 @@ function(kerf_add_plugin name)
   set_target_properties(kerf_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${folder})
   target_link_options(kerf_${name} PRIVATE -Wl,--exclude-libs,ALL)
 
-  install(TARGETS kerf_${name} LIBRARY DESTINATION lib/${arg_FOLDER})
+  set(optional)
+  if(arg_OPTIONAL)
+    set(optional OPTIONAL)
+  endif()
+  install(TARGETS kerf_${name} LIBRARY DESTINATION lib/${arg_FOLDER} ${optional})
   install(FILES ${arg_PROCEDURES} DESTINATION share/kerf/procedures)
   foreach(anatomy IN LISTS arg_ANATOMIES)   # a procedure names it from its own folder
     get_filename_component(beside "${anatomy}" DIRECTORY)
     install(FILES ${anatomy} DESTINATION share/kerf/procedures/${beside})
   endforeach()
+  # In Kerf's own tree the processor time of each test is limited; an installed Kerf has no limits.
+  macro(kerf_limit_test test)
+    set(limited)
+    if(COMMAND kerf_limited)
+      kerf_limited(limited ${test} 240)
+    endif()
+  endmacro()
+  kerf_limit_test(${name}.loads)
   add_test(NAME ${name}.loads
-    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:kerf::program> -D PLUGIN=$<TARGET_FILE:kerf_${name}>
+    COMMAND ${limited} ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:kerf::program> -D PLUGIN=$<TARGET_FILE:kerf_${name}>
       -P ${KERF_PLUGIN_TEST})
   if(NOT arg_UNCHECKED)
-    add_test(NAME ${name}.check COMMAND kerf::program check $<TARGET_FILE:kerf_${name}>)
-    set_tests_properties(${name}.check PROPERTIES TIMEOUT 300)
+    kerf_limit_test(${name}.check)
+    add_test(NAME ${name}.check COMMAND ${limited} $<TARGET_FILE:kerf::program> check $<TARGET_FILE:kerf_${name}>)
+    set_tests_properties(${name}.check PROPERTIES TIMEOUT 1200 LABELS whole)
   endif()
   foreach(file IN LISTS arg_ACCEPTANCE)
     get_filename_component(stem ${file} NAME_WE)
-    add_test(NAME ${name}.accepts.${stem} COMMAND kerf::program check $<TARGET_FILE:kerf_${name}>
+    kerf_limit_test(${name}.accepts.${stem})
+    add_test(NAME ${name}.accepts.${stem} COMMAND ${limited} $<TARGET_FILE:kerf::program> check $<TARGET_FILE:kerf_${name}>
       --accept ${CMAKE_CURRENT_SOURCE_DIR}/${file} --differences ${CMAKE_BINARY_DIR}/differences)
-    set_tests_properties(${name}.accepts.${stem} PROPERTIES TIMEOUT 300)
+    set_tests_properties(${name}.accepts.${stem} PROPERTIES TIMEOUT 1200)
   endforeach()
   foreach(procedure IN LISTS arg_PROCEDURES)
     get_filename_component(stem ${procedure} NAME_WE)
-    add_test(NAME ${name}.${stem} COMMAND kerf::program rehearse ${CMAKE_CURRENT_SOURCE_DIR}/${procedure})
-    set_tests_properties(${name}.${stem} PROPERTIES ENVIRONMENT KERF_PLUGIN_PATH=${folder} TIMEOUT 300)
+    kerf_limit_test(${name}.${stem})
+    add_test(NAME ${name}.${stem} COMMAND ${limited} $<TARGET_FILE:kerf::program> rehearse ${CMAKE_CURRENT_SOURCE_DIR}/${procedure})
+    set_tests_properties(${name}.${stem} PROPERTIES ENVIRONMENT KERF_PLUGIN_PATH=${folder} TIMEOUT 1200)
   endforeach()
 endfunction()
