@@ -2,35 +2,26 @@
 // Every outcome of every command by its exit code, and what it says there. 0: as wanted, 1: not passed, 2: bad input.
 // What ends with 3, a fault, is in program_test.cpp.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
 
 using test::contents_of;
+using test::Ended;
+using test::kerf;
+using test::ran_operation;
 using test::TemporaryFolder;
 
 const std::string pedicle_screw = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml";
 const std::string coarse = " --set 'accuracy.spacing=0.5 mm'";
 
-struct Ended {
-    int exit_code = -1;
-    std::string out, err;
-};
-Ended kerf(const std::string& arguments) {
-    const TemporaryFolder folder;
-    const std::string command =
-        KERF_BUILD_DIR "/bin/kerf " + arguments + " > " + (folder / "out") + " 2> " + (folder / "err");
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(folder / "out"), contents_of(folder / "err")};
-}
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string written(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
@@ -66,17 +57,16 @@ std::string cube() {
 // ---- run, rehearse -----------------------------------------------------------------------------------------------
 
 TEST(ExitCode, OfARunIsThatOfItsVerdict) {
-    const TemporaryFolder folder;
-    const std::string out = " --out " + (folder / "run");
-    const Ended passed = kerf("run " + pedicle_screw + coarse + out);
+    const TemporaryFolder own;
+    const Ended passed = ran_operation("pedicle-screw/expert", own).ended;
     EXPECT_EQ(passed.exit_code, 0) << passed.err;
     EXPECT_TRUE(has(passed.out, "verdict: pass\n")) << passed.out;
 
-    const Ended failed = kerf("run " + pedicle_screw + coarse + " --hand medial-breach" + out);
+    const Ended failed = ran_operation("pedicle-screw/medial-breach", own).ended;
     EXPECT_EQ(failed.exit_code, 1) << failed.err;
     EXPECT_TRUE(has(failed.out, "verdict: fail\n")) << failed.out;
 
-    const Ended incomplete = kerf("run " + pedicle_screw + coarse + " --set 'time_limit=1 s'" + out);
+    const Ended incomplete = kerf("run " + pedicle_screw + coarse + " --set 'time_limit=1 s' --out " + (own / "short"));
     EXPECT_EQ(incomplete.exit_code, 1) << incomplete.err;
     EXPECT_TRUE(has(incomplete.out, "verdict: incomplete\n")) << incomplete.out;
 }

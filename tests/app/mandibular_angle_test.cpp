@@ -34,7 +34,7 @@ const Scene& jaw() {
     return scene;
 }
 const test::WatchedRun& outcome_of(const std::string& rehearsal) {
-    static test::Rehearsals rehearsals(jaw());
+    static test::Rehearsals rehearsals(jaw(), "mandibular-angle-reduction");
     return rehearsals[rehearsal];
 }
 

@@ -2,7 +2,6 @@
 // Bad plugins, as the program meets them: each row is a plugin with one fault, a command, and what it must end with.
 #include <gtest/gtest.h>
 #include <sqlite3.h>
-#include <sys/wait.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -10,18 +9,15 @@
 #include <string>
 #include <utility>
 
+#include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
 
 using test::contents_of;
+using test::Ended;
 using test::TemporaryFolder;
-
-struct Ended {
-    int exit_code = -1;
-    std::string out, err;
-};
 
 /// One plugin alone in its folder, with a procedure that uses it.
 class Zoo {
@@ -55,11 +51,7 @@ rehearsals:
 )";
     }
     [[nodiscard]] Ended kerf(const std::string& command) const {
-        const TemporaryFolder said;
-        const std::string line = "KERF_PLUGIN_PATH=" + (folder_ / "plugins") + " " KERF_BUILD_DIR "/bin/kerf " +
-                                 command + " > " + (said / "out") + " 2> " + (said / "err");
-        const int status = std::system(line.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(said / "out"), contents_of(said / "err")};
+        return test::kerf(command, "KERF_PLUGIN_PATH=" + (folder_ / "plugins"));
     }
     [[nodiscard]] Ended run() const { return kerf("run " + procedure() + " --out " + out()); }
     [[nodiscard]] std::string procedure() const { return folder_ / "procedure.yaml"; }

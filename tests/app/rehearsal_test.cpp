@@ -36,7 +36,7 @@ Scene pedicle_with(const std::vector<std::string>& settings, const std::string& 
 }
 
 const test::WatchedRun& outcome_of(const std::string& rehearsal) {
-    static test::Rehearsals rehearsals(pedicle());
+    static test::Rehearsals rehearsals(pedicle(), "pedicle-screw");
     return rehearsals[rehearsal];
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/drill_rig.h"
+#include "tests/support/recorded_operation.h"
 #include "tests/support/watched_run.h"
 
 /// Operations that tests rehearse.
@@ -35,19 +36,30 @@ inline WatchedRun rehearsed(const Scene& scene, const std::string& rehearsal = "
     return watched_run(scene, plugins(), request);
 }
 
-/// Rehearsals of one scene; each is run once.
+/// Rehearsals of one scene; each is run once. Those of a shipped operation are read from the sessions that a ctest
+/// fixture has left, where ctest runs the test.
 class Rehearsals {
 public:
-    /// @param scene  outlives this
-    explicit Rehearsals(const Scene& scene) : scene_(&scene) {}
+    /// @param scene      outlives this
+    /// @param operation  procedure of kerf_add_operation(), "amputation"; empty: none is recorded
+    explicit Rehearsals(const Scene& scene, std::string operation = {})
+        : scene_(&scene), operation_(std::move(operation)) {}
     const WatchedRun& operator[](const std::string& rehearsal) {
         const auto found = runs_.find(rehearsal);
-        return found != runs_.end() ? found->second
-                                    : runs_.emplace(rehearsal, rehearsed(*scene_, rehearsal)).first->second;
+        return found != runs_.end() ? found->second : runs_.emplace(rehearsal, made(rehearsal)).first->second;
     }
 
 private:
+    [[nodiscard]] WatchedRun made(const std::string& id) const {
+        const std::string folder = operation_.empty() ? "" : recorded_folder(operation_ + "/" + id);
+        if (folder.empty()) return rehearsed(*scene_, id);
+        for (const Rehearsal& rehearsal : scene_->procedure.rehearsals)
+            if (rehearsal.id == id) return recorded_run(folder, rehearsal);
+        throw std::runtime_error("no rehearsal " + id);
+    }
+
     const Scene* scene_;
+    std::string operation_;
     std::map<std::string, WatchedRun> runs_;
 };
 

@@ -4,9 +4,12 @@
 #include <sqlite3.h>
 #include <sys/wait.h>
 
+#include <cstddef>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 
+#include "tests/support/recorded_folder.h"
 #include "tests/support/temporary_folder.h"
 
 /// The program as a user or a script sees it.
@@ -25,6 +28,27 @@ inline Ended kerf(const std::string& arguments, const std::string& environment =
                                 (folder / "out") + " 2> " + (folder / "err");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(folder / "out"), contents_of(folder / "err")};
+}
+
+/// How `kerf run` ended for an operation, and where its files are.
+struct RanOperation {
+    Ended ended;
+    std::string folder;
+};
+
+/// Returns the run of a shipped procedure, "pedicle-screw/expert", that a ctest fixture has made; runs it into
+/// `own` where there is none.
+inline RanOperation ran_operation(const std::string& operation, const TemporaryFolder& own) {
+    if (const std::string folder = recorded_folder(operation); !folder.empty()) {
+        const std::string status = contents_of(folder + ".status");
+        if (status.empty()) throw std::runtime_error(folder + ": its fixture has left nothing");
+        return {{std::atoi(status.c_str()), contents_of(folder + ".out"), ""}, folder};
+    }
+    const std::size_t slash = operation.find('/');
+    const std::string folder = own / "run";
+    return {kerf("run " KERF_SOURCE_DIR "/procedures/" + operation.substr(0, slash) + ".yaml --hand " +
+                 operation.substr(slash + 1) + " --out " + folder),
+            folder};
 }
 
 /// Changes a database.
