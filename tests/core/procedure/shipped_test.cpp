@@ -240,13 +240,14 @@ TEST(DamagedProcedure, CutOffAnywhereIsAnsweredWithoutAThrow) {
 TEST(DamagedProcedure, WithAnyByteChangedIsAnsweredWithoutAThrow) {
     const std::string whole = text_of(procedure_file);
     int refused = 0;
-    for (std::size_t at = 0; at < whole.size(); ++at)
-        for (const char damage : {'\0', '\n', '"', '[', '\x80', static_cast<char>(whole[at] ^ 1)}) {
-            std::string damaged = whole;
-            damaged[at] = damage;
-            expect_answer(damaged, refused);
-        }
-    EXPECT_GT(refused, static_cast<int>(whole.size()));
+    for (std::size_t at = 0; at < whole.size();
+         ++at) {  // one damage a byte, in turns: each reading takes a millisecond
+        const char damages[]{'\0', '\n', '"', '[', '\x80', static_cast<char>(whole[at] ^ 1)};
+        std::string damaged = whole;
+        damaged[at] = damages[(at + at / std::size(damages)) % std::size(damages)];
+        expect_answer(damaged, refused);
+    }
+    EXPECT_GT(refused, static_cast<int>(whole.size() / 6));
 }
 
 TEST(DamagedAnatomy, CutOffAnywhereIsAnsweredWithoutAThrow) {
