@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+# Compiles one unit of each library also as the release preset does, in every build of the tests: with -O3 and
+# without asserts, compilers warn of other things, and warnings are errors.
+
+# All targets below `folder` that are made of sources of their own and are shipped.
+function(kerf_find_libraries folder out)
+  get_property(found DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+  set(libraries)
+  foreach(target IN LISTS found)
+    get_target_property(type ${target} TYPE)
+    if(type MATCHES "^(STATIC|MODULE)_LIBRARY$")
+      list(APPEND libraries ${target})
+    endif()
+  endforeach()
+  get_property(below DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
+  foreach(one IN LISTS below)
+    if(NOT one MATCHES "/(zoo|tests)$")
+      kerf_find_libraries(${one} more)
+      list(APPEND libraries ${more})
+    endif()
+  endforeach()
+  set(${out} "${libraries}" PARENT_SCOPE)
+endfunction()
+
+# The .cpp of a target that is the middle one by size; empty if it has none in the source tree.
+function(kerf_middle_source target out)
+  get_target_property(sources ${target} SOURCES)
+  get_target_property(folder ${target} SOURCE_DIR)
+  set(sized)
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder})
+    get_source_file_property(own_options ${source} TARGET_DIRECTORY ${target} COMPILE_OPTIONS)
+    # Options of a file are for another processor, and belong to it.
+    if(source MATCHES "\\.cpp$" AND EXISTS ${source} AND NOT own_options AND NOT source MATCHES "^${CMAKE_BINARY_DIR}/")
+      file(SIZE ${source} bytes)
+      math(EXPR key "100000000 + ${bytes}")
+      list(APPEND sized "${key}:${source}")
+    endif()
+  endforeach()
+  set(middle)
+  list(LENGTH sized count)
+  if(count GREATER 0)
+    list(SORT sized)
+    math(EXPR at "${count} / 2")
+    list(GET sized ${at} middle)
+    string(REGEX REPLACE "^[0-9]+:" "" middle "${middle}")
+  endif()
+  set(${out} "${middle}" PARENT_SCOPE)
+endfunction()
+
+kerf_find_libraries(${CMAKE_SOURCE_DIR} libraries)
+foreach(library IN LISTS libraries)
+  kerf_middle_source(${library} source)
+  # CGAL's unit compiles for a minute, and its warnings are CGAL's.
+  if(NOT source OR library STREQUAL "kerf_remesh_cgal")
+    continue()
+  endif()
+  set(checked ${library}_as_released)
+  add_library(${checked} OBJECT ${source})
+  add_dependencies(${checked} ${library})   # its generated headers
+  foreach(property LINK_LIBRARIES INCLUDE_DIRECTORIES COMPILE_OPTIONS COMPILE_DEFINITIONS)
+    get_target_property(value ${library} ${property})
+    if(value)
+      set_property(TARGET ${checked} PROPERTY ${property} "${value}")
+    endif()
+  endforeach()
+  target_compile_options(${checked} PRIVATE -O3 -DNDEBUG -g0
+    # as in kerf_warnings, for a build that is none of Release
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
+endforeach()
