@@ -103,7 +103,7 @@ TEST_P(Golden, TextMatchesTheFile) {
 TEST_P(Golden, SaysWhatToDo) {
     const std::regex advice("(^|[.;:] |, "
                             ")(Write|Remove|Put|Check|Name|Give|Choose|Add|Fill|Keep|Move|Turn|Exchange|Mend|Save|"
-                            "Begin|Take|Repeat|Point|Export|Crop|Copy|Run|"
+                            "Begin|Take|Repeat|Point|Export|Crop|Copy|Run|Install|"
                             "Use|Try|Replace|End|Correct|Lower|Allow|Indent|Start|See|Free|Change|Rename|Resample|Swap|"
                             "Say|Join|Close|Place|Make|write|allow|let|export)( |$)");
     for (const Diagnostic& d : cause(GetParam())) {
