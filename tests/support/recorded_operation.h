@@ -76,7 +76,8 @@ inline std::vector<PieceRow> recorded_pieces(SessionFile& file) {
     SessionQuery query(file.handle(), "SELECT value FROM session WHERE key = 'summary'");
     std::vector<PieceRow> pieces;
     if (!query.next()) return pieces;
-    for (const auto& piece : nlohmann::json::parse(query.text(0)).at("pieces"))
+    const auto summary = nlohmann::json::parse(query.text(0));
+    for (const auto& piece : summary.at("pieces"))
         pieces.push_back({piece.at("body"), 1e-9 * piece.at("volume_mm3").get<double>(), piece.at("file"),
                           piece.at("material") == "metal"});
     return pieces;
