@@ -36,10 +36,11 @@ const Scene& knee() {
     static const Scene scene = test::scene_of(procedure_file);
     return scene;
 }
-const test::WatchedRun& outcome_of(const std::string& rehearsal) {
-    static test::Rehearsals rehearsals(knee(), "amputation");
-    return rehearsals[rehearsal];
+test::Rehearsals& rehearsals() {
+    static test::Rehearsals all(&knee, "amputation");
+    return all;
 }
+const test::WatchedRun& outcome_of(const std::string& rehearsal) { return rehearsals()[rehearsal]; }
 
 TEST(Amputation, TheExpertPassesAndTheBoneIsInTwo) {
     const test::WatchedRun& run = outcome_of("expert");
@@ -76,7 +77,7 @@ TEST(Amputation, ATiltedCutIsMeasuredAsTiltedAndItsNeighboursAreNot) {
 }
 
 TEST(Amputation, ItComesApartOnceAndInTheLastCut) {
-    const test::WatchedRun& run = outcome_of("expert");
+    const test::WatchedRun& run = rehearsals().with_ticks("expert");
     const auto apart = [](const EventRow& event) { return event.id == came_apart_event; };
     ASSERT_EQ(std::count_if(run.events.begin(), run.events.end(), apart), 1);
     const auto event = std::find_if(run.events.begin(), run.events.end(), apart);

@@ -33,10 +33,11 @@ const Scene& jaw() {
     static const Scene scene = test::scene_of(procedure_file);
     return scene;
 }
-const test::WatchedRun& outcome_of(const std::string& rehearsal) {
-    static test::Rehearsals rehearsals(jaw(), "mandibular-angle-reduction");
-    return rehearsals[rehearsal];
+test::Rehearsals& rehearsals() {
+    static test::Rehearsals all(&jaw, "mandibular-angle-reduction");
+    return all;
 }
+const test::WatchedRun& outcome_of(const std::string& rehearsal) { return rehearsals()[rehearsal]; }
 
 std::string text_of(const std::string& file) {
     std::ostringstream text;

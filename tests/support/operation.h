@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/procedure/read_procedure.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/recorded_operation.h"
 #include "tests/support/watched_run.h"
@@ -37,28 +38,40 @@ inline WatchedRun rehearsed(const Scene& scene, const std::string& rehearsal = "
 }
 
 /// Rehearsals of one scene; each is run once. Those of a shipped operation are read from the sessions that a ctest
-/// fixture has left, where ctest runs the test.
+/// fixture has left, where ctest runs the test; the scene is not made then.
 class Rehearsals {
 public:
-    /// @param scene      outlives this
-    /// @param operation  procedure of kerf_add_operation(), "amputation"; empty: none is recorded
-    explicit Rehearsals(const Scene& scene, std::string operation = {})
-        : scene_(&scene), operation_(std::move(operation)) {}
+    /// @param operation  procedure of kerf_add_operation(), "amputation"
+    Rehearsals(const Scene& (*scene)(), std::string operation) : scene_(scene), operation_(std::move(operation)) {}
+
+    /// Returns the run without its ticks, which take seconds to read.
     const WatchedRun& operator[](const std::string& rehearsal) {
         const auto found = runs_.find(rehearsal);
         return found != runs_.end() ? found->second : runs_.emplace(rehearsal, made(rehearsal)).first->second;
     }
+    /// The same with all ticks.
+    const WatchedRun& with_ticks(const std::string& rehearsal) {
+        static_cast<void>((*this)[rehearsal]);
+        WatchedRun& run = runs_.at(rehearsal);
+        if (run.ticks.empty()) run.ticks = recorded_ticks(folder_of(rehearsal));
+        return run;
+    }
 
 private:
+    [[nodiscard]] std::string folder_of(const std::string& id) const { return recorded_folder(operation_ + "/" + id); }
     [[nodiscard]] WatchedRun made(const std::string& id) const {
-        const std::string folder = operation_.empty() ? "" : recorded_folder(operation_ + "/" + id);
-        if (folder.empty()) return rehearsed(*scene_, id);
-        for (const Rehearsal& rehearsal : scene_->procedure.rehearsals)
+        const std::string folder = folder_of(id);
+        if (folder.empty()) return rehearsed(scene_(), id);
+        Diagnostics diagnostics;
+        const auto procedure =
+            read_procedure(KERF_SOURCE_DIR "/procedures/" + operation_ + ".yaml", plugins().catalog(), diagnostics);
+        if (!procedure) throw std::runtime_error(to_text(diagnostics));
+        for (const Rehearsal& rehearsal : procedure->rehearsals)
             if (rehearsal.id == id) return recorded_run(folder, rehearsal);
         throw std::runtime_error("no rehearsal " + id);
     }
 
-    const Scene* scene_;
+    const Scene& (*scene_)();
     std::string operation_;
     std::map<std::string, WatchedRun> runs_;
 };

@@ -19,10 +19,15 @@
 /// Operations that a ctest fixture has run once for all tests that judge them (kerf_add_operation, kerf_judge).
 namespace kerf::test {
 
-/// Returns the ticks of a session, all of their columns. Throws if they cannot be read.
-inline std::vector<TickRow> recorded_ticks(SessionFile& file, const std::vector<SignalColumn>& signals) {
+/// Returns the ticks of the session in a folder, all of their columns. Throws if they cannot be read.
+inline std::vector<TickRow> recorded_ticks(const std::string& folder) {
+    SessionFile file;
+    if (const std::string error = file.open(folder + "/session.db", {}); !error.empty())
+        throw std::runtime_error(error);
     const std::vector<Table> tables = recorded_tables(file.handle());
     const Table& table = find_table(tables, ticks_table);
+    const auto signal_count = static_cast<std::size_t>(std::ranges::count_if(
+        table.columns, [](const TableColumn& column) { return column.name.starts_with("signal_"); }));
     std::vector<std::string> all;
     for (const TableColumn& column : table.columns) all.push_back(column.name);
     RecordedRows rows(file.handle(), table, all);
@@ -48,7 +53,7 @@ inline std::vector<TickRow> recorded_ticks(SessionFile& file, const std::vector<
         row.tissue = integer();
         row.iterations = integer();
         for (double* value : {&row.power_hand, &row.power_drive, &row.removed}) *value = number();
-        for (std::size_t i = 0; i < signals.size(); ++i) row.signals[i] = number();
+        for (std::size_t i = 0; i < signal_count; ++i) row.signals[i] = number();
     }
     if (!rows.fault().empty()) throw std::runtime_error(rows.fault());
     return ticks;
@@ -83,7 +88,7 @@ inline std::vector<PieceRow> recorded_pieces(SessionFile& file) {
     return pieces;
 }
 
-/// Returns the run whose session is in a folder, as if it had been watched. Throws what is wrong with it.
+/// Returns the run whose session is in a folder, without its ticks. Throws what is wrong with it.
 inline WatchedRun recorded_run(const std::string& folder, const Rehearsal& rehearsal) {
     const std::string path = folder + "/session.db";
     std::string error;
@@ -96,7 +101,6 @@ inline WatchedRun recorded_run(const std::string& folder, const Rehearsal& rehea
     SessionFile file;
     if (error = file.open(path, {}); !error.empty()) throw std::runtime_error(error);
     run.summary.pieces = recorded_pieces(file);
-    run.ticks = recorded_ticks(file, run.summary.signals);
     SessionQuery events(file.handle(), "SELECT tick, time, id, detail FROM events ORDER BY rowid");
     while (events.next())
         run.events.push_back(
