@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # How tests are made known to ctest. Each runs under kerf-limit (tests/limit), which counts its processor time.
 #
-# Tiers, by labels: a test with the label `whole` runs a whole operation or takes more than some seconds, and
-# `./dev test --quick` leaves it out.
+# Tiers, by labels. `whole`: runs a whole operation or takes more than some seconds; `./dev test --quick` leaves it out.
+# `case`: one case of a GoogleTest program. `quick`: all cases of a program that are not whole, in one process, which
+# `./dev test --quick` runs in place of them.
 set(KERF_TEST_CPU 60)          # [s] of processor time that a test may use
 set(KERF_WHOLE_TEST_CPU 240)   # [s] one with the label `whole`
 set(KERF_TEST_TIMEOUT 3000)    # [s] of wall time: kerf-limit ends a test long before

@@ -22,9 +22,10 @@ endfunction()
 
 set(script "")
 set(known)   # patterns that matched something
+set(dear)    # filters of what --quick leaves out
 
 function(add name filter)
-  set(labels "")
+  set(labels " LABELS case")
   set(skip " SKIP_REGULAR_EXPRESSION \"\\\\[  SKIPPED \\\\]\"")
   if(filter MATCHES "\\*")   # one skipped case says nothing about the others
     set(skip "")
@@ -34,9 +35,10 @@ function(add name filter)
   foreach(pattern IN LISTS whole)
     to_regex(regex "${pattern}")
     if(name MATCHES "${regex}")
-      set(labels " LABELS whole")
+      set(labels " LABELS \"case;whole\"")
       set(limit_s ${whole_cpu})
       list(APPEND known "${pattern}")
+      list(APPEND dear "${filter}")
     endif()
   endforeach()
   set(fixtures)
@@ -52,8 +54,9 @@ function(add name filter)
     endif()
   endforeach()
   if(fixtures)
-    set(labels " LABELS whole")
+    set(labels " LABELS \"case;whole\"")
     set(limit_s ${whole_cpu})
+    list(APPEND dear "${filter}")
     set(more " FIXTURES_REQUIRED \"${fixtures}\" ENVIRONMENT [==[KERF_OPERATIONS=${operations}]==]")
   endif()
   string(APPEND script
@@ -61,6 +64,7 @@ function(add name filter)
     "set_tests_properties([==[${name}]==] PROPERTIES TIMEOUT ${timeout}${skip}${labels}${more})\n")
   set(script "${script}" PARENT_SCOPE)
   set(known "${known}" PARENT_SCOPE)
+  set(dear "${dear}" PARENT_SCOPE)
 endfunction()
 
 set(suite "")
@@ -78,6 +82,14 @@ foreach(line IN LISTS lines)
     endif()
   endif()
 endforeach()
+
+# All that is not dear in one process, for --quick: to start a process for each case takes longer than most cases.
+list(REMOVE_DUPLICATES dear)
+list(JOIN dear ":" left_out)
+get_filename_component(name ${program} NAME)
+string(APPEND script
+  "add_test([==[quick.${name}]==] [==[${limit}]==] --name quick.${name} --cpu ${whole_cpu} -- [==[${program}]==] --gtest_brief=1 [==[--gtest_filter=-${left_out}]==])\n"
+  "set_tests_properties([==[quick.${name}]==] PROPERTIES TIMEOUT ${timeout} LABELS quick)\n")
 
 # A tier of a test that was renamed is a mistake: it would silently run in the wrong one.
 foreach(pattern IN LISTS whole together)

@@ -711,7 +711,8 @@ TEST(Recorder, KeepsAllRowsWhereTheDiskIsFullForTheirCompression) {
         if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(2);
         const std::string said = recorder->finish(test::synthetic_summary());
         const bool is_said =
-            said.find("is complete, and larger than it needs to be: some rows could not be compressed") != std::string::npos;
+            said.find("is complete, and larger than it needs to be: some rows could not be compressed") !=
+            std::string::npos;
         if (!is_said) std::fputs((said + "\n").c_str(), stderr);
         _exit(is_said ? 0 : 3);
     }
