@@ -88,7 +88,7 @@ list(REMOVE_DUPLICATES dear)
 list(JOIN dear ":" left_out)
 get_filename_component(name ${program} NAME)
 string(APPEND script
-  "add_test([==[quick.${name}]==] [==[${limit}]==] --name quick.${name} --cpu ${whole_cpu} -- [==[${program}]==] --gtest_brief=1 [==[--gtest_filter=-${left_out}]==])\n"
+  "add_test([==[quick.${name}]==] [==[${limit}]==] --name quick.${name} --cpu ${whole_cpu} -- [==[${program}]==] [==[--gtest_filter=-${left_out}]==])\n"
   "set_tests_properties([==[quick.${name}]==] PROPERTIES TIMEOUT ${timeout} LABELS quick)\n")
 
 # A tier of a test that was renamed is a mistake: it would silently run in the wrong one.
