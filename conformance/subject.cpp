@@ -73,18 +73,24 @@ const kerf_component& stand_in_for(const kerf_component& law) {
             made->params.push_back(
                 {need.id, need.help, need.dimension, "", 0.5 * value, 2.0 * value, value, "a stand-in"});
     }
-    made->tool = {sizeof(kerf_tool), made->drives.data(), static_cast<std::uint32_t>(made->drives.size()),
-                  &stand_in_shape};
+    made->tool = {.size = sizeof(kerf_tool),
+                  .drive_count = static_cast<std::uint32_t>(made->drives.size()),
+                  .drives = made->drives.data(),
+                  .strategies = nullptr,
+                  .strategy_count = 0,
+                  .reserved = 0,
+                  .shape = &stand_in_shape};
     made->component = {.size = sizeof(kerf_component),
                        .kind = KERF_KIND_TOOL,
+                       .version = KERF_TOOL_VERSION,
+                       .param_count = static_cast<std::uint32_t>(made->params.size()),
+                       .feature_count = 0,
+                       .reserved = 0,
                        .id = "stand_in",
                        .help = "A powered ball.",
                        .params = made->params.data(),
-                       .param_count = static_cast<std::uint32_t>(made->params.size()),
-                       .feature_count = 0,
-                       .tool = &made->tool,
-                       .force = nullptr,
-                       .features = nullptr};
+                       .features = nullptr,
+                       .table = &made->tool};
     all.push_back(std::move(made));
     return all.back()->component;
 }
@@ -106,6 +112,8 @@ std::vector<SubjectName> subjects_of(const kerf_entry& entry) {
     const auto& all = entry.components;
     for (int i = 0; i < static_cast<int>(entry.component_count); ++i)
         if (all[i].kind == KERF_KIND_TOOL) names.push_back({Scope::tool, all[i].id, i, -1});
+    for (int i = 0; i < static_cast<int>(entry.component_count); ++i)
+        if (all[i].kind == KERF_KIND_REMESHER) names.push_back({Scope::strategy, all[i].id, -1, -1, i});
     for (int f = 0; f < static_cast<int>(entry.component_count); ++f) {
         if (all[f].kind != KERF_KIND_FORCE) continue;
         const std::string law = std::string(" with ") + all[f].id;
@@ -124,6 +132,7 @@ Subject subject_of(std::shared_ptr<Plugin> plugin, const SubjectName& name) {
     Subject subject{std::move(plugin)};
     const kerf_component* all = subject.plugin->entry().components;
     if (name.force >= 0) subject.force = all + name.force;
+    if (name.strategy >= 0) subject.strategy = all + name.strategy;
     if (name.tool >= 0)
         subject.tool = all + name.tool;
     else if (name.force >= 0)

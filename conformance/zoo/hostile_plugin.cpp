@@ -244,6 +244,7 @@ void fill_components() {
     for (kerf_component& c : components) {
         c.size = sizeof c;
         c.kind = KERF_KIND_TOOL;
+        c.version = KERF_TOOL_VERSION;
         c.help = "A burr.";
         c.params = is("null_parameters") ? nullptr : parameters;
         c.param_count = is("huge_parameter_count") ? 1000000000u : std::size(parameters);
@@ -255,11 +256,26 @@ void fill_components() {
     components[1].id = "other_burr";
     components[2].id = "burring";
     components[2].kind = KERF_KIND_FORCE;
-    components[2].tool = nullptr;
+    components[2].version = KERF_FORCE_VERSION;
     components[2].force = &force;
     if (is("twin_components")) components[1].id = "burr";
+    if (is("component_of_another_world")) components[1].kind = 77;
+    if (is("tool_of_another_version")) components[0].version = KERF_TOOL_VERSION + 1;
+    if (is("uses_what_is_reserved")) components[0].reserved = 1;
     if (is("null_component_id")) components[0].id = nullptr;
     if (is("dangling_parameters")) components[0].params = reinterpret_cast<kerf_param*>(std::uintptr_t{64});
+}
+
+kerf_status open(const kerf_host* host) {
+    misbehave("open");
+    const auto* log = static_cast<const kerf_log*>(host->find(host, KERF_LOG_ID, KERF_LOG_VERSION));
+    if (is("talks_when_opened")) log->write(host, KERF_LOG_WARNING, "\x1b[2Jit is cold");
+    if (is("never_stops_talking"))
+        for (int i = 0; i < 1000; ++i) log->write(host, KERF_LOG_NOTE, "again");
+    if (is("asks_for_more") && host->find(host, KERF_LOG_ID, KERF_LOG_VERSION + 1) == nullptr &&
+        host->find(host, "kerf.crystal_ball", 1) == nullptr && host->find(host, nullptr, 1) == nullptr)
+        return KERF_FAILED;
+    return KERF_OK;
 }
 
 kerf_entry filled_entry() {
@@ -281,6 +297,7 @@ kerf_entry filled_entry() {
     entry.licence = is("null_licence") ? nullptr : "Apache-2.0";
     entry.toolchain = is("null_toolchain") ? nullptr : "any";
     entry.components = components;
+    entry.open = &open;
     return entry;
 }
 

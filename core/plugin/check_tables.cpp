@@ -14,6 +14,7 @@
 
 #include "core/plugin/plain_text.h"
 #include "core/plugin/unit.h"
+#include "kerf/remesh.h"
 #include "kerf/units.hpp"
 
 namespace kerf {
@@ -46,6 +47,8 @@ constexpr LayoutField layout_fields[] = {
     {"kerf_thread", &kerf_layout::thread},
     {"kerf_feature", &kerf_layout::feature},
     {"kerf_need", &kerf_layout::need},
+    {"kerf_host", &kerf_layout::host},
+    {"kerf_log", &kerf_layout::log},
 };
 
 constexpr std::size_t max_id = 64, max_sentence = 2000;  // [bytes]
@@ -107,6 +110,10 @@ std::string fault_of_count(const std::string& field, std::uint32_t count, std::u
         return got(field, std::to_string(count) + " with a null table", "a table of as many rows",
                    "Point to the table, or write 0.");
     return {};
+}
+
+std::string fault_of_reserved(std::uint32_t reserved) {
+    return reserved == 0 ? "" : got("reserved", std::to_string(reserved), "0", "Write 0: a later Kerf may use it.");
 }
 
 std::string fault_of_size(const char* structure, std::uint32_t size, std::size_t wanted) {
@@ -186,6 +193,7 @@ std::string fault_of_row(const kerf_signal& row) {
 std::string fault_of_row(const kerf_event& row) {
     if (row.effect != KERF_EVENT_NOTE && row.effect != KERF_EVENT_DAMAGE)
         return got("effect", std::to_string(row.effect), "0 (note) or 1 (damage)", "Write one of them.");
+    if (std::string fault = fault_of_reserved(row.reserved); !fault.empty()) return fault;
     return fault_of_help(row.help);
 }
 
@@ -251,11 +259,27 @@ std::string fault_of_event_names(const kerf_force& force, std::string_view plugi
 // ---- one component
 // -----------------------------------------------------------------------------------------------------
 
+std::string fault_of_strategies(const kerf_tool& tool) {
+    if (std::string fault = fault_of_count("strategy_count", tool.strategy_count, max_table_rows, tool.strategies);
+        !fault.empty())
+        return fault;
+    for (std::uint32_t i = 0; i < tool.strategy_count; ++i) {
+        const std::string name = "strategy " + std::to_string(i) + ": ";
+        if (std::string fault = fault_of_id("id", tool.strategies[i]); !fault.empty()) return name + fault;
+        if (std::strchr(tool.strategies[i], '.') == nullptr)
+            return name + got("id", quoted_plain(tool.strategies[i]), "its plugin's id before it, and a dot",
+                              "Write it in full, as `example.burring.groove`.");
+    }
+    return {};
+}
+
 std::string fault_of_tool(const kerf_tool* tool) {
     if (tool == nullptr) return got("tool", "null", "the tool's table", "Point to it.");
     if (std::string fault = fault_of_size("kerf_tool", tool->size, sizeof *tool); !fault.empty())
         return "tool: " + fault;
     if (tool->shape == nullptr) return got("tool.shape", "null", "a function", "Point to it.");
+    if (std::string fault = fault_of_reserved(tool->reserved); !fault.empty()) return "tool: " + fault;
+    if (std::string fault = fault_of_strategies(*tool); !fault.empty()) return fault;
     return fault_of_table("drive", "drive", tool->drives, tool->drive_count, KERF_MAX_DRIVES);
 }
 
@@ -323,16 +347,52 @@ std::string fault_of_law(const kerf_force* force, std::string_view plugin_id) {
     return fault_of_event_names(*force, plugin_id);
 }
 
+std::string fault_of_remesher(const kerf_component& c) {
+    const kerf_remesher* remesher = c.remesher;
+    if (remesher == nullptr) return got("remesher", "null", "the strategy's table", "Point to it.");
+    if (std::string fault = fault_of_size("kerf_remesher", remesher->size, sizeof *remesher); !fault.empty())
+        return "remesher: " + fault;
+    constexpr kerf_remesh_layout wanted = KERF_REMESH_LAYOUT_INIT;
+    if (std::memcmp(&remesher->layout, &wanted, sizeof wanted) != 0)
+        return "the structs of its requests have other sizes than this Kerf's. Build it against this Kerf.";
+    if (remesher->scope != KERF_REMESH_PATCH && remesher->scope != KERF_REMESH_WHOLE)
+        return got("scope", std::to_string(remesher->scope), "1 (patch) or 2 (whole mesh)", "Write one of them.");
+    if (std::string fault = fault_of_reserved(remesher->reserved); !fault.empty()) return fault;
+    if (remesher->remesh == nullptr) return got("remesh", "null", "a function", "Point to it.");
+    if (std::strchr(c.id, '.') != nullptr)
+        return got("id", quoted_plain(c.id), "an id without a dot",
+                   "Write it without: procedures put the plugin's id and a dot before it.");
+    return fault_of_text("kernel", remesher->kernel, max_sentence, true);
+}
+
+/// A kind as this host knows it; null: it does not.
+struct KnownKind {
+    const char* name;
+    std::uint32_t version;
+};
+const KnownKind* known_kind(std::uint32_t kind) noexcept {
+    static constexpr KnownKind known[] = {
+        {"tool", KERF_TOOL_VERSION}, {"force", KERF_FORCE_VERSION}, {"strategy", KERF_REMESHER_VERSION}};
+    return kind >= 1 && kind <= std::size(known) ? &known[kind - 1] : nullptr;
+}
+
 std::string fault_of_component(const kerf_component& c, std::string_view plugin_id) {
-    if (c.kind != KERF_KIND_TOOL && c.kind != KERF_KIND_FORCE)
-        return got("kind", std::to_string(c.kind), "1 (tool) or 2 (force)", "Write one of them.");
     if (std::string fault = fault_of_size("kerf_component", c.size, sizeof c); !fault.empty()) return fault;
+    const KnownKind* kind = known_kind(c.kind);
+    if (kind == nullptr) return {};  // this host leaves it out
+    if (c.version != kind->version)
+        return got("version", std::to_string(c.version),
+                   std::to_string(kind->version) + ", that of a " + kind->name + " of this Kerf",
+                   "Build it against this Kerf.");
+    if (std::string fault = fault_of_reserved(c.reserved); !fault.empty()) return fault;
     if (std::string fault = fault_of_help(c.help); !fault.empty()) return fault;
     if (std::string fault = fault_of_table("parameter", "parameter", c.params, c.param_count, max_table_rows);
         !fault.empty())
         return fault;
     if (std::string fault = fault_of_features(c); !fault.empty()) return fault;
-    return c.kind == KERF_KIND_TOOL ? fault_of_tool(c.tool) : fault_of_law(c.force, plugin_id);
+    return c.kind == KERF_KIND_TOOL    ? fault_of_tool(c.tool)
+           : c.kind == KERF_KIND_FORCE ? fault_of_law(c.force, plugin_id)
+                                       : fault_of_remesher(c);
 }
 
 std::string fault_of_components(const kerf_entry& entry) {
@@ -354,7 +414,7 @@ std::string fault_of_components(const kerf_entry& entry) {
                 return got(
                     "id",
                     "`" + std::string(c.id) + "` in components " + std::to_string(j) + " and " + std::to_string(i),
-                    "each tool and each force once", "Rename one of them.");
+                    "each id once among the components of a kind", "Rename one of them.");
     }
     return {};
 }
@@ -400,6 +460,8 @@ std::string refusal_of(const kerf_entry& entry, const std::string& path) {
     const std::string fault = fault_of(entry);
     return fault.empty() ? fault : named_plugin(path) + fault;
 }
+
+bool is_known_kind(std::uint32_t kind) noexcept { return known_kind(kind) != nullptr; }
 
 std::string plugin_id_of(const kerf_entry& entry) {
     if (!fault_of_layout(entry).empty() || !fault_of_id("plugin_id", entry.plugin_id).empty()) return {};

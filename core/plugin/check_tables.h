@@ -22,6 +22,9 @@ inline constexpr std::uint32_t max_state_size = 64u << 20, max_state_align = 409
 /// The same without plugin and path.   [any]
 [[nodiscard]] std::string fault_of(const kerf_entry& entry);
 
+/// Whether this host knows components of a kind. It leaves the others out.   [any]
+[[nodiscard]] bool is_known_kind(std::uint32_t kind) noexcept;
+
 /// The id that an entry of this ABI gives itself; empty if it has none that can be printed.   [any]
 [[nodiscard]] std::string plugin_id_of(const kerf_entry& entry);
 

@@ -8,7 +8,7 @@
 
 #include "kerf/abi.h"
 
-/// What a plugin says about itself, as plain values: enough to check a procedure without running plugin code.
+/// How a plugin describes itself, as plain values: enough to check a procedure without running plugin code.
 namespace kerf {
 
 struct ParameterInfo {
@@ -52,15 +52,27 @@ struct NeedInfo {
 struct ComponentInfo {
     std::string plugin;  ///< "kerf.drilling"
     std::string id;      ///< "twist_drill"
-    uint32_t kind = 0;   ///< KERF_KIND_TOOL or KERF_KIND_FORCE
+    uint32_t kind = 0;   ///< KERF_KIND_TOOL, KERF_KIND_FORCE or KERF_KIND_REMESHER
     std::string help;
     std::vector<ParameterInfo> parameters;
-    std::vector<ParameterInfo> drives;  ///< tools only; source is empty
-    std::vector<SignalInfo> signals;    ///< forces only
-    std::vector<EventInfo> events;      ///< forces only
-    std::vector<FeatureInfo> features;  ///< what it can do without
-    std::vector<std::string> tools;     ///< forces only: those of its own plugin that it takes
-    std::vector<NeedInfo> needs;        ///< forces only: what it needs of any tool; then `tools` is empty
+    std::vector<ParameterInfo> drives;    ///< tools only; source is empty
+    std::vector<SignalInfo> signals;      ///< forces only
+    std::vector<EventInfo> events;        ///< forces only
+    std::vector<FeatureInfo> features;    ///< what it can do without
+    std::vector<std::string> tools;       ///< forces only: those of its own plugin that it takes
+    std::vector<NeedInfo> needs;          ///< forces only: what it needs of any tool; then `tools` is empty
+    std::vector<std::string> strategies;  ///< tools only: remeshing strategies by full id, best first
+    uint32_t scope = 0;                   ///< strategies only: KERF_REMESH_PATCH or KERF_REMESH_WHOLE
+    std::string kernel;                   ///< strategies only: what its results depend on
+    std::string module;                   ///< path of its shared library; empty: it is the core's own
+
+    /// "kerf.burring.displace"
+    [[nodiscard]] std::string full_id() const { return plugin + "." + id; }
+    /// Whether a strategy is meant by its full id, or by the last words of it: "displace", "burring.displace".
+    [[nodiscard]] bool is_meant_by(const std::string& word) const {
+        const std::string full = full_id();
+        return full == word || full.ends_with("." + word);
+    }
 };
 
 /// Every component of every plugin that was found.

@@ -16,6 +16,8 @@
 #include "core/plugin/loading_trial.h"
 #include "core/plugin/plain_text.h"
 #include "core/plugin/plugin_call.h"
+#include "core/plugin/plugin_host.h"
+#include "kerf/remesh.h"
 
 namespace kerf {
 
@@ -65,7 +67,12 @@ std::string try_here(const std::string& path, const TrialReport& report) {
     }
     if (opened.fault.empty())
         for (std::uint32_t i = 0; i < opened.entry->component_count; ++i)
-            static_cast<void>(describe(opened.entry->plugin_id, opened.entry->components[i]));
+            if (is_known_kind(opened.entry->components[i].kind))
+                static_cast<void>(describe(opened.entry->plugin_id, opened.entry->components[i]));
+    if (opened.fault.empty()) {
+        report.does("while it was opened");
+        opened.fault = PluginHost(opened.entry->plugin_id).open(*opened.entry);
+    }
     report.does("while it was unloaded");
     if (opened.handle != nullptr) dlclose(opened.handle);
     return opened.fault;
@@ -77,6 +84,9 @@ ParameterInfo parameter_info(const D& d, const char* source) {
 }
 
 }  // namespace
+
+Plugin::Plugin(void* handle, const kerf_entry* entry, std::string path, std::unique_ptr<PluginHost> host)
+    : handle_(handle), entry_(entry), path_(std::move(path)), host_(std::move(host)) {}
 
 Plugin::~Plugin() {
     forget_components(entry_);
@@ -96,8 +106,14 @@ PluginLoad load_tried_plugin(const std::string& path) {
         if (opened.handle != nullptr) dlclose(opened.handle);
         return load;
     }
+    auto host = std::make_unique<PluginHost>(load.plugin_id);
+    if (const std::string fault = host->open(*opened.entry); !fault.empty()) {
+        load.refusal = named_plugin(path) + fault;
+        dlclose(opened.handle);
+        return load;
+    }
     remember_components(*opened.entry, path);
-    load.plugin = std::shared_ptr<Plugin>(new Plugin(opened.handle, opened.entry, path));
+    load.plugin = std::shared_ptr<Plugin>(new Plugin(opened.handle, opened.entry, path, std::move(host)));
     return load;
 }
 
@@ -139,6 +155,12 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
         info.features.push_back({f.id, f.help, f.kind, f.param, f.off});
     }
     if (c.kind == KERF_KIND_TOOL)
+        info.strategies.assign(c.tool->strategies, c.tool->strategies + c.tool->strategy_count);
+    if (c.kind == KERF_KIND_REMESHER) {
+        info.scope = c.remesher->scope;
+        info.kernel = c.remesher->kernel;
+    }
+    if (c.kind == KERF_KIND_TOOL)
         for (std::uint32_t i = 0; i < c.tool->drive_count; ++i) {
             info.drives.push_back(parameter_info(c.tool->drives[i], ""));
             info.drives.back().least = c.tool->drives[i].least;
@@ -162,12 +184,20 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
     return info;
 }
 
-PluginRegistry::PluginRegistry() { list(core_instruments()); }
+PluginRegistry::PluginRegistry() { list(core_instruments(), ""); }
 
-void PluginRegistry::list(const kerf_entry& entry) {
-    for (std::uint32_t i = 0; i < entry.component_count; ++i)
+void PluginRegistry::list(const kerf_entry& entry, const std::string& module) {
+    for (std::uint32_t i = 0; i < entry.component_count; ++i) {
+        if (!is_known_kind(entry.components[i].kind)) {
+            notes_.push_back("plugin " + std::string(entry.plugin_id) + ": its component `" + entry.components[i].id +
+                             "` is of kind " + std::to_string(entry.components[i].kind) +
+                             ", which this Kerf does not know. It is left out.");
+            continue;
+        }
         catalog_.push_back(describe(entry.plugin_id, entry.components[i]));
-    entries_.push_back(&entry);
+        catalog_.back().module = module;
+    }
+    listed_.push_back({entry.plugin_id, entry.plugin_version, entry.licence});
 }
 
 void PluginRegistry::scan(const std::vector<std::string>& folders) {
@@ -194,12 +224,17 @@ void PluginRegistry::take(const std::string& file, PluginLoad load) {
     if (id == core_instruments().plugin_id)
         return refuse(named_plugin(file) + "its id is `" + id + "`, which is Kerf's own. Give it another id.");
     const auto twin =
-        std::find_if(plugins_.begin(), plugins_.end(), [&](const auto& p) { return id == p->entry().plugin_id; });
-    if (twin != plugins_.end())
-        return refuse("plugin " + id + " is found twice: " + plain((*twin)->path()) + " (used) and " + plain(file) +
+        std::find_if(catalog_.begin(), catalog_.end(), [&](const ComponentInfo& c) { return id == c.plugin; });
+    if (twin != catalog_.end())
+        return refuse("plugin " + id + " is found twice: " + plain(twin->module) + " (used) and " + plain(file) +
                       ". Remove one.");
-    list(load.plugin->entry());
-    plugins_.push_back(std::move(load.plugin));
+    const kerf_entry& entry = load.plugin->entry();
+    list(entry, file);
+    // Strategies run in another process. A library that has nothing else does not stay in this one.
+    const auto* const end = entry.components + entry.component_count;
+    if (std::any_of(entry.components, end,
+                    [](const kerf_component& c) { return c.kind == KERF_KIND_TOOL || c.kind == KERF_KIND_FORCE; }))
+        plugins_.push_back(std::move(load.plugin));
 }
 
 const PluginRefusal* PluginRegistry::refusal_for(const std::string& plugin_id) const {
@@ -216,14 +251,18 @@ const PluginRefusal* PluginRegistry::refusal_for(const std::string& plugin_id) c
 
 const kerf_component* PluginRegistry::find(const std::string& plugin, std::uint32_t kind,
                                            const std::string& id) const noexcept {
-    for (const kerf_entry* entry : entries_) {
-        if (plugin != entry->plugin_id) continue;
-        for (std::uint32_t i = 0; i < entry->component_count; ++i) {
-            const kerf_component& c = entry->components[i];
+    const auto find_in = [&](const kerf_entry& entry) -> const kerf_component* {
+        if (plugin != entry.plugin_id) return nullptr;
+        for (std::uint32_t i = 0; i < entry.component_count; ++i) {
+            const kerf_component& c = entry.components[i];
             if (c.kind == kind && id == c.id) return &c;
         }
-    }
-    return nullptr;
+        return nullptr;
+    };
+    const kerf_component* found = find_in(core_instruments());
+    for (auto one = plugins_.begin(); found == nullptr && one != plugins_.end(); ++one)
+        found = find_in((*one)->entry());
+    return found;
 }
 
 }  // namespace kerf

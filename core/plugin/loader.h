@@ -11,10 +11,11 @@
 #include "core/plugin/check_tables.h"
 #include "core/plugin/component_info.h"
 
-/// Finding plugins, checking that they speak this ABI, and saying precisely why not.
+/// Finds plugins, checks that they are of this ABI, and reports precisely why one is not.
 namespace kerf {
 
 struct PluginLoad;
+class PluginHost;
 
 /// One loaded plugin; stays mapped as long as this lives.
 class Plugin {
@@ -28,11 +29,11 @@ public:
 
 private:
     friend PluginLoad load_tried_plugin(const std::string& path);
-    Plugin(void* handle, const kerf_entry* entry, std::string path)
-        : handle_(handle), entry_(entry), path_(std::move(path)) {}
+    Plugin(void* handle, const kerf_entry* entry, std::string path, std::unique_ptr<PluginHost> host);
     void* handle_;
     const kerf_entry* entry_;
     std::string path_;
+    std::unique_ptr<PluginHost> host_;
 };
 
 struct PluginLoad {
@@ -57,7 +58,13 @@ struct PluginRefusal {
     std::string why;              ///< without file and path
 };
 
-/// All plugins of some folders, by id, and what needs none.   [main]
+/// A plugin by what its entry says of it.
+struct PluginText {
+    std::string id, version, licence;
+};
+
+/// All plugins of some folders, by id, and the core's own. Libraries with strategies alone are described and closed.
+/// [main]
 class PluginRegistry {
 public:
     PluginRegistry();
@@ -66,23 +73,27 @@ public:
 
     [[nodiscard]] const ComponentCatalog& catalog() const noexcept { return catalog_; }
     [[nodiscard]] const std::vector<std::string>& refusals() const noexcept { return refusals_; }
+    /// Those that stay loaded: they have tools or laws.
     [[nodiscard]] const std::vector<std::shared_ptr<Plugin>>& plugins() const noexcept { return plugins_; }
+    /// What was left out of plugins that are used; for people.
+    [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
     /// Why the file that would be this plugin was refused: by its id, or by its file's name where the id could not be
     /// read. Null: no such file was refused.
     [[nodiscard]] const PluginRefusal* refusal_for(const std::string& plugin_id) const;
-    /// Core's own first.
-    [[nodiscard]] const std::vector<const kerf_entry*>& entries() const noexcept { return entries_; }
+    /// All plugins, the core's own first.
+    [[nodiscard]] const std::vector<PluginText>& listed() const noexcept { return listed_; }
+    /// Returns a tool or a law, or null.
     [[nodiscard]] const kerf_component* find(const std::string& plugin, std::uint32_t kind,
                                              const std::string& id) const noexcept;
 
 private:
-    void list(const kerf_entry& entry);
+    void list(const kerf_entry& entry, const std::string& module);
     void take(const std::string& file, PluginLoad load);
 
     std::vector<std::shared_ptr<Plugin>> plugins_;
-    std::vector<const kerf_entry*> entries_;
+    std::vector<PluginText> listed_;
     ComponentCatalog catalog_;
-    std::vector<std::string> refusals_;
+    std::vector<std::string> refusals_, notes_;
     std::vector<PluginRefusal> refused_;  ///< of each refusal
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plugins with one fault in their tables: each is refused by name, and the others stay usable.
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -47,7 +49,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"huge_parameter_count", "component `burr`: `parameter count` is 1000000000, expected at most 256"},
         Refused{"null_parameters", "component `burr`: `parameter count` is 2 with a null table"},
         Refused{"null_component_id", "component 0: `id` is null"},
-        Refused{"twin_components", "`id` is `burr` in components 0 and 1, expected each tool and each force once"},
+        Refused{"twin_components",
+                "`id` is `burr` in components 0 and 1, expected each id once among the components of a kind"},
+        Refused{"tool_of_another_version", "component `burr`: `version` is 2, expected 1, that of a tool of this Kerf"},
+        Refused{"uses_what_is_reserved", "component `burr`: `reserved` is 1, expected 0"},
+        Refused{"asks_for_more", "its `open` returned -1, expected KERF_OK"},
         Refused{"null_parameter_id", "component `burr`: parameter 0: `id` is null"},
         Refused{"twin_parameters", "component `burr`: parameter: `id` is `size` in rows 0 and 1"},
         Refused{"default_out_of_range",
@@ -88,6 +94,57 @@ TEST(Registry, UsesTheOthersWhenOneIsRefused) {
     EXPECT_STREQ(registry.plugins().front()->entry().plugin_id, "test.hostile");
     EXPECT_EQ(registry.refusals().size(), 3u);
     EXPECT_NE(registry.find("test.hostile", KERF_KIND_FORCE, "burring"), nullptr);
+}
+
+TEST(Registry, LeavesOutAComponentOfAKindThatItDoesNotKnow) {
+    const test::TemporaryFolder folder;
+    std::filesystem::copy(file_of("component_of_another_world"), folder.path());
+    PluginRegistry registry;
+    registry.scan({folder.path()});
+    EXPECT_TRUE(registry.refusals().empty());
+    ASSERT_EQ(registry.notes().size(), 1u);
+    EXPECT_EQ(
+        registry.notes()[0],
+        "plugin test.hostile: its component `other_burr` is of kind 77, which this Kerf does not know. It is left "
+        "out.");
+    EXPECT_NE(registry.find("test.hostile", KERF_KIND_TOOL, "burr"), nullptr);
+}
+
+TEST(Registry, ClosesALibraryThatHasStrategiesAlone) {
+    PluginRegistry registry;
+    registry.scan({KERF_BUILD_DIR "/lib/kerf-remesh-zoo"});
+    EXPECT_TRUE(registry.refusals().empty());
+    EXPECT_TRUE(registry.plugins().empty());
+    const auto& all = registry.catalog();
+    const auto dies = std::find_if(all.begin(), all.end(), [](const ComponentInfo& c) { return c.id == "dies"; });
+    ASSERT_NE(dies, all.end());
+    EXPECT_EQ(dies->full_id(), "test.animals.dies");
+    EXPECT_EQ(dies->module, KERF_BUILD_DIR "/lib/kerf-remesh-zoo/kerf_remesh_animals.so");
+    EXPECT_EQ(dlopen(dies->module.c_str(), RTLD_NOW | RTLD_NOLOAD), nullptr) << "it stays in the loop's process";
+}
+
+TEST(ComponentInfo, IsMeantByTheLastWordsOfItsId) {
+    ComponentInfo strategy;
+    strategy.plugin = "example.chisel";
+    strategy.id = "groove";
+    for (const char* word : {"groove", "chisel.groove", "example.chisel.groove"})
+        EXPECT_TRUE(strategy.is_meant_by(word)) << word;
+    for (const char* word : {"oove", "isel.groove", "example.chisel", ""})
+        EXPECT_FALSE(strategy.is_meant_by(word)) << word;
+}
+
+TEST(PluginHost, PrintsTheLinesOfAPluginUnderItsName) {
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(load_plugin(file_of("talks_when_opened")).plugin);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "plugin test.hostile: warning: \\x1b[2Jit is cold\n");
+}
+
+TEST(PluginHost, StopsPrintingAfterAHundredLines) {
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(load_plugin(file_of("never_stops_talking")).plugin);
+    const std::string printed = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(std::count(printed.begin(), printed.end(), '\n'), 101);
+    EXPECT_NE(printed.find("has printed 100 lines, and prints no more"), std::string::npos);
 }
 
 TEST(Registry, FindsTheRefusalByIdOrByFileName) {

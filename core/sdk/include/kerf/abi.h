@@ -4,11 +4,12 @@
 
 /* The plugin boundary, ABI 0: plain C11 without dependencies.
  *
- * A plugin exports one data symbol, `kerf_plugin_entry`, of type `kerf_entry`. All else is static const tables that it
- * points to. The C++ header kerf/plugin.hpp writes these tables from plain structs.
+ * A plugin exports one data symbol, `kerf_plugin_entry`, of type `kerf_entry`. It lists the plugin's components: tools,
+ * force laws and remeshing strategies (kerf/remesh.h), each with a table for its kind. All tables are static const. The
+ * C++ header kerf/plugin.hpp writes them from plain structs.
  *
  * ABI 0 promises no compatibility: host and plugin must be built against the same layout. The loader refuses any other
- * plugin and names the struct that differs.
+ * plugin and names the struct that differs. Fields called `reserved` are 0; the loader refuses other values.
  *
  * Units: SI and radians. Frames: `world` (LPS), `body` (LPS of one body), `tool` (origin at the tip, +z along the shaft
  * and out of the tip). A pose `a_from_b` takes coordinates in b to coordinates in a.
@@ -34,6 +35,21 @@ extern "C" {
 #define KERF_NOTE_BYTES 64u   /* what a resist hands on to its commit       */
 #define KERF_MAX_THREADS 16u  /* threads cut into the bone of a scene       */
 #define KERF_THREAD_BINS 64u  /* pieces of a thread that slip by themselves */
+
+/* ---- lifetimes and threads ---------------------------------------------------------------------------------- */
+
+/* Each pointer that crosses the boundary has one of two lifetimes. Those marked [library] are valid while the library
+ * is loaded: all that the entry's tables point to, and the host that `open` gets. All others are valid during the call
+ * that passes them ([call]): copy what you need later.
+ *
+ * The host calls `open` first. It calls the functions of tools and laws on one thread at a time, and waits for each to
+ * return. It calls a strategy in another process, which has loaded the library too and has called its `open`: the two
+ * share no memory of the library. There it makes one call at a time. Static data that a function writes is a fault:
+ * `kerf check` looks for it.
+ *
+ * Texts are UTF-8, end with NUL and have no control characters. Ids have at most 64 bytes of a-z, A-Z, 0-9, `_`, `-`
+ * and
+ * `.`; other texts have at most 2000 bytes unless their array says how many. */
 
 /* ---- plain values ------------------------------------------------------------------------------------------ */
 
@@ -147,8 +163,13 @@ typedef struct kerf_tool_shape {
 
 typedef struct kerf_tool {
     uint32_t size;
-    const kerf_drive* drives;
     uint32_t drive_count;
+    const kerf_drive* drives; /* [library] */
+    /* Remeshing strategies that suit what the tool leaves, best first, the most accurate last: "kerf.burring.displace".
+       Each replaces the one before it where that is not installed or declines a cut. [library] */
+    const char* const* strategies;
+    uint32_t strategy_count;
+    uint32_t reserved;
     /* Writes the tool's outline for these parameters. [main] */
     kerf_status (*shape)(const double* params, kerf_tool_shape* out);
 } kerf_tool;
@@ -337,7 +358,10 @@ typedef struct kerf_force {
 
 /* ---- components and the entry --------------------------------------------------------------------------------- */
 
-enum { KERF_KIND_TOOL = 1, KERF_KIND_FORCE = 2 };
+/* Kinds of components, and the version of each kind's table. The host leaves out components of a kind that it does not
+ * know, and refuses a plugin with another version of a kind that it knows. */
+enum { KERF_KIND_TOOL = 1, KERF_KIND_FORCE = 2, KERF_KIND_REMESHER = 3 };
+enum { KERF_TOOL_VERSION = 1, KERF_FORCE_VERSION = 1, KERF_REMESHER_VERSION = 1 };
 
 /* What a component can do without, so that a planner may leave out what a scene does not need. */
 enum {
@@ -353,32 +377,65 @@ typedef struct kerf_feature {
     double off;     /* SI, within that parameter's range */
 } kerf_feature;
 
+struct kerf_remesher; /* kerf/remesh.h */
+
 typedef struct kerf_component {
     uint32_t size;
     uint32_t kind;
-    const char* id;
-    const char* help;
-    const kerf_param* params;
+    uint32_t version; /* of the kind's table: KERF_TOOL_VERSION … */
     uint32_t param_count;
     uint32_t feature_count;
-    const kerf_tool* tool;   /* for KERF_KIND_TOOL  */
-    const kerf_force* force; /* for KERF_KIND_FORCE */
-    const kerf_feature* features;
+    uint32_t reserved;
+    const char* id;               /* unique among the plugin's components of its kind; a strategy's has no dot */
+    const char* help;             /* one sentence */
+    const kerf_param* params;     /* [library] */
+    const kerf_feature* features; /* [library] */
+    union {                       /* [library]; by kind */
+        const void* table;
+        const kerf_tool* tool;
+        const kerf_force* force;
+        const struct kerf_remesher* remesher;
+    };
 } kerf_component;
+
+/* ---- the host ------------------------------------------------------------------------------------------------ */
+
+/* What a host offers a plugin: services by id and version. */
+typedef struct kerf_host {
+    uint32_t size;
+    uint32_t abi;
+    const char* name;    /* "kerf" */
+    const char* version; /* "0.1.0" */
+    /* Returns a service, or null where this host does not offer that version of it. [main] */
+    const void* (*find)(const struct kerf_host* host, const char* id, uint32_t version);
+} kerf_host;
+
+/* Service `kerf.log`: kerf_log. Lines that a plugin has to report. The host prints them under the plugin's name. */
+#define KERF_LOG_ID "kerf.log"
+#define KERF_LOG_VERSION 1u
+enum { KERF_LOG_NOTE = 0, KERF_LOG_WARNING = 1 };
+typedef struct kerf_log {
+    uint32_t size;
+    uint32_t reserved;
+    /* Prints one line, at most 500 bytes of it. After 100 lines of a plugin it prints no more. [main], or in a
+       strategy's call */
+    void (*write)(const kerf_host* host, uint32_t level, const char* text);
+} kerf_log;
 
 /* Sizes of all structs that cross the boundary, so that the loader can name one that differs. */
 typedef struct kerf_layout {
     uint32_t param, drive, signal, event, solid, tool_shape, tool, bone_sample, surface_point, bone_query, channel, law,
-        tick_in, advance, action, commit_out, force, component, feature, need, thread;
+        tick_in, advance, action, commit_out, force, component, feature, need, thread, host, log;
 } kerf_layout;
 
-#define KERF_LAYOUT_INIT                                                                                      \
-    {                                                                                                         \
-        sizeof(kerf_param), sizeof(kerf_drive), sizeof(kerf_signal), sizeof(kerf_event), sizeof(kerf_solid),  \
-            sizeof(kerf_tool_shape), sizeof(kerf_tool), sizeof(kerf_bone_sample), sizeof(kerf_surface_point), \
-            sizeof(kerf_bone_query), sizeof(kerf_channel), sizeof(kerf_law), sizeof(kerf_tick_in),            \
-            sizeof(kerf_advance), sizeof(kerf_action), sizeof(kerf_commit_out), sizeof(kerf_force),           \
-            sizeof(kerf_component), sizeof(kerf_feature), sizeof(kerf_need), sizeof(kerf_thread)              \
+#define KERF_LAYOUT_INIT                                                                                             \
+    {                                                                                                                \
+        sizeof(kerf_param), sizeof(kerf_drive), sizeof(kerf_signal), sizeof(kerf_event), sizeof(kerf_solid),         \
+            sizeof(kerf_tool_shape), sizeof(kerf_tool), sizeof(kerf_bone_sample), sizeof(kerf_surface_point),        \
+            sizeof(kerf_bone_query), sizeof(kerf_channel), sizeof(kerf_law), sizeof(kerf_tick_in),                   \
+            sizeof(kerf_advance), sizeof(kerf_action), sizeof(kerf_commit_out), sizeof(kerf_force),                  \
+            sizeof(kerf_component), sizeof(kerf_feature), sizeof(kerf_need), sizeof(kerf_thread), sizeof(kerf_host), \
+            sizeof(kerf_log)                                                                                         \
     }
 
 typedef struct kerf_entry {
@@ -387,11 +444,14 @@ typedef struct kerf_entry {
     uint32_t size;
     uint32_t component_count;
     kerf_layout layout;
-    const char* plugin_id;      /* "kerf.drilling" */
-    const char* plugin_version; /* "0.1.0" */
-    const char* licence;        /* SPDX */
-    const char* toolchain;      /* printed, never compared */
-    const kerf_component* components;
+    const char* plugin_id;            /* "kerf.drilling" */
+    const char* plugin_version;       /* "0.1.0" */
+    const char* licence;              /* SPDX */
+    const char* toolchain;            /* printed, never compared */
+    const kerf_component* components; /* [library] */
+    /* Called once after loading, before any other function of the plugin. Null: not needed. Anything but KERF_OK
+       refuses the plugin. [main] `host` is valid while the library is loaded [library] */
+    kerf_status (*open)(const kerf_host* host);
 } kerf_entry;
 
 #define KERF_ENTRY_SYMBOL "kerf_plugin_entry"

@@ -116,6 +116,17 @@ struct Work {
     std::uint32_t points = 0;   ///< of all its queries together
     std::uint32_t queries = 0;  ///< of the bone
 };
+/// Remeshing strategies that suit what a tool leaves.
+struct Strategies {
+    static constexpr std::size_t max_count = 8;
+    const char* ids[max_count] = {};
+    std::uint32_t count = 0;
+};
+/// What a remeshing strategy gets, and what its results depend on (kerf/strategy.hpp).
+struct Remeshes {
+    std::uint32_t scope = 0;  ///< KERF_REMESH_PATCH or KERF_REMESH_WHOLE
+    const char* kernel = "";
+};
 template <class... Items>
 struct Group {
     std::tuple<Items...> items;
@@ -170,6 +181,15 @@ template <class T>
 [[nodiscard]] constexpr Budget budget_us(std::uint32_t microseconds) noexcept { return {1000 * microseconds}; }
 /// States what one evaluation of a law needs at most: `kerf check` prints what to write.
 [[nodiscard]] constexpr Work work(Work most) noexcept { return most; }
+/// States which remeshing strategies suit what a tool leaves, by full id: the best first, the most accurate last. Each
+/// replaces the one before it where that is not installed or declines a cut.
+template <class... Id>
+[[nodiscard]] constexpr Strategies strategies(Id... id) {
+    static_assert(sizeof...(Id) <= Strategies::max_count, "a tool names at most 8 strategies");
+    for (const std::string_view one : {std::string_view(id)...})
+        if (one.find('.') == one.npos) throw "a strategy needs its full id, as \"example.burring.groove\"";
+    return {{id...}, sizeof...(Id)};
+}
 /// Joins descriptions that several components share.
 template <class... Items>
 [[nodiscard]] constexpr Group<Items...> group(Items... items) noexcept {

@@ -14,10 +14,12 @@
 #include "kerf/assert.hpp"
 #include "kerf/describe.hpp"
 #include "kerf/force.hpp"
+#include "kerf/host.hpp"
 #include "kerf/law.hpp"
 #include "kerf/outline.hpp"
 
-/// All that a plugin needs: tools and laws as plain structs, and KERF_PLUGIN, which exports them.
+/// What a plugin needs for tools and laws: plain structs, and KERF_PLUGIN, which exports them. A plugin with a
+/// remeshing strategy includes kerf/strategy.hpp too.
 ///
 ///     a tool   struct whose members are parameters and drives;   static constexpr auto about();   Outline outline()
 ///     const; a law    struct whose members are parameters;              static constexpr auto about();
@@ -49,37 +51,50 @@ concept LawComponent = requires {
 
 namespace detail {
 
-template <class Tool>
-struct ToolTable {
+/// The kind, its version and the table of a component, which `put_into` sets. A header for one more kind of components
+/// specializes it.
+template <class T>
+struct ComponentTable;
+
+/// The item of this type in a description, or `otherwise`.
+template <class T, class Item>
+constexpr Item stated_in(Item otherwise) noexcept {
+    std::apply(
+        [&](const auto&... item) {
+            const auto take = [&](const auto& one) {
+                if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Item>) otherwise = one;
+            };
+            (take(item), ...);
+            static_cast<void>(take);
+        },
+        Tables<T>::about.items);
+    return otherwise;
+}
+
+template <ToolComponent Tool>
+struct ComponentTable<Tool> {
     static kerf_status shape(const double* params, kerf_tool_shape* out) {
         std::array<double, KERF_MAX_DRIVES> idle{};
         for (std::size_t i = 0; i < Tables<Tool>::drives.size(); ++i) idle[i] = Tables<Tool>::drives[i].def;
         return Tables<Tool>::value(params, idle.data()).outline().write(*out);
     }
+    static constexpr Strategies strategies = stated_in<Tool>(Strategies{});
+
+    static constexpr std::uint32_t kind = KERF_KIND_TOOL, version = KERF_TOOL_VERSION;
     static constexpr kerf_tool table{.size = sizeof(kerf_tool),
-                                     .drives = first_of(Tables<Tool>::drives),
                                      .drive_count = Tables<Tool>::drives.size(),
+                                     .drives = first_of(Tables<Tool>::drives),
+                                     .strategies = strategies.count > 0 ? strategies.ids : nullptr,
+                                     .strategy_count = strategies.count,
+                                     .reserved = 0,
                                      .shape = &shape};
+    static constexpr void put_into(kerf_component& component) noexcept { component.tool = &table; }
 };
 
-template <class Law>
-struct ForceTable {
+template <LawComponent Law>
+struct ComponentTable<Law> {
     using L = LawTable<Law>;
-    /// The item of this type in the description, or `otherwise`.
-    template <class Item>
-    static constexpr Item stated(Item otherwise) noexcept {
-        std::apply(
-            [&](const auto&... item) {
-                const auto take = [&](const auto& one) {
-                    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Item>) otherwise = one;
-                };
-                (take(item), ...);
-                static_cast<void>(take);
-            },
-            Tables<Law>::about.items);
-        return otherwise;
-    }
-    static constexpr Work most = stated(Work{});
+    static constexpr Work most = stated_in<Law>(Work{});
     static constexpr auto tools = Holding<typename L::Tool>::ids;
     static constexpr auto needs = [] {
         if constexpr (Holding<typename L::Tool>::by_needs)
@@ -89,6 +104,7 @@ struct ForceTable {
         else
             return std::array<kerf_need, 0>{};
     }();
+    static constexpr std::uint32_t kind = KERF_KIND_FORCE, version = KERF_FORCE_VERSION;
     static constexpr kerf_force table{.size = sizeof(kerf_force),
                                       .state_size = sizeof(typename L::State),
                                       .state_align = alignof(typename L::State),
@@ -100,13 +116,14 @@ struct ForceTable {
                                       .tool_count = tools.size(),
                                       .needs = first_of(needs),
                                       .need_count = needs.size(),
-                                      .budget_ns = stated(Budget{20000}).ns,
+                                      .budget_ns = stated_in<Law>(Budget{20000}).ns,
                                       .max_channels = most.channels,
                                       .max_points = most.points,
                                       .max_queries = most.queries,
                                       .begin = &L::begin,
                                       .resist = &L::resist,
                                       .commit = &L::commit};
+    static constexpr void put_into(kerf_component& component) noexcept { component.force = &table; }
 };
 
 /// Whether an event carries its plugin's name, so that no one takes it for another's.
@@ -119,26 +136,24 @@ constexpr bool is_own_event(std::string_view event, std::string_view plugin) noe
 
 }  // namespace detail
 
-/// The C table of a tool or a law.
+/// The C table of a component.
 template <class T>
-requires ToolComponent<T> || LawComponent<T>
 [[nodiscard]] constexpr kerf_component component_of() noexcept {
     using Tables = detail::Tables<T>;
-    kerf_component c{.size = sizeof(kerf_component),
-                     .kind = ToolComponent<T> ? KERF_KIND_TOOL : KERF_KIND_FORCE,
-                     .id = Tables::about.id,
-                     .help = Tables::about.help,
-                     .params = detail::first_of(Tables::params),
-                     .param_count = Tables::params.size(),
-                     .feature_count = Tables::features.size(),
-                     .tool = nullptr,
-                     .force = nullptr,
-                     .features = detail::first_of(Tables::features)};
-    if constexpr (ToolComponent<T>)
-        c.tool = &detail::ToolTable<T>::table;
-    else
-        c.force = &detail::ForceTable<T>::table;
-    return c;
+    using Table = detail::ComponentTable<T>;
+    kerf_component component{.size = sizeof(kerf_component),
+                             .kind = Table::kind,
+                             .version = Table::version,
+                             .param_count = Tables::params.size(),
+                             .feature_count = Tables::features.size(),
+                             .reserved = 0,
+                             .id = Tables::about.id,
+                             .help = Tables::about.help,
+                             .params = detail::first_of(Tables::params),
+                             .features = detail::first_of(Tables::features),
+                             .table = nullptr};
+    Table::put_into(component);
+    return component;
 }
 
 /// The tables of a plugin.
@@ -160,6 +175,7 @@ struct PluginTables {
     [[nodiscard]] static constexpr kerf_entry entry(const char* id, const char* version, const char* licence) {
         detail::check_unique(components_by_kind(KERF_KIND_TOOL));
         detail::check_unique(components_by_kind(KERF_KIND_FORCE));
+        detail::check_unique(components_by_kind(KERF_KIND_REMESHER));
         (check_events<Components>(id), ...);
         return {.magic = KERF_MAGIC,
                 .abi = KERF_ABI_VERSION,
@@ -170,7 +186,8 @@ struct PluginTables {
                 .plugin_version = version,
                 .licence = licence,
                 .toolchain = __VERSION__,
-                .components = components.data()};
+                .components = components.data(),
+                .open = &detail::open_plugin};
     }
 
 private:
@@ -195,7 +212,7 @@ private:
     }
 };
 
-/// Returns a tool or a law with these parameters and drives, in the order of its description; drives that are left out
+/// Returns a component with these parameters and drives, in the order of its description; drives that are left out
 /// are at their defaults.   [any]
 template <class T>
 [[nodiscard]] T value_of(std::span<const double> params, std::span<const double> drives = {}) noexcept {
@@ -206,7 +223,7 @@ template <class T>
         drive[i] = i < drives.size() ? drives[i] : Tables::drives[i].def;
     return Tables::value(params.data(), drive.data());
 }
-/// Returns a tool or a law with all its defaults.   [any]
+/// Returns a component with all its defaults.   [any]
 template <class T>
 [[nodiscard]] T defaults_of() noexcept {
     using Tables = detail::Tables<T>;
@@ -239,7 +256,7 @@ template <class Law>
 
 }  // namespace kerf
 
-/// Exports the plugin. Once in a shared library, outside of all namespaces:
+/// Exports the plugin with its tools, laws and strategies. Once in a shared library, outside of all namespaces:
 ///
 ///     KERF_PLUGIN("example.awl", "0.1.0", "Apache-2.0", Awl, Press)
 #define KERF_PLUGIN(id, version, licence, ...)                                            \

@@ -1,27 +1,25 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#ifndef KERF_DRAFT_REMESH_H
-#define KERF_DRAFT_REMESH_H
+#ifndef KERF_REMESH_H
+#define KERF_REMESH_H
 
-/* Remeshing strategies: how an exact surface follows what tools remove. A draft: no part of ABI 0.
+/* Remeshing strategies, components of kind KERF_KIND_REMESHER: how an exact surface follows what tools remove.
  *
- * A module exports one data symbol, `kerf_remesh_entry`, of type `kerf_remesh_module`. The program `kerf-remesh` alone
- * opens it, in a process of its own, so a module may link any library, allocate, throw inside and crash.
+ * The program `kerf-remesh` calls a strategy, in a process of its own. So a strategy may link any library, allocate,
+ * throw inside and crash. The process of the haptic loop loads its library only to read the tables.
  *
- * A strategy is a function of its input: the same bytes in give the same bytes out, whatever its cache holds.
+ * A strategy is a function of its input: the same bytes in give the same bytes out, whatever its cache holds. The host
+ * checks each result and believes none of it: mesh, border, crossings, locked vertices, removed volume.
  *
  * Meshes cross as offsets into arenas, blocks of memory that both processes map at different addresses. An offset
  * counts bytes from the arena's base. 0 means none. Arrays begin at multiples of 8 bytes.
  *
- * Units: SI. Frame: that of the body. */
+ * Units: SI. Frame: that of the body. All pointers are valid during the call. */
 
 #include "kerf/abi.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-#define KERF_REMESH_DRAFT 1u
-#define KERF_REMESH_ENTRY_SYMBOL "kerf_remesh_entry"
 
 typedef uint64_t kerf_offset;
 
@@ -75,8 +73,10 @@ typedef struct kerf_remesh_in {
     kerf_offset cuts, solids;
     uint32_t cut_count, solid_count; /* only cuts that removed bone */
     uint64_t nudge_seed;             /* 0 at first; another one after the host has refused a result */
-    double tolerance;                /* [m] that surfaces may be off */
-    kerf_offset cancel;              /* uint32_t; once it is not 0 the strategy returns KERF_REMESH_CANCELLED soon */
+    double tolerance;                /* [m] that new faces may be off what the tools sweep */
+    kerf_offset params;              /* double each: the component's parameters in declared order, SI */
+    uint32_t param_count, reserved;
+    kerf_offset cancel; /* uint32_t; once it is not 0 the strategy returns KERF_REMESH_CANCELLED soon */
 } kerf_remesh_in;
 
 typedef struct kerf_remesh_out {
@@ -96,34 +96,26 @@ enum {
     KERF_REMESH_DECLINED = 5 /* this strategy does not make such a cut, with any seed; another strategy may */
 };
 
+/* Sizes of the structs that cross. */
+typedef struct kerf_remesh_layout {
+    uint32_t in, out, patch, cut, solid;
+} kerf_remesh_layout;
+#define KERF_REMESH_LAYOUT_INIT \
+    { sizeof(kerf_remesh_in), sizeof(kerf_remesh_out), sizeof(kerf_patch), sizeof(kerf_cut), sizeof(kerf_cut_solid) }
+
+/* A parameter `tolerance`, a length, if the strategy has one, becomes the `tolerance` of its requests. */
 typedef struct kerf_remesher {
     uint32_t size;
-    uint32_t scope;   /* KERF_REMESH_PATCH or KERF_REMESH_WHOLE */
-    const char* id;   /* snake_case: "exact" */
-    const char* help; /* one sentence */
+    uint32_t scope; /* KERF_REMESH_PATCH or KERF_REMESH_WHOLE */
+    kerf_remesh_layout layout;
+    uint32_t reserved;
+    const char* kernel; /* what its results depend on: library, version, flags [library] */
     /* Cuts a mesh. Reads `in` and the offsets in the arena `from`; writes into `to`, which it does not grow. */
     kerf_status (*remesh)(const kerf_remesh_in* in, const kerf_arena* from, kerf_arena* to, kerf_remesh_out* out,
                           void* cache);
     void* (*cache_new)(void); /* null: it needs none */
     void (*cache_drop)(void* cache);
 } kerf_remesher;
-
-typedef struct kerf_remesh_module {
-    uint32_t magic; /* KERF_MAGIC */
-    uint32_t draft; /* KERF_REMESH_DRAFT */
-    uint32_t size;
-    uint32_t remesher_count;
-    uint32_t in_size, out_size, patch_size, cut_size, solid_size, remesher_size; /* sizes of what crosses */
-    const char* plugin_id;                                                       /* "kerf.remesh_cgal" */
-    const char* plugin_version;
-    const char* licence; /* SPDX */
-    const char* kernel;  /* what its results depend on: library, version, flags */
-    const kerf_remesher* remeshers;
-} kerf_remesh_module;
-
-#define KERF_REMESH_SIZES_INIT                                                                                     \
-    sizeof(kerf_remesh_in), sizeof(kerf_remesh_out), sizeof(kerf_patch), sizeof(kerf_cut), sizeof(kerf_cut_solid), \
-        sizeof(kerf_remesher)
 
 #ifdef __cplusplus
 }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "kerf/draft/remesh.h"
+#include "kerf/remesh.h"
 
 namespace kerf::remeshing {
 

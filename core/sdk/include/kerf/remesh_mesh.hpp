@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "kerf/draft/remesh.h"
 #include "kerf/math.hpp"
+#include "kerf/remesh.h"
 
 /// Meshes in and out of arenas, for both sides of the remeshing boundary. A draft, as remesh.h.
 namespace kerf::remeshing {
