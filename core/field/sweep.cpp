@@ -113,7 +113,8 @@ void Sweep::may_hold(const PointBlock& points, double tolerance, std::array<bool
 
 bool Sweep::holds_between(const Instant& a, const Instant& b, Vec3 point, double tolerance) const noexcept {
     const double way = slack * motion_ * (b.t - a.t);
-    if (0.5 * (a.depth + b.depth + way) <= tolerance || way <= tolerance) return false;
+    constexpr double finest = 1e-7;  // [m] for points outside, whose depth may be all but constant on the way
+    if (0.5 * (a.depth + b.depth + way) <= tolerance || way <= (tolerance < 0.0 ? finest : tolerance)) return false;
     const Instant middle = at(0.5 * (a.t + b.t), point);
     if (middle.depth > tolerance) return true;
     return a.depth > b.depth ? holds_between(a, middle, point, tolerance) || holds_between(middle, b, point, tolerance)

@@ -12,6 +12,7 @@
 #include "core/import/surface/edges.h"
 #include "core/import/surface/orient3d.h"
 #include "core/remesh/base_mesh.h"
+#include "core/remesh/new_faces.h"
 
 namespace kerf {
 namespace {
@@ -71,27 +72,6 @@ bool has_edge_of(const TaggedMesh& ring, const SurfaceMesh& mesh, const std::vec
         has_one = std::binary_search(beyond.begin(), beyond.end(), edge, before);
     });
     return has_one;
-}
-
-/// Which faces of a mesh are not faces of another one, by their corners.
-std::vector<std::uint8_t> new_faces_of(const SurfaceMesh& mesh, const SurfaceMesh& before) {
-    using Corners = std::array<Vec3, 3>;
-    const auto corners_less = [](const Corners& a, const Corners& b) {
-        for (std::size_t i = 0; i < 3; ++i)
-            if (a[i] != b[i]) return less(a[i], b[i]);
-        return false;
-    };
-    const auto sorted = [](Corners corners) {
-        std::sort(corners.begin(), corners.end(), less);
-        return corners;
-    };
-    std::vector<Corners> known;
-    for (const Triangle& t : before.triangles) known.push_back(sorted(before.corners(t)));
-    std::sort(known.begin(), known.end(), corners_less);
-    std::vector<std::uint8_t> is_new;
-    for (const Triangle& t : mesh.triangles)
-        is_new.push_back(!std::binary_search(known.begin(), known.end(), sorted(mesh.corners(t)), corners_less));
-    return is_new;
 }
 
 /// @param before   a mesh whose faces cross neither each other nor the ring; null: all faces are judged

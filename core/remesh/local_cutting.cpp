@@ -7,20 +7,38 @@
 
 #include "core/import/surface/surface_mesh.h"
 #include "core/remesh/accept.h"
+#include "core/remesh/removal.h"
 
 namespace kerf {
 
-LocalCutting::Attempt LocalCutting::attempt(const AskStrategy& ask, const RemeshRequest& request,
+LocalCutting::LocalCutting(const TaggedMesh& mesh, std::vector<const ToolSolid*> solids, double tolerance,
+                           AskStrategy ask, AskStrategy otherwise)
+    : LocalCutting(mesh, std::move(solids), tolerance, std::vector<std::vector<NamedStrategy>>{}) {
+    std::vector<NamedStrategy> all{{"first", std::move(ask)}};
+    if (otherwise) all.push_back({"second", std::move(otherwise)});
+    strategies_.assign(solids_.size(), all);
+}
+
+LocalCutting::Attempt LocalCutting::attempt(const NamedStrategy& strategy, const RemeshRequest& request,
                                             const SurfacePatch& patch, std::string& why) {
-    const RemeshResult result = ask(request);
-    if (result.status == KERF_REMESH_UNCHANGED) return Attempt::done;
-    why = result.status == KERF_OK ? flaw_of_patch(request, result.mesh, surface_.ring_of(patch)) : result.message;
+    const RemeshResult result = strategy.ask(request);
+    const double allowed = allowed_for(request, strategy.tolerance);
+    const bool is_unchanged = result.status == KERF_REMESH_UNCHANGED;
+    why = is_unchanged               ? flaw_of_unchanged(request, allowed)
+          : result.status == KERF_OK ? flaw_of_patch(request, result.mesh, surface_.ring_of(patch))
+                                     : result.message;
+    if (result.status == KERF_OK && why.empty()) why = flaw_of_removal(request, result.mesh, allowed);
+    if (is_unchanged && why.empty()) return Attempt::done;
     if (result.status == KERF_OK && why.empty()) {
         removed_ += volume_between(result.mesh.mesh, request.base.mesh);
         surface_.replace(patch, result.mesh);
         return Attempt::done;
     }
-    if (result.status != KERF_REMESH_DECLINED) ++refusals_;
+    if (result.status != KERF_REMESH_DECLINED) {
+        ++refusals_;
+        Refusals& of_this = refused_[strategy.id];
+        if (of_this.count++ == 0) of_this.first = why;
+    }
     if (result.status == KERF_REMESH_CANCELLED) why = "the strategy did not end within its time";
     return result.status == KERF_REMESH_CANCELLED || result.status == KERF_REMESH_DECLINED ? Attempt::ended
                                                                                            : Attempt::refused;
@@ -38,17 +56,18 @@ bool LocalCutting::cut(const CutStretch& stretch) {
     request.mode = KERF_REMESH_COMMIT;
     request.tolerance = tolerance_;
     std::string why;
-    if (otherwise_) {
-        if (attempt(ask_, request, patch, why) == Attempt::done) return true;
+    const std::vector<NamedStrategy>& strategies = strategies_[stretch.solid];
+    for (std::size_t s = 0; s < strategies.size(); ++s) {
+        const bool is_last = s + 1 == strategies.size();
+        for (int n = 0; n <= (is_last ? most_refusals : 0); ++n) {
+            request.nudge_seed = static_cast<std::uint64_t>(n);
+            const Attempt made = attempt(strategies[s], request, patch, why);
+            if (made == Attempt::done) return true;
+            if (made == Attempt::ended) break;
+        }
+        if (is_last) break;
         ++handed_over_;
         why_handed_over_ = why;
-    }
-    const AskStrategy& ask = otherwise_ ? otherwise_ : ask_;
-    for (int n = 0; n <= most_refusals; ++n) {
-        request.nudge_seed = static_cast<std::uint64_t>(n);
-        const Attempt made = attempt(ask, request, patch, why);
-        if (made == Attempt::done) return true;
-        if (made == Attempt::ended) break;
     }
     stale_.push_back({box, std::move(why)});
     return false;
@@ -63,6 +82,7 @@ void LocalCutting::go_back(const Moment& moment) {
     removed_ = moment.removed;
     refusals_ = moment.refusals;
     handed_over_ = moment.handed_over;
+    refused_ = moment.refused;
     stale_ = moment.stale;
 }
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "kerf/draft/remesh.h"
+#include "kerf/remesh.h"
 
 /// What `kerf` and `kerf-remesh` send each other: one packet each, over a socket pair; meshes lie in shared memory.
 namespace kerf::remesh_channel {
@@ -15,6 +15,8 @@ inline constexpr int socket_fd = 3, request_fd = 4, result_fd = 5;
 struct Hello {
     std::uint32_t scope = 0;  ///< KERF_REMESH_PATCH or KERF_REMESH_WHOLE; 0: it cannot work
     char fault[500] = {};     ///< then why not; ends with NUL
+    std::uint32_t parameter_count = 0;
+    double defaults[256] = {};  ///< of the strategy's parameters
     char plugin_id[100] = {}, plugin_version[100] = {}, kernel[200] = {};
 };
 

@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 #include "core/remesh/remesh_channel.h"
@@ -108,6 +109,10 @@ std::string RemeshChild::spawn() {
         return why;
     }
     scope_ = hello.scope;
+    if (program_.parameters.empty()) {
+        const auto count = std::min<std::size_t>(hello.parameter_count, std::size(hello.defaults));
+        program_.parameters.assign(hello.defaults, hello.defaults + count);
+    }
     plugin_ = text_of(hello.plugin_id) + " " + text_of(hello.plugin_version);
     kernel_ = text_of(hello.kernel);
     return {};
@@ -152,7 +157,8 @@ RemeshResult RemeshChild::remesh(const RemeshRequest& request, std::chrono::mill
         return failed("the system gives no memory for this mesh");
     Ask ask;
     kerf_arena arena = request_.arena();
-    if (!pack(request, arena, ask.in)) return failed("the request does not fit its memory");
+    if (!pack(request, program_.parameters, arena, ask.in)) return failed("the request does not fit its memory");
+    if (program_.tolerance) ask.in.tolerance = *program_.tolerance;
     ask.number = ++number_;
     ask.request_capacity = arena.capacity;
     ask.result_capacity = result_.arena().capacity;

@@ -6,18 +6,22 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/remesh/remesh_request.h"
 #include "core/remesh/shared_memory.h"
 
 namespace kerf {
 
-/// Where strategies come from.
+/// Where a strategy comes from, and how it is set.
 struct RemeshProgram {
-    std::string program;   ///< kerf-remesh
-    std::string module;    ///< the shared library with the strategy
-    std::string strategy;  ///< "exact"
+    std::string program;                ///< kerf-remesh
+    std::string module;                 ///< the plugin's library
+    std::string strategy;               ///< its id in the plugin: "displace"
+    std::vector<double> parameters{};   ///< SI, declared order; none: their defaults
+    std::optional<double> tolerance{};  ///< [m] of all requests, if one of the parameters is that
 };
 
 /// A strategy in a process of its own. It is started once, before any loop runs: `posix_spawn` costs a running loop
@@ -38,6 +42,9 @@ public:
     [[nodiscard]] RemeshResult remesh(const RemeshRequest& request, std::chrono::milliseconds limit);
 
     [[nodiscard]] std::uint32_t scope() const noexcept { return scope_; }  ///< KERF_REMESH_PATCH or KERF_REMESH_WHOLE
+    /// [m] that the strategy states; 0: none.
+    [[nodiscard]] double tolerance() const noexcept { return program_.tolerance.value_or(0.0); }
+    [[nodiscard]] const RemeshProgram& program() const noexcept { return program_; }
     [[nodiscard]] const std::string& plugin() const noexcept { return plugin_; }  ///< id and version
     [[nodiscard]] const std::string& kernel() const noexcept { return kernel_; }
     [[nodiscard]] int restarts() const noexcept { return restarts_; }

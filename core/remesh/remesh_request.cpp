@@ -7,7 +7,7 @@
 #include <cstring>
 #include <optional>
 
-#include "kerf/draft/remesh_mesh.hpp"
+#include "kerf/remesh_mesh.hpp"
 
 namespace kerf {
 namespace {
@@ -41,7 +41,8 @@ std::uint64_t request_bytes(const RemeshRequest& request) {
                           mesh.triangles.size() * (sizeof(Triangle) + 1) + request.cuts.size() * sizeof(kerf_cut);
     for (const ToolSolid* solid : request.solids)
         bytes += sizeof(kerf_cut_solid) + solid->outline().size() * sizeof(kerf_profile_point) + alignment;
-    return bytes + 16 * alignment;
+    constexpr std::uint64_t most_parameters = 256;
+    return bytes + most_parameters * sizeof(double) + 16 * alignment;
 }
 
 std::uint64_t result_bytes(const RemeshRequest& request) {
@@ -49,7 +50,7 @@ std::uint64_t result_bytes(const RemeshRequest& request) {
     return 4 * request_bytes(request) + room;
 }
 
-bool pack(const RemeshRequest& request, kerf_arena& arena, kerf_remesh_in& in) {
+bool pack(const RemeshRequest& request, const std::vector<double>& parameters, kerf_arena& arena, kerf_remesh_in& in) {
     const SurfaceMesh& mesh = request.base.mesh;
     static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::uint32_t));
     in = {};
@@ -79,13 +80,15 @@ bool pack(const RemeshRequest& request, kerf_arena& arena, kerf_remesh_in& in) {
     in.cuts = append(arena, cuts.data(), cuts.size());
     in.solid_count = static_cast<std::uint32_t>(solids.size());
     in.cut_count = static_cast<std::uint32_t>(cuts.size());
+    in.params = append(arena, parameters.data(), parameters.size());
+    in.param_count = static_cast<std::uint32_t>(parameters.size());
     const std::uint32_t not_cancelled = 0;
     in.cancel = append(arena, &not_cancelled, 1);
     const auto is_there = [](kerf_offset at, std::size_t count) { return at != 0 || count == 0; };
     return has_room && is_there(in.base.vertices, mesh.vertices.size()) &&
            is_there(in.base.triangles, mesh.triangles.size()) && is_there(in.base.tags, request.base.tags.size()) &&
            is_there(in.base.locked, request.locked.size()) && is_there(in.solids, solids.size()) &&
-           is_there(in.cuts, cuts.size()) && in.cancel != 0;
+           is_there(in.cuts, cuts.size()) && is_there(in.params, parameters.size()) && in.cancel != 0;
 }
 
 RemeshResult unpack(kerf_status status, const kerf_remesh_out& out, const kerf_arena& arena) {

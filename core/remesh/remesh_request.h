@@ -7,7 +7,7 @@
 
 #include "core/remesh/cut_path.h"
 #include "core/remesh/tagged_mesh.h"
-#include "kerf/draft/remesh.h"
+#include "kerf/remesh.h"
 
 /// What crosses the boundary to a remeshing strategy, as plain values.
 namespace kerf {
@@ -34,7 +34,9 @@ struct RemeshResult {
 [[nodiscard]] std::uint64_t result_bytes(const RemeshRequest& request);
 
 /// Writes a request into an arena. Returns false where it has no room.   [any]
-[[nodiscard]] bool pack(const RemeshRequest& request, kerf_arena& arena, kerf_remesh_in& in);
+/// @param parameters   of the strategy, SI, declared order
+[[nodiscard]] bool pack(const RemeshRequest& request, const std::vector<double>& parameters, kerf_arena& arena,
+                        kerf_remesh_in& in);
 
 /// Reads what a strategy returned. It is not trusted: an offset outside the arena, a vertex that does not exist, a
 /// coordinate that is no number and an unknown status become KERF_FAILED with a message.   [any]

@@ -9,7 +9,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <iterator>
 
+#include "core/plugin/check_tables.h"
 #include "core/remesh/remesh_channel.h"
 #include "core/remesh/remesh_module.h"
 #include "core/remesh/shared_memory.h"
@@ -60,15 +62,19 @@ int serve_remeshing(const std::string& module_path, const std::string& strategy,
     be_a_good_child();
     std::string error;
     const auto module = RemeshModule::open(module_path, error);
-    const kerf_remesher* remesher = module != nullptr ? module->find(strategy) : nullptr;
+    const kerf_component* component = module != nullptr ? module->find(strategy) : nullptr;
+    const kerf_remesher* remesher = component != nullptr ? component->remesher : nullptr;
     if (module != nullptr && remesher == nullptr) error = module_path + ": it has no strategy `" + strategy + "`.";
     Hello hello;
+    static_assert(std::size(Hello{}.defaults) == max_table_rows);
     copy_text(hello.fault, error.c_str());
     if (remesher != nullptr) {
         hello.scope = remesher->scope;
+        hello.parameter_count = component->param_count;
+        for (std::uint32_t i = 0; i < component->param_count; ++i) hello.defaults[i] = component->params[i].def;
         copy_text(hello.plugin_id, module->entry().plugin_id);
         copy_text(hello.plugin_version, module->entry().plugin_version);
-        copy_text(hello.kernel, module->entry().kernel);
+        copy_text(hello.kernel, remesher->kernel);
     }
     if (!send_packet(hello) || remesher == nullptr) return 1;
 

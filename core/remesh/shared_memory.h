@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "kerf/draft/remesh.h"
+#include "kerf/remesh.h"
 
 namespace kerf {
 

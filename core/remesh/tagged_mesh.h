@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/import/surface/surface_mesh.h"
-#include "kerf/draft/remesh.h"
+#include "kerf/remesh.h"
 
 namespace kerf {
 

@@ -8,9 +8,11 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "kerf/draft/remesh.h"
+#include "kerf/remesh_mesh.hpp"
 
 namespace {
+
+using namespace kerf;
 
 /// The request's own mesh as the result.
 void copy_base(const kerf_remesh_in* in, const kerf_arena* from, kerf_arena* to, kerf_remesh_out* out) {
@@ -99,33 +101,92 @@ kerf_status rambles(In, From, kerf_arena*, kerf_remesh_out* out, void*) {
     return KERF_REMESH_REFUSED;
 }
 
-#define ANIMAL(name) \
-    { sizeof(kerf_remesher), KERF_REMESH_WHOLE, #name, "An animal of the zoo.", &name, nullptr, nullptr }
-constexpr kerf_remesher animals[] = {ANIMAL(copies),
-                                     ANIMAL(dies),
-                                     ANIMAL(exits),
-                                     ANIMAL(hangs),
-                                     ANIMAL(gives_way),
-                                     ANIMAL(leaves_the_arena),
-                                     ANIMAL(overflows),
-                                     ANIMAL(invents_a_vertex),
-                                     ANIMAL(returns_nan),
-                                     ANIMAL(moves_a_vertex),
-                                     ANIMAL(flips_a_face),
-                                     ANIMAL(drops_a_face),
-                                     ANIMAL(invents_a_status),
-                                     ANIMAL(rambles)};
+kerf_status stays_as_it_was(In, From, kerf_arena*, kerf_remesh_out*, void*) { return KERF_REMESH_UNCHANGED; }
+kerf_status declines(In, From, kerf_arena*, kerf_remesh_out* out, void*) {
+    std::strcpy(out->message, "this animal cuts nothing");
+    return KERF_REMESH_DECLINED;
+}
+kerf_status shrinks(In in, From from, kerf_arena* to, kerf_remesh_out* out, void*) {
+    copy_base(in, from, to, out);
+    for (std::uint32_t n = 0; n < 3 * out->result.vertex_count; ++n) first_vertex(out, to)[n] *= 0.99;
+    return KERF_OK;
+}
+/// Each face in three: the surface stays as it was.
+kerf_status splits_every_face(In in, From from, kerf_arena* to, kerf_remesh_out* out, void*) {
+    remeshing::Triangles mesh = remeshing::read(in->base, *from), split = mesh;
+    split.triangles.clear();
+    split.tags.clear();
+    for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
+        const std::uint32_t *t = &mesh.triangles[3 * f], middle = static_cast<std::uint32_t>(split.vertices.size());
+        split.vertices.push_back((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0);
+        for (int i = 0; i < 3; ++i) {
+            split.triangles.insert(split.triangles.end(), {t[i], t[(i + 1) % 3], middle});
+            split.tags.push_back(mesh.tags[f]);
+        }
+    }
+    return remeshing::write(split, *to, out->result) ? KERF_OK : KERF_FAILED;
+}
+
+#define TABLE(name)                                                                                           \
+    constexpr kerf_remesher name##_table {                                                                    \
+        sizeof(kerf_remesher), KERF_REMESH_WHOLE, KERF_REMESH_LAYOUT_INIT, 0, "none", &name, nullptr, nullptr \
+    }
+TABLE(copies);
+TABLE(dies);
+TABLE(exits);
+TABLE(hangs);
+TABLE(gives_way);
+TABLE(leaves_the_arena);
+TABLE(overflows);
+TABLE(invents_a_vertex);
+TABLE(returns_nan);
+TABLE(moves_a_vertex);
+TABLE(flips_a_face);
+TABLE(drops_a_face);
+TABLE(invents_a_status);
+TABLE(rambles);
+TABLE(stays_as_it_was);
+TABLE(declines);
+TABLE(shrinks);
+TABLE(splits_every_face);
+
+#define ANIMAL(name)                                                                                                \
+    {                                                                                                               \
+        sizeof(kerf_component), KERF_KIND_REMESHER, KERF_REMESHER_VERSION, 0, 0, 0, #name, "An animal of the zoo.", \
+            nullptr, nullptr, {                                                                                     \
+            &name##_table                                                                                           \
+        }                                                                                                           \
+    }
+constexpr kerf_component animals[] = {ANIMAL(copies),
+                                      ANIMAL(dies),
+                                      ANIMAL(exits),
+                                      ANIMAL(hangs),
+                                      ANIMAL(gives_way),
+                                      ANIMAL(leaves_the_arena),
+                                      ANIMAL(overflows),
+                                      ANIMAL(invents_a_vertex),
+                                      ANIMAL(returns_nan),
+                                      ANIMAL(moves_a_vertex),
+                                      ANIMAL(flips_a_face),
+                                      ANIMAL(drops_a_face),
+                                      ANIMAL(invents_a_status),
+                                      ANIMAL(rambles),
+                                      ANIMAL(stays_as_it_was),
+                                      ANIMAL(declines),
+                                      ANIMAL(shrinks),
+                                      ANIMAL(splits_every_face)};
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) const kerf_remesh_module kerf_remesh_entry;
-extern "C" const kerf_remesh_module kerf_remesh_entry = {KERF_MAGIC,
-                                                         KERF_REMESH_DRAFT,
-                                                         sizeof(kerf_remesh_module),
-                                                         sizeof animals / sizeof animals[0],
-                                                         KERF_REMESH_SIZES_INIT,
-                                                         "test.animals",
-                                                         "0.1.0",
-                                                         "Apache-2.0",
-                                                         "none",
-                                                         animals};
+extern "C" __attribute__((visibility("default"))) const kerf_entry kerf_plugin_entry;
+extern "C" constinit const kerf_entry kerf_plugin_entry = {KERF_MAGIC,
+                                                           KERF_ABI_VERSION,
+                                                           sizeof(kerf_entry),
+                                                           sizeof animals / sizeof animals[0],
+                                                           KERF_LAYOUT_INIT,
+                                                           "test.animals",
+                                                           "0.1.0",
+                                                           "Apache-2.0",
+                                                           "any",
+                                                           animals,
+                                                           nullptr};

@@ -10,7 +10,7 @@
 
 #include "core/import/surface/edges.h"
 #include "core/remesh/base_mesh.h"
-#include "kerf/draft/remesh.h"
+#include "kerf/remesh.h"
 #include "kerf/units.hpp"
 #include "tests/core/import/surface/shapes.h"
 

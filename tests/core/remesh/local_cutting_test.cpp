@@ -20,6 +20,8 @@ TaggedMesh ball() { return tagged(test::sphere(6.0_mm, 3)); }
 const ToolSolid pin({{0.0, 1.0_mm}, {-4.0_mm, 1.0_mm}});
 const CutStretch plunge{{{0, 0, 5.0_mm}, {0, 1, 0, 0}}, {{0, 0, 4.0_mm}, {0, 1, 0, 0}}, 0};
 
+constexpr double coarse = 0.2_mm;  // a tolerance by which any of the results below will do
+
 /// A strategy that always gives one status, and counts.
 struct Always {
     kerf_status status;
@@ -48,7 +50,7 @@ struct Pushes {
 
 TEST(LocalCutting, HandsOverWhatIsDeclined) {
     int first = 0, second = 0;
-    LocalCutting cutting(ball(), {&pin}, 1e-6, Always{KERF_REMESH_DECLINED, &first}, Pushes{&second});
+    LocalCutting cutting(ball(), {&pin}, coarse, Always{KERF_REMESH_DECLINED, &first}, Pushes{&second});
     EXPECT_TRUE(cutting.cut(plunge));
     EXPECT_EQ(first, 1);
     EXPECT_EQ(second, 1);
@@ -65,7 +67,7 @@ TEST(LocalCutting, HandsOverAResultThatFails) {
         std::swap(result.mesh.mesh.triangles.front()[0], result.mesh.mesh.triangles.front()[1]);
         return result;
     };
-    LocalCutting cutting(ball(), {&pin}, 1e-6, inverted, Pushes{&second});
+    LocalCutting cutting(ball(), {&pin}, coarse, inverted, Pushes{&second});
     EXPECT_TRUE(cutting.cut(plunge));
     EXPECT_EQ(first, 1) << "it gets no second attempt";
     EXPECT_EQ(second, 1);
@@ -75,7 +77,7 @@ TEST(LocalCutting, HandsOverAResultThatFails) {
 
 TEST(LocalCutting, KeepsWhatTheFirstStrategyMade) {
     int first = 0, second = 0;
-    LocalCutting cutting(ball(), {&pin}, 1e-6, Pushes{&first}, Always{KERF_FAILED, &second});
+    LocalCutting cutting(ball(), {&pin}, coarse, Pushes{&first}, Always{KERF_FAILED, &second});
     EXPECT_TRUE(cutting.cut(plunge));
     EXPECT_EQ(second, 0);
     EXPECT_EQ(cutting.handed_over(), 0);
