@@ -20,6 +20,7 @@ struct Burr {
     static constexpr auto common() {
         using namespace literals;
         return group(
+            strategies("kerf.burring.displace", "kerf.remesh_cgal.local", "kerf.remesh_cgal.exact"),
             param(&Burr::diameter, {.id = "diameter",
                                     .help = "Largest diameter of the head.",
                                     .unit = unit::mm,

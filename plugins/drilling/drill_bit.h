@@ -24,6 +24,7 @@ struct DrillBit {
     static constexpr auto common() {
         using namespace literals;
         return group(
+            strategies("kerf.remesh_cgal.local", "kerf.remesh_cgal.exact"),
             param(&DrillBit::diameter, {.id = "diameter",
                                         .help = "Diameter over the lips.",
                                         .unit = unit::mm,

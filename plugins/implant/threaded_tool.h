@@ -24,7 +24,8 @@ struct ThreadedTool {
     };
     static constexpr auto common(const Defaults& d) {
         using namespace literals;
-        return group(param(&ThreadedTool::outer_diameter, {.id = "outer_diameter",
+        return group(strategies("kerf.remesh_cgal.local", "kerf.remesh_cgal.exact"),
+                     param(&ThreadedTool::outer_diameter, {.id = "outer_diameter",
                                                            .help = "Diameter over the crests of the thread.",
                                                            .unit = unit::mm,
                                                            .min = 1_mm,

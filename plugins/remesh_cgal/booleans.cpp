@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/convex_hull_3.h>
-#include <CGAL/version.h>
 
 #include <array>
 #include <cfenv>
@@ -411,7 +410,5 @@ Outcome cut_patch(Triangles& patch, const std::vector<ConvexPart>& parts, bool i
         return all;
     });
 }
-
-const char* kernel() noexcept { return "CGAL " CGAL_VERSION_STR ", assertions on, no fused multiply-add"; }
 
 }  // namespace kerf::remesh_cgal

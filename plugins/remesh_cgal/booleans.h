@@ -34,7 +34,4 @@ enum class Outcome { cut, unchanged, refused, cancelled };
 [[nodiscard]] Outcome cut_whole_rounded(Triangles& mesh, const std::vector<ConvexPart>& parts,
                                         const std::function<bool()>& cancelled, std::string& why);
 
-/// The library, its version and the flags that results depend on.
-[[nodiscard]] const char* kernel() noexcept;
-
 }  // namespace kerf::remesh_cgal

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kerf/draft/remesh_solids.hpp"
+#include "kerf/remesh_solids.hpp"
 
 namespace kerf::remesh_cgal {
 namespace {

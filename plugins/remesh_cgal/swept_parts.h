@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "kerf/draft/remesh.h"
 #include "kerf/math.hpp"
+#include "kerf/remesh.h"
 
 /// What tools sweep, as convex parts.
 namespace kerf::remesh_cgal {

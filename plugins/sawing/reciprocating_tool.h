@@ -24,6 +24,7 @@ struct ReciprocatingBlade {
             "Blade of a reciprocating saw: teeth in a row along one long edge. It moves to and fro along that edge, "
             "and "
             "the edge is fed into the bone.",
+            strategies("kerf.remesh_cgal.local", "kerf.remesh_cgal.exact"),
             param(&ReciprocatingBlade::blade_length,
                   {.id = "blade_length",
                    .help = "Length of the toothed edge, less than a pitch of which is left without a tooth.",

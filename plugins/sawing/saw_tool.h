@@ -20,6 +20,7 @@ struct OscillatingBlade {
         using namespace literals;
         return describe(
             "oscillating_blade", "Blade of an oscillating saw: an arc of teeth that swings about an axis behind it.",
+            strategies("kerf.remesh_cgal.local", "kerf.remesh_cgal.exact"),
             param(&OscillatingBlade::radius, {.id = "radius",
                                               .help = "From the axis of the swing to the tips of the teeth.",
                                               .unit = unit::mm,

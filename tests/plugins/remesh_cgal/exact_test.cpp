@@ -27,7 +27,7 @@ namespace {
 using namespace literals;
 using test::cube, test::sphere, test::together, test::turned;
 
-constexpr const char* module_file = KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so";
+constexpr const char* module_file = KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so";
 constexpr double taper_share = 3e-4;  // [–] of a volume: 0.1 µm at all sides of a stretch's beginning
 
 class Exact : public testing::Test {

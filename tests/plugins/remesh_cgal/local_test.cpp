@@ -29,7 +29,7 @@ class Local : public testing::Test {
 protected:
     static void SetUpTestSuite() {
         std::string error;
-        module() = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", error);
+        module() = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
         ASSERT_NE(module(), nullptr) << error;
     }
     static void TearDownTestSuite() { module().reset(); }

@@ -49,7 +49,7 @@ TEST(RealMandible, LosesAnAngleToASaw) {
     ASSERT_EQ(flaw_of_base(read->mesh), "");
     const TaggedMesh bone = tagged(read->mesh);
     std::string error;
-    const auto module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", error);
+    const auto module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
     ASSERT_NE(module, nullptr) << error;
 
     const ToolSolid saw = blade();

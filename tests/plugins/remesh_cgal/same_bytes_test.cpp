@@ -20,9 +20,9 @@ class SameBytes : public testing::TestWithParam<const char*> {
 protected:
     static std::unique_ptr<RemeshChild> start() {
         std::string error;
-        auto child = RemeshChild::start({KERF_BUILD_DIR "/libexec/kerf/kerf-remesh",
-                                         KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", GetParam()},
-                                        error);
+        auto child = RemeshChild::start(
+            {KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", GetParam()},
+            error);
         EXPECT_NE(child, nullptr) << error;
         return child;
     }

@@ -7,7 +7,7 @@
 
 #include "wall.h"
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 
 /// Moves the part of a surface that lies inside a swept burr onto the burr.
 ///
@@ -26,4 +26,4 @@ namespace kerf::remesh_displace {
 [[nodiscard]] Outcome displace(Triangles& mesh, const std::vector<std::uint8_t>& locked, const SweptBurr& burr,
                                double tolerance, const Cancelled& cancelled, std::string& why);
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

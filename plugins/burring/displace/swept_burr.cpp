@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 namespace {
 
 /// Returns where a function that is convex on [low, high], negative at `low` and not negative at `high`, is 0.
@@ -192,4 +192,4 @@ std::vector<Source> SweptBurr::sources() const {
     return found;
 }
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

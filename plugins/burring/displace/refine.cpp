@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
@@ -189,4 +189,4 @@ bool refine(Triangles& mesh, const WantsSplit& wants_split, const Middle& middle
     return Refinement(mesh, wants_split, middle).run(most_faces);
 }
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plugins/remesh_displace/tidy.h"
+#include "plugins/burring/displace/tidy.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ namespace kerf {
 namespace {
 
 using namespace literals;
-using remesh_displace::tidy;
-using remesh_displace::Triangles;
+using burring::displacement::tidy;
+using burring::displacement::Triangles;
 
 SurfaceMesh mesh_of(const Triangles& all) {
     SurfaceMesh mesh;
@@ -46,7 +46,7 @@ Triangles with_needle(double off, double high = 0.0) {
     return all;
 }
 const std::vector<std::uint8_t> nothing(9, 0), all_of_them(9, 1), the_last{0, 0, 0, 0, 0, 0, 0, 0, 1};
-constexpr remesh_displace::TidyLimits limits{1e-9, 0.5_um, 2.5_um};
+constexpr burring::displacement::TidyLimits limits{1e-9, 0.5_um, 2.5_um};
 
 TEST(Tidy, RemovesANeedleInAPlane) {
     Triangles mesh = with_needle(0.01_mm);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "tests/core/import/surface/shapes.h"
-#include "tests/plugins/remesh_displace/displacing.h"
+#include "tests/plugins/burring/displace/displacing.h"
 
 namespace kerf {
 namespace {

@@ -11,7 +11,7 @@
 #include "refine.h"
 #include "tidy.h"
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
@@ -294,4 +294,4 @@ Outcome displace(Triangles& mesh, const std::vector<std::uint8_t>& locked, const
     return Displacement(mesh, locked, burr, tolerance).run(cancelled, why);
 }
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

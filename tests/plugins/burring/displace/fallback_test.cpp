@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "tests/plugins/remesh_displace/displacing.h"
+#include "tests/plugins/burring/displace/displacing.h"
 #include "tests/support/sawn_tube.h"
 
 namespace kerf {

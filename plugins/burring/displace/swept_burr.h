@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "kerf/draft/remesh.h"
 #include "kerf/math.hpp"
+#include "kerf/remesh.h"
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 
 /// A straight line inside the swept burr. Rays leave it at right angles, and at its ends in all directions away from
 /// it. A convex body has one point of its surface on each ray.
@@ -83,4 +83,4 @@ private:
     double largest_radius_ = 0.0;
 };
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

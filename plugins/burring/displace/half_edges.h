@@ -4,10 +4,10 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdint>
 
-#include "kerf/draft/remesh_mesh.hpp"
+#include "kerf/remesh_mesh.hpp"
 
 /// OpenMesh behind Kerf's vectors: half-edges of a patch.
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 
 using remeshing::Triangles;
 
@@ -32,4 +32,4 @@ using FaceTags = OpenMesh::FPropHandleT<std::uint8_t>;
 /// Returns the faces that are left, in the order of their numbers, and all vertices.
 [[nodiscard]] Triangles faces_of(const HalfEdges& half_edges, const FaceTags& tags);
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

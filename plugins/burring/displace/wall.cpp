@@ -11,7 +11,7 @@
 #include "refine.h"
 #include "triangle_shape.h"
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 namespace {
 
 using Vertex = HalfEdges::VertexHandle;
@@ -296,4 +296,4 @@ Outcome move_onto_burr(Triangles& wall, const SweptBurr& burr, const Source& sou
     }
 }
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

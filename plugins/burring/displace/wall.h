@@ -4,10 +4,10 @@
 #include <functional>
 #include <string>
 
-#include "kerf/draft/remesh_mesh.hpp"
+#include "kerf/remesh_mesh.hpp"
 #include "swept_burr.h"
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 
 using remeshing::Triangles;
 using Cancelled = std::function<bool()>;
@@ -35,4 +35,4 @@ struct Fineness {
 [[nodiscard]] Outcome move_onto_burr(Triangles& wall, const SweptBurr& burr, const Source& source,
                                      const Fineness& fineness, const Cancelled& cancelled, std::string& why);
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

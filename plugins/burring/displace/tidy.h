@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "kerf/draft/remesh_mesh.hpp"
+#include "kerf/remesh_mesh.hpp"
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 
 using remeshing::Triangles;
 
@@ -24,4 +24,4 @@ struct TidyLimits {
 void tidy(Triangles& mesh, const std::vector<std::uint8_t>& stays, const std::vector<std::uint8_t>& is_new,
           const TidyLimits& limits);
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

@@ -17,7 +17,7 @@
 
 namespace kerf::test {
 
-inline constexpr const char* displace_module = KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_displace.so";
+inline constexpr const char* burring_module = KERF_BUILD_DIR "/lib/kerf/kerf_burring.so";
 
 /// Euler's characteristic: 2 for a closed surface without a hole through it, 0 for one with one.
 inline long euler_of(const SurfaceMesh& mesh) {
@@ -31,17 +31,17 @@ class Displacing : public testing::Test {
 protected:
     static void SetUpTestSuite() {
         std::string error;
-        displace_ = RemeshModule::open(displace_module, error);
-        ASSERT_NE(displace_, nullptr) << error;
-        cgal_ = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", error);
+        burring_ = RemeshModule::open(burring_module, error);
+        ASSERT_NE(burring_, nullptr) << error;
+        cgal_ = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
         ASSERT_NE(cgal_, nullptr) << error;
     }
     static void TearDownTestSuite() {
-        displace_.reset();
+        burring_.reset();
         cgal_.reset();
     }
     static RemeshResult displace(const RemeshRequest& request) {
-        return remesh_here(*displace_->find("displace"), request);
+        return remesh_here(*burring_->find("displace"), request);
     }
     static RemeshResult with_cgal(const char* strategy, const RemeshRequest& request) {
         return remesh_here(*cgal_->find(strategy), request);
@@ -82,7 +82,7 @@ protected:
         return cut.removed();
     }
 
-    static inline std::unique_ptr<RemeshModule> displace_, cgal_;
+    static inline std::unique_ptr<RemeshModule> burring_, cgal_;
 };
 
 }  // namespace kerf::test

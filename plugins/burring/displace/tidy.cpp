@@ -8,7 +8,7 @@
 #include "half_edges.h"
 #include "triangle_shape.h"
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 namespace {
 
 using Vertex = HalfEdges::VertexHandle;
@@ -191,4 +191,4 @@ void tidy(Triangles& mesh, const std::vector<std::uint8_t>& stays, const std::ve
     if (tidying.run()) mesh = tidying.triangles();
 }
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

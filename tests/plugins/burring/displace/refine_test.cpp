@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plugins/remesh_displace/refine.h"
+#include "plugins/burring/displace/refine.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ namespace kerf {
 namespace {
 
 using namespace literals;
-using remesh_displace::refine;
-using remesh_displace::Triangles;
+using burring::displacement::refine;
+using burring::displacement::Triangles;
 using test::mesh_of, test::triangles_of;
 
 double longest_of(const Triangles& mesh, std::size_t f) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plugins/remesh_displace/swept_burr.h"
+#include "plugins/burring/displace/swept_burr.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ namespace kerf {
 namespace {
 
 using namespace literals;
-using remesh_displace::Source;
-using remesh_displace::SweptBurr;
+using burring::displacement::Source;
+using burring::displacement::SweptBurr;
 
 SweptBurr swept(const ToolSolid& tool, const Pose& from, const Pose& to) {
     std::string why;

@@ -11,7 +11,7 @@
 #include "core/import/surface/triangle_tree.h"
 #include "core/remesh/remesh_child.h"
 #include "tests/core/import/surface/shapes.h"
-#include "tests/plugins/remesh_displace/displacing.h"
+#include "tests/plugins/burring/displace/displacing.h"
 #include "tests/support/block.h"
 #include "tests/support/sawn_tube.h"
 
@@ -310,7 +310,7 @@ TEST_F(Displace, MakesTheSameBitsHereAndInAProcessOfItsOwn) {
     const RemeshResult one = displace(request), two = displace(request);
     std::string error;
     const auto child =
-        RemeshChild::start({KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", test::displace_module, "displace"}, error);
+        RemeshChild::start({KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", test::burring_module, "displace"}, error);
     ASSERT_NE(child, nullptr) << error;
     EXPECT_EQ(child->scope(), std::uint32_t{KERF_REMESH_PATCH});
     const RemeshResult there = child->remesh(request, std::chrono::seconds(60));

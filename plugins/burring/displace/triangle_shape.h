@@ -8,7 +8,7 @@
 
 #include "half_edges.h"
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 
 using Corners = std::array<Vec3, 3>;  ///< of a triangle [m]
 
@@ -38,4 +38,4 @@ using Corners = std::array<Vec3, 3>;  ///< of a triangle [m]
            std::max({length(c[1] - c[0]), length(c[2] - c[1]), length(c[0] - c[2])});
 }
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

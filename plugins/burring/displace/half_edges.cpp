@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 
 bool load(const Triangles& mesh, HalfEdges& half_edges, FaceTags& tags) {
     omerr().disable();  // what it cannot add is reported by our own message
@@ -32,4 +32,4 @@ Triangles faces_of(const HalfEdges& half_edges, const FaceTags& tags) {
     return mesh;
 }
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

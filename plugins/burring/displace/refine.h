@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "kerf/draft/remesh_mesh.hpp"
+#include "kerf/remesh_mesh.hpp"
 
-namespace kerf::remesh_displace {
+namespace kerf::burring::displacement {
 
 using remeshing::Triangles;
 
@@ -32,4 +32,4 @@ using Middle = std::function<Vec3(Vec3 a, Vec3 b)>;
 /// Source: [loop-1987] for the pattern; [bank-1983] for the closure.
 [[nodiscard]] bool refine(Triangles& mesh, const WantsSplit& wants_split, const Middle& middle, std::size_t most_faces);
 
-}  // namespace kerf::remesh_displace
+}  // namespace kerf::burring::displacement

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "strategies.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "booleans.h"
+
+namespace kerf::remesh_cgal {
+namespace {
+
+using Cancelled = std::function<bool()>;
+using Cut = std::function<Outcome(Triangles&, const std::vector<ConvexPart>&, const Cancelled&, std::string&)>;
+
+/// Cuts the job's mesh by what its tools sweep.
+RemeshAnswer answer(const RemeshJob& job, const Cut& cut_mesh) {
+    std::vector<ConvexPart> parts;
+    const Nudge nudge = Nudge::of(job.seed());
+    for (const SweptTool& cut : job.cuts())
+        for (ConvexPart& part : swept_parts({cut.profile, cut.kerf}, cut.from, cut.to, job.tolerance(), nudge))
+            parts.push_back(std::move(part));
+    Triangles mesh = job.mesh();
+    std::string why;
+    switch (cut_mesh(
+        mesh, parts, [&job] { return job.is_cancelled(); }, why)) {
+        case Outcome::cut:
+            return RemeshAnswer::cut(std::move(mesh));
+        case Outcome::unchanged:
+            return RemeshAnswer::unchanged();
+        case Outcome::cancelled:
+            return RemeshAnswer::cancelled();
+        case Outcome::refused:
+            break;
+    }
+    return RemeshAnswer::refused(why);
+}
+
+}  // namespace
+
+RemeshAnswer Exact::remesh(const RemeshJob& job) const { return answer(job, cut_whole); }
+
+RemeshAnswer Local::remesh(const RemeshJob& job) const {
+    const bool is_exact = job.seed() != 0;
+    return answer(job, [is_exact](Triangles& mesh, const std::vector<ConvexPart>& parts, const Cancelled& cancelled,
+                                  std::string& why) { return cut_patch(mesh, parts, is_exact, cancelled, why); });
+}
+
+RemeshAnswer WholeRounded::remesh(const RemeshJob& job) const { return answer(job, cut_whole_rounded); }
+
+}  // namespace kerf::remesh_cgal

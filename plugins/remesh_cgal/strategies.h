@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kerf/strategy.hpp"
+
+namespace kerf::remesh_cgal {
+
+/// The library, its version and the flags that results depend on.
+inline constexpr const char* kernel = "CGAL " KERF_CGAL_VERSION ", assertions on, no fused multiply-add";
+
+/// How round a tool of revolution becomes: all strategies cut it as a prism of many sides.
+struct Facets {
+    double tolerance = 0.0;
+
+protected:
+    template <class Strategy>
+    static constexpr auto tolerance_of() {
+        using namespace literals;
+        return param(&Strategy::tolerance, {.id = "tolerance",
+                                            .help = "Distance that the sides of a turned tool may be off its surface.",
+                                            .unit = unit::um,
+                                            .min = 1.0_um,
+                                            .max = 1.0_mm,
+                                            .def = 20.0_um,
+                                            .source = "chosen: below the play of a tool's bearing"});
+    }
+};
+
+struct Exact : Facets {
+    static constexpr auto about() {
+        return describe("exact", "The whole mesh at once, in exact arithmetic: the reference, and what ends a session.",
+                        remeshes_whole(kernel), tolerance_of<Exact>());
+    }
+    [[nodiscard]] RemeshAnswer remesh(const RemeshJob& job) const;
+};
+
+/// At first with rounded points, which is fast. What that spoils is cut exactly when the host requests it again.
+struct Local : Facets {
+    static constexpr auto about() {
+        return describe("local", "The faces near each cut, one stretch after the other, with rounded points.",
+                        remeshes_patches(kernel), tolerance_of<Local>());
+    }
+    [[nodiscard]] RemeshAnswer remesh(const RemeshJob& job) const;
+};
+
+struct WholeRounded : Facets {
+    static constexpr auto about() {
+        return describe("whole_rounded",
+                        "The whole mesh for each stretch, with rounded points: what `local` is measured against.",
+                        remeshes_whole(kernel), tolerance_of<WholeRounded>());
+    }
+    [[nodiscard]] RemeshAnswer remesh(const RemeshJob& job) const;
+};
+
+}  // namespace kerf::remesh_cgal
