@@ -254,6 +254,12 @@ constexpr CodeEntry entries[] = {
      .meaning = "A measure or construction is made of a name that is neither a landmark nor a construction above it.",
      .why = "Kerf makes constructions in the order in which they are written.",
      .write = "Write a name that the message lists, or move the construction up."},
+    {.number = 320,
+     .name = "unknown strategy",
+     .meaning = "No plugin has a remeshing strategy of this name, or more than one has.",
+     .why = "Nothing could cut the exact surface that the procedure wants.",
+     .write =
+         "Write the full id of a strategy that the message lists, as `example.burring.groove`; `kerf list` shows all."},
     {.number = 401,
      .name = "not a number",
      .meaning = "A value is not a number that Kerf reads.",
@@ -945,10 +951,11 @@ constexpr CodeEntry entries[] = {
      .is_warning = true},
     {.number = 718,
      .name = "strategy not installed",
-     .meaning = "The module with a remeshing strategy is not installed, or it cannot be loaded.",
-     .why = "Only the module can cut the exact surface. A run continues without it and ends with the same verdict.",
-     .write = "Install the package that the message names: `kerf-remesh-cgal` has `exact` and `local`. Or write "
-              "`isosurface`, which needs no module."},
+     .meaning =
+         "The plugin with a remeshing strategy is not installed, or it cannot be loaded, and neither is one with a "
+         "strategy that may replace it.",
+     .why = "Only a strategy can cut the exact surface. A run continues without it and ends with the same verdict.",
+     .write = "Install the plugin that the message names. Or write `isosurface`, which needs no plugin."},
 };
 
 /// `text` in lines of at most 100 characters, each after `indent`.

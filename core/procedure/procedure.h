@@ -44,7 +44,8 @@ struct Instrument {
     int hands = 0;                         ///< 1 or 2; 0: as many as the tool asks for
     std::optional<Sleeve> guide{};
     bool is_inserted = false;  ///< `remeshing: insert`: an implant that is released joins the scene as a body
-    std::string remeshing{};   ///< strategy of the exact surface that it leaves: "local"; empty: none
+    std::string remeshing{};   ///< strategy of the exact surface that it leaves, by full id; empty: none
+    std::vector<ParameterSetting> remeshing_parameters{};  ///< those of the strategy that the document sets
 };
 
 /// A goal or limit on one number: `at_least` and/or `at_most`, SI.

@@ -60,6 +60,7 @@ enum class Code {
     unknown_signal = 317,   ///< a goal or limit is on a signal that the step's law does not declare
     unknown_measure = 318,  ///< a goal or limit is on a measure that there is not
     unknown_construction = 319,  ///< a measure is of what is neither a landmark nor a construction
+    unknown_strategy = 320,      ///< no plugin has the remeshing strategy, or two have one of this name
 
     // Its numbers
     not_a_number = 401,

@@ -141,9 +141,9 @@ public:
         const std::string hands = map.word("hands");
         instrument.hands = hands == "one" ? 1 : hands == "two" ? 2 : 0;
         if (const Node* guide = map.find("guide")) instrument.guide = read_guide(*guide);
-        const std::string remeshing = map.word("remeshing");
-        instrument.is_inserted = remeshing == "insert";
-        if (remeshing != "insert" && remeshing != "isosurface") instrument.remeshing = remeshing;
+        const Node* remeshing = map.find("remeshing");
+        const ComponentInfo* strategy = remeshing != nullptr ? read_remeshing(*remeshing, tool, instrument) : nullptr;
+        if (const Node* set = map.find("remeshing_parameters")) read_remeshing_parameters(*set, strategy, instrument);
         const Node* parameters = map.find("parameters");
         const Node* drives = map.find("drives");
         if (parameters) read_parameters(*parameters, tool, force, instrument);
@@ -178,6 +178,76 @@ public:
     }
 
 private:
+    /// A word of the core, or a strategy: by its full id, or by the last words of it where only one plugin has them.
+    /// Returns the strategy if it is installed.
+    const ComponentInfo* read_remeshing(const Node& node, const ComponentInfo* tool, Instrument& instrument) {
+        const std::string word = read_text(node, "remeshing", report_).value_or("");
+        if (word.empty() || word == "isosurface") return nullptr;
+        if (word == "insert") {
+            instrument.is_inserted = true;
+            return nullptr;
+        }
+        std::vector<const ComponentInfo*> meant;
+        std::vector<std::string> known{"isosurface", "insert"};
+        for (const ComponentInfo& component : catalog_) {
+            if (component.kind != KERF_KIND_REMESHER) continue;
+            known.push_back(component.full_id());
+            if (component.is_meant_by(word)) meant.push_back(&component);
+        }
+        if (meant.size() == 1) {
+            instrument.remeshing = meant.front()->full_id();
+            return meant.front();
+        }
+        if (meant.size() > 1) {
+            std::vector<std::string> owners;
+            for (const ComponentInfo* one : meant) owners.push_back(one->full_id());
+            report_.error(Code::unknown_strategy, node.span,
+                          "The strategy `" + excerpt(word, 40) + "` has " + std::to_string(owners.size()) +
+                              " owners: expected one of " + listed(owners) + ". Write its full id.",
+                          owners.front());
+            return nullptr;
+        }
+        // The tool's own plugin names it, so it exists, and only its module is missing: the run does without it.
+        if (tool != nullptr)
+            for (const std::string& suited : tool->strategies)
+                if (suited == word || suited.ends_with("." + word)) {
+                    instrument.remeshing = suited;
+                    return nullptr;
+                }
+        const std::string closest_one = closest(word, known, report_);
+        report_.error(Code::unknown_strategy, node.span,
+                      "The strategy `" + excerpt(word, 60) + "` is unknown: expected " + listed(known) + "." +
+                          or_choose(closest_one, "Write one of these, or install the plugin that has it."),
+                      closest_one);
+        return nullptr;
+    }
+
+    /// @param strategy   null: it is unknown or not installed, and no parameter is refused
+    void read_remeshing_parameters(const Node& node, const ComponentInfo* strategy, Instrument& instrument) {
+        if (!is_kind(node, Node::Kind::map, instrument.id + ".remeshing_parameters", report_)) return;
+        if (instrument.remeshing.empty())
+            return report_.error(Code::unknown_parameter, node.key_span,
+                                 "`remeshing_parameters` are set, and `remeshing` names no strategy. Name one, or "
+                                 "remove them.");
+        if (strategy == nullptr) return;
+        const std::vector<std::string> known = ids_of(strategy->parameters);
+        std::vector<double> values = defaults(strategy->parameters);
+        for (const Node& child : node.children) {
+            if (set(child, instrument.id, *strategy, strategy->parameters, values)) {
+                const auto at = std::find(known.begin(), known.end(), child.key) - known.begin();
+                instrument.remeshing_parameters.push_back({child.key, values[static_cast<std::size_t>(at)]});
+                continue;
+            }
+            const std::string meant = suggestion(child.key, known);
+            report_.error(Code::unknown_parameter, child.key_span,
+                          "The parameter `" + excerpt(child.key, 40) + "` is unknown: " +
+                              (known.empty() ? strategy->full_id() + " has none. Remove it."
+                                             : "expected " + listed(known) + " of " + strategy->full_id() + "." +
+                                                   or_choose(meant)),
+                          meant);
+        }
+    }
+
     Sleeve read_guide(const Node& node) {
         MapReader map(node, shapes::guide, "guide", report_);
         Sleeve sleeve{.bore = map.quantity("bore"), .length = 30e-3, .gap = 1e-3};
@@ -204,7 +274,8 @@ private:
         if (id.empty()) return false;
         std::vector<std::string> known;
         for (const ComponentInfo& component : catalog_)
-            if (!contains(known, component.plugin)) known.push_back(component.plugin);
+            if (component.kind != KERF_KIND_REMESHER && !contains(known, component.plugin))
+                known.push_back(component.plugin);
         if (contains(known, id)) return true;
         const std::string meant = closest(id, known, report_);
         report_.error(

@@ -235,7 +235,17 @@ private:
 
     void add_components(Json& properties, Json& rules) const {
         Json plugins = Json::array();
-        for (const ComponentInfo& component : catalog_) add_once(plugins, component.plugin);
+        Json strategies{"isosurface", "insert"};
+        for (const ComponentInfo& component : catalog_) {
+            if (component.kind != KERF_KIND_REMESHER) {
+                add_once(plugins, component.plugin);
+                continue;
+            }
+            strategies.push_back(component.full_id());
+            rules.push_back(when({{"remeshing", component.full_id()}},
+                                 {{"remeshing_parameters", component_values({&component.parameters})}}));
+        }
+        properties["remeshing"]["examples"] = std::move(strategies);
         if (plugins.empty()) return;
         for (const char* key : {"plugin", "tool", "force", "force_plugin"}) properties[key].erase("examples");
         for (const char* key : {"plugin", "force_plugin"}) properties[key]["enum"] = plugins;

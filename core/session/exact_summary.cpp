@@ -17,8 +17,15 @@ double in_mm2(double area) { return std::round(area * 1e8) / 1e2; }
 nlohmann::ordered_json exact_summary(const ExactRow& exact) {
     using Json = nlohmann::ordered_json;
     Json strategies = Json::array();
-    for (const ExactRow::Strategy& one : exact.strategies)
-        strategies.push_back({{"strategy", one.id}, {"module", one.module}, {"kernel", one.kernel}});
+    for (const ExactRow::Strategy& one : exact.strategies) {
+        Json parameters = Json::object();
+        for (const auto& [id, value] : one.parameters) parameters[id] = value;
+        strategies.push_back({{"strategy", one.id},
+                              {"module", one.module},
+                              {"module_hash", hex16(one.module_hash)},
+                              {"kernel", one.kernel},
+                              {"parameters", std::move(parameters)}});
+    }
     Json pieces = Json::array();
     for (const ExactRow::Piece& piece : exact.pieces) {
         Json walls = Json::object();

@@ -96,7 +96,9 @@ struct PieceRow {
 /// The exact surface of a run: what strategies made of its cuts. No part of the replay hash, and of no verdict.
 struct ExactRow {
     struct Strategy {
-        std::string id, module, kernel;
+        std::string id, module, kernel;  ///< full id; plugin's id and version; what results depend on
+        std::uint64_t module_hash = 0;   ///< FNV-1a of the plugin's library
+        std::vector<std::pair<std::string, std::string>> parameters;  ///< id and value with its unit
     };
     struct Piece {
         std::size_t body = 0;

@@ -56,6 +56,19 @@ inline ComponentCatalog spine_catalog() {
 /// What drilling offers, from the plugin that the shapes' examples speak of: core knows none by name.
 inline ComponentCatalog example_catalog() {
     ComponentCatalog catalog = drilling_catalog();
+    ComponentInfo strategy;
+    strategy.id = "groove";
+    strategy.kind = KERF_KIND_REMESHER;
+    strategy.help = "Cuts grooves.";
+    strategy.parameters.push_back({.id = "tolerance",
+                                   .help = "How far its surface may be off.",
+                                   .dimension = dimension::length,
+                                   .display_unit = "um",
+                                   .min = 1e-6,
+                                   .max = 1e-3,
+                                   .def = 20e-6,
+                                   .source = "chosen"});
+    catalog.push_back(strategy);
     for (ComponentInfo& component : catalog) component.plugin = "example.drilling";
     return catalog;
 }

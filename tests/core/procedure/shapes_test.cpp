@@ -58,7 +58,7 @@ TEST(Shapes, TheReaderNeedsWhatTheShapeRequiresAndNothingElse) {
     const std::set<std::string> needed_by_case{"tissue/density",     "needs/landmarks",    "needs/zones",
                                                "step/limits",        "procedure/implants", "procedure/paths",
                                                "procedure/measures", "landmarks/points",   "landmarks/markups",
-                                               "point/fit",          "implant/place"};
+                                               "point/fit",          "implant/place",      "instrument/remeshing"};
     for (const Kind& kind : kinds())
         for_every_key(kind.shape, [&](const Shape& shape, const KeyShape& key) {
             if (key.presence == Presence::one_of) return;
