@@ -231,8 +231,8 @@ void describe_to(CLI::App& app, CommandLine& line) {
         ->expected(1)
         ->take_all();
     add_option(remesh, "--strategy", line.strategy, "STRATEGY",
-               "exact (default): the whole mesh; local: near each cut; displace: moved onto the burr",
-               one_of({"exact", "local", "displace"}));
+               "For all tools; `kerf list` names them. Default: what the procedure names, or else what suits the tool",
+               not_empty("a strategy, as `example.burring.groove`"));
     add_option(remesh, "-o,--out", line.out, "FOLDER", "Folder for the results; default: that of the session",
                not_empty(out_help));
     remesh->footer(std::string("Exit code: 0 made, 2 bad input, 3 no exact surface could be made.\n") + notice_line +
@@ -337,12 +337,14 @@ void describe_to(CLI::App& app, CommandLine& line) {
     check->footer("Exit code: 0 no test failed, 1 one failed, 2 bad input, 3 fault or interrupted.\n" +
                   std::string(notice_line) + ".");
 
-    CLI::App* fresh = add("new", "Write the beginning of a plugin, a burr that builds and runs");
+    CLI::App* fresh =
+        add("new", "Write the beginning of a plugin that builds and runs: a burr, or a remeshing strategy");
     CLI::App* fresh_plugin = fresh->add_subcommand("plugin", "Write a plugin into a folder of its own");
     fresh->require_subcommand(1);
     fresh_plugin->add_option("NAME", line.source, "Its name, as in `round_burr`")->type_name("")->required();
     add_option(fresh_plugin, "-o,--out", line.out, "FOLDER", "The folder to make; the name if not given",
                not_empty(out_help));
+    fresh_plugin->add_flag("--strategy", line.has_strategy, "A remeshing strategy, in place of a tool with its law");
 }
 
 std::string quoted(const std::string& word) { return "`" + word + "`"; }

@@ -38,7 +38,8 @@ struct CommandLine {
     std::string series, acquisition;  ///< of import
     bool may_resample = false;        ///< of import
     bool shows_values = false;        ///< of privacy
-    std::string strategy = "exact";   ///< of remesh
+    bool has_strategy = false;        ///< of new plugin
+    std::string strategy;             ///< of remesh; empty: what procedure or tool names
     std::string unit = "mm", frame;   ///< of import: a surface's; frame empty: as the file says, or LPS
     std::string action;               ///< of anatomy: "check"
     std::string mode = "practice";    ///< practice | exam | demo

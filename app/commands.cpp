@@ -208,12 +208,13 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins, const Insta
     }
     if (const std::string refusal = refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
         return complain(refusal, exit_bad_input);
-    ExactStrategies strategies;  // started while this process has one thread and little memory
-    if (const std::string error = strategies.start(here.remeshing(), documents->procedure); !error.empty()) {
+    ExactStrategies strategies(here.strategies(plugins));  // while this process has one thread and little memory
+    if (const std::string error = strategies.start(documents->procedure); !error.empty()) {
         Diagnostics missing;  // apart from the others: the run does without it
         report_strategy(documents->procedure, strategies.instrument_without(), error, missing);
         print_error(to_text(missing));
     }
+    for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
     const Interruption interruption;  // a second one ends the program at once
     auto made = make_bone(std::move(*documents), file, diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
@@ -364,7 +365,7 @@ ExitCode tell_privacy(const CommandLine& line) {
 }
 
 ExitCode begin_plugin(const CommandLine& line) {
-    if (const std::string error = write_new_plugin(line.source, line.out); !error.empty())
+    if (const std::string error = write_new_plugin(line.source, line.out, line.has_strategy); !error.empty())
         return complain(error, exit_bad_input);
     const std::string folder = line.out.empty() ? line.source : line.out;
     print(folder + "\nBuild it: cmake -S " + folder + " -B " + folder +
@@ -385,7 +386,7 @@ ExitCode run_command(const CommandLine& line, const PluginRegistry& plugins, con
     if (line.command == "import") return import(line);
     if (line.command == "preview") return preview(line, plugins);
     if (line.command == "report") return report(line);
-    if (line.command == "remesh") return remesh_session(line, plugins, here.remeshing());
+    if (line.command == "remesh") return remesh_session(line, plugins, here.strategies(plugins));
     if (line.command == "privacy") return tell_privacy(line);
     if (line.command == "anatomy") return check_anatomy(line, plugins);
     if (line.command == "describe") return describe(line, plugins);

@@ -9,6 +9,7 @@
 #include "core/procedure/read_map.h"
 #include "core/procedure/source.h"
 #include "core/session/recorder.h"
+#include "kerf/remesh.h"
 
 namespace kerf {
 
@@ -17,9 +18,14 @@ namespace {
 /// Without what a terminal would obey: the text comes out of a plugin.
 std::string shown_text(const std::string& text) { return kerf::shown(text); }
 
-const char* kind_of(const ComponentInfo& component) { return component.kind == KERF_KIND_TOOL ? "tool" : "force"; }
+const char* kind_of(const ComponentInfo& component) {
+    return component.kind == KERF_KIND_TOOL ? "tool" : component.kind == KERF_KIND_FORCE ? "force" : "strategy";
+}
 
-std::string full_id(const ComponentInfo& component) { return component.plugin + "/" + component.id; }
+/// As a procedure writes it, in `remeshing`; tools and laws with the two keys that it writes apart.
+std::string full_id(const ComponentInfo& component) {
+    return component.kind == KERF_KIND_REMESHER ? component.full_id() : component.plugin + "/" + component.id;
+}
 
 /// In the plugin's own unit; SI if it is unknown.
 std::string shown(double value, const std::string& unit) {
@@ -45,6 +51,11 @@ std::string about_values(const char* title, const std::vector<ParameterInfo>& va
 
 std::string about(const ComponentInfo& component) {
     std::string text = full_id(component) + "  (" + kind_of(component) + ")\n  " + component.help + "\n";
+    if (component.kind == KERF_KIND_REMESHER)
+        text += std::string("  gets ") +
+                (component.scope == KERF_REMESH_PATCH ? "the faces near each cut" : "the whole mesh") +
+                (component.kernel.empty() ? "" : "; results depend on " + component.kernel) + "\n";
+    if (!component.strategies.empty()) text += "  strategies that suit it: " + listed(component.strategies) + "\n";
     text += about_values("parameters, with default and range", component.parameters);
     text += about_values("drives, with default and range", component.drives);
     if (!component.signals.empty()) text += "  signals, recorded each tick\n";
@@ -61,9 +72,8 @@ std::string about(const ComponentInfo& component) {
     return text;
 }
 
-std::string about(const kerf_entry& entry) {
-    return std::string("plugin ") + entry.plugin_id + " " + entry.plugin_version +
-           (entry.licence != nullptr ? std::string(", licence ") + entry.licence : "") + "\n";
+std::string about(const PluginText& plugin) {
+    return "plugin " + plugin.id + " " + plugin.version + ", licence " + plugin.licence + "\n";
 }
 
 }  // namespace
@@ -71,25 +81,25 @@ std::string about(const kerf_entry& entry) {
 std::string list_of_components(const PluginRegistry& plugins) {
     std::string text;
     for (const ComponentInfo& component : plugins.catalog())
-        text += padded(kind_of(component), 6) + full_id(component) + "  " + component.help + "\n";
+        text += padded(kind_of(component), 9) + full_id(component) + "  " + component.help + "\n";
     return shown_text(text);
 }
 
 std::optional<std::string> description_of(const PluginRegistry& plugins, const std::string& wanted,
                                           std::string& error) {
     std::string text;
-    for (const kerf_entry* entry : plugins.entries()) {
-        const std::string id = entry->plugin_id;
+    for (const PluginText& plugin : plugins.listed()) {
+        const std::string& id = plugin.id;
         std::string components;
         for (const ComponentInfo& component : plugins.catalog())
             if (component.plugin == id && (wanted.empty() || wanted == id || wanted == full_id(component)))
                 components += "\n" + about(component);
-        if (!components.empty()) text += (text.empty() ? "" : "\n") + about(*entry) + components;
+        if (!components.empty()) text += (text.empty() ? "" : "\n") + about(plugin) + components;
     }
     if (!text.empty()) return shown_text(text) + "\n" + notice_line + ".\n";
 
     std::vector<std::string> known;
-    for (const kerf_entry* entry : plugins.entries()) known.emplace_back(entry->plugin_id);
+    for (const PluginText& plugin : plugins.listed()) known.push_back(plugin.id);
     for (const ComponentInfo& component : plugins.catalog()) known.push_back(full_id(component));
     const std::string meant = closest(wanted, known);
     error =

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/plugin/loader.h"
 #include "run/exact/exact_strategies.h"
 
 namespace kerf {
@@ -23,8 +24,9 @@ struct Installation {
     /// Laws as the papers print them, which only charts and the stability suite may use.
     [[nodiscard]] std::string printed_laws() const { return (prefix / "lib" / "kerf-bench").string(); }
     [[nodiscard]] std::string procedures() const { return (prefix / "share" / "kerf" / "procedures").string(); }
-    [[nodiscard]] RemeshFolders remeshing() const {
-        return {helper("kerf-remesh"), (prefix / "lib" / "kerf-remesh").string()};
+    /// What calls the remeshing strategies of some plugins.
+    [[nodiscard]] StrategyHost strategies(const PluginRegistry& plugins) const {
+        return {helper("kerf-remesh"), &plugins.catalog()};
     }
 };
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <system_error>
 
 #include "app/new_plugin_files.h"
@@ -44,9 +45,17 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
+/// An example that new plugins are made from.
+struct Example {
+    std::string folder, name;  ///< "02_round_burr"; as its files and its plugin are called
+    std::span<const NewPluginFile> files;
+};
+const Example tool_example{"02_round_burr", "round_burr", new_tool_files};
+const Example strategy_example{"06_groove", "ball_groove", new_strategy_files};
+
 }  // namespace
 
-std::string write_new_plugin(const std::string& name, const std::string& wanted) {
+std::string write_new_plugin(const std::string& name, const std::string& wanted, bool is_strategy) {
     namespace fs = std::filesystem;
     if (!is_name(name))
         return "the plugin's name is `" + name + "`; it needs a-z, 0-9 and _, a letter first, 40 at most. Write " +
@@ -57,10 +66,11 @@ std::string write_new_plugin(const std::string& name, const std::string& wanted)
         return "`" + folder.string() + "` exists already. Name another folder with `--out`.";
     if (!fs::create_directories(folder, error))
         return "`" + folder.string() + "` cannot be made: " + error.message() + ". Name another folder with `--out`.";
-    for (const NewPluginFile& file : new_plugin_files) {
-        const fs::path path = folder / replaced(file.name, "round_burr", name);
-        std::string text = replaced(without_next(file.text), "round_burr", name);
-        text = replaced(replaced(text, "RoundBurr", type_name(name)), "02_" + name, name);
+    const Example& example = is_strategy ? strategy_example : tool_example;
+    for (const NewPluginFile& file : example.files) {
+        const fs::path path = folder / replaced(file.name, example.name, name);
+        std::string text = replaced(without_next(file.text), example.folder, name);
+        text = replaced(replaced(text, example.name, name), type_name(example.name), type_name(name));
         text = replaced(text, "[The Kerf authors]", "[Your name]");
         std::ofstream out(path, std::ios::binary);
         out << text;

@@ -58,6 +58,7 @@ ExitCode with_plugins(CommandLine& line, const Installation& here,
     PluginRegistry plugins;
     plugins.scan(plugin_folders_of(here));
     for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
+    for (const auto& note : plugins.notes()) print_error(note + "\n");
     const PluginGuard guard;  // after loading, which needs a process of one thread
     return command(plugins);
 }

@@ -17,6 +17,7 @@
 #include "app/standard_streams.h"
 #include "core/procedure/printable_lines.h"
 #include "core/procedure/read_codes.h"
+#include "core/procedure/read_map.h"
 #include "core/procedure/read_procedure.h"
 #include "core/session/content_hash.h"
 #include "core/session/exact_summary.h"
@@ -64,19 +65,40 @@ void print_table(const ExactSurface& made, double seconds) {
     print(formatted("\n  removed: mesh %.2f mm3, field %.2f mm3; a difference of %.2f mm3 is expected of the field\n",
                     made.removed * 1e9, made.field_removed * 1e9, made.allowed * 1e9));
     if (made.handed_over > 0)
-        print(formatted("  %d of %zu stretches were declined and cut by `local`\n", made.handed_over, made.stretches));
+        print(formatted("  %d of %zu stretches were handed over to a strategy that replaces the first\n",
+                        made.handed_over, made.stretches));
     if (made.crumbs > 0)
         print(formatted("  %zu crumbs of %.3f mm3 that are no body of the field are left out\n", made.crumbs,
                         made.crumb_volume * 1e9));
     print("  digest " + hex16(made.digest) + "\n");
 }
 
+/// The full id of a strategy that a user names; the other ids are in `error` if there is none, or more than one.
+std::optional<std::string> full_id_of(const std::string& wanted, const ComponentCatalog& catalog, std::string& error) {
+    std::vector<std::string> known, meant;
+    for (const ComponentInfo& component : catalog) {
+        if (component.kind != KERF_KIND_REMESHER) continue;
+        known.push_back(component.full_id());
+        if (component.is_meant_by(wanted)) meant.push_back(known.back());
+    }
+    if (meant.size() == 1) return meant.front();
+    error = "the strategy `" + shown(wanted) + "` ";
+    if (meant.size() > 1) {
+        error += "has " + std::to_string(meant.size()) + " owners: expected one of " + listed(meant) +
+                 ". Write its full id.";
+        return std::nullopt;
+    }
+    const std::string closest_one = closest(wanted, known);
+    error += known.empty() ? "is not installed: no plugin with strategies is. Install the package `kerf-remesh-cgal`."
+                           : "is unknown: expected " + listed(known) + "." + or_choose(closest_one);
+    return std::nullopt;
+}
+
 /// Makes the surface as soon as the session has been repeated, while its bone is there.
 class Remesher final : public RunObserver {
 public:
-    Remesher(const Scene& scene, const ExactStrategies& strategies, std::string strategy,
-             const Interruption& interruption)
-        : scene_(&scene), strategies_(&strategies), strategy_(std::move(strategy)), interruption_(&interruption) {}
+    Remesher(const Scene& scene, const ExactStrategies& strategies, const Interruption& interruption)
+        : scene_(&scene), strategies_(&strategies), interruption_(&interruption) {}
 
     void on_progress(double fraction, const std::string& /*what*/) override {
         show_progress(0.9 * fraction, "repeating the session");
@@ -88,7 +110,7 @@ public:
         if (interruption_->has_come()) return {};
         show_work("");
         StillWorking sign_of_life("making the exact surface");
-        ExactTools tools = strategies_->tools(*scene_, strategy_);
+        ExactTools tools = strategies_->tools(*scene_);
         tools.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
         tools.is_cancelled = [&] { return interruption_->has_come(); };
         made = exact_surface(*scene_, simulation, std::move(tools));
@@ -100,7 +122,6 @@ public:
 private:
     const Scene* scene_;
     const ExactStrategies* strategies_;
-    std::string strategy_;
     const Interruption* interruption_;
 };
 
@@ -115,8 +136,14 @@ std::string write_pieces(const std::string& folder, const ExactSurface& made, co
 
 }  // namespace
 
-ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins, const RemeshFolders& folders) {
+ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins, const StrategyHost& host) {
     std::string error;
+    std::string wanted;
+    if (!line.strategy.empty()) {
+        const auto id = full_id_of(line.strategy, plugins.catalog(), error);
+        if (!id) return complain("--strategy: " + error, exit_bad_input);
+        wanted = *id;
+    }
     const auto recorded = read_session(line.source, error);
     if (!recorded) return complain(error, exit_bad_input);
     std::string folder = line.out;
@@ -130,14 +157,6 @@ ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins, 
                             "`--procedure amputation.yaml`, with the `--set` it was run with.",
                         exit_bad_input);
 
-    // First, while this process has one thread and little memory.
-    ExactStrategies strategies;
-    if (error = strategies.start(folders, line.strategy); !error.empty()) {
-        print_error(to_text({error_about("--strategy " + line.strategy, code_text(Code::no_strategy),
-                                         "No exact surface can be made: " + error)}));
-        return exit_fault;
-    }
-
     Diagnostics diagnostics;
     auto documents =
         check_documents({file, line.anatomy, {recorded->variant, line.settings}, line.shipped}, plugins, diagnostics);
@@ -147,6 +166,13 @@ ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins, 
     }
     if (error = refusal_of_replay(*recorded, line.source, documents->procedure); !error.empty())
         return complain(error, exit_bad_input);
+    // While this process has one thread and little memory.
+    ExactStrategies strategies(host);
+    if (error = strategies.start(documents->procedure, wanted); !error.empty()) {
+        print_error(
+            to_text({error_about(file, code_text(Code::no_strategy), "No exact surface can be made: " + error)}));
+        return exit_fault;
+    }
     const Interruption interruption;
     auto bone = make_bone(std::move(*documents), file, diagnostics);
     if (!diagnostics.empty()) print_error(to_text(diagnostics));
@@ -156,7 +182,7 @@ ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins, 
 
     RunRequest request;
     if (error = repeat(*recorded, line.source, request); !error.empty()) return complain(error, exit_bad_input);
-    Remesher remesher(*bone, strategies, line.strategy, interruption);
+    Remesher remesher(*bone, strategies, interruption);
     request.observers = {&remesher};
     const auto start = std::chrono::steady_clock::now();
     const RunOutcome outcome = run_procedure(*bone, plugins, request);

@@ -9,7 +9,6 @@ namespace kerf {
 
 /// `kerf remesh SESSION.db`: repeats a session, and makes the exact surface of what it left: bone-exact.stl, one file
 /// for each further piece, and remesh.json.   [main]
-[[nodiscard]] ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins,
-                                      const RemeshFolders& folders);
+[[nodiscard]] ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins, const StrategyHost& host);
 
 }  // namespace kerf

@@ -210,8 +210,7 @@ private:
 void measure_beside_cuts(const Body& body, int rounds) {
     std::string error;
     const auto child = RemeshChild::start(
-        {KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", "local"},
-        error);
+        {KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", "local"}, error);
     if (child == nullptr) {
         std::printf("%s\n", error.c_str());
         return;

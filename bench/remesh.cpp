@@ -47,7 +47,7 @@ using test::bent_bone, test::blade_at, test::cut_across, test::slot_blade;
 std::unique_ptr<RemeshModule> module, displace_module;
 
 RemeshResult ask(const char* strategy, const RemeshRequest& request) {
-    const kerf_remesher* found = module->find(strategy);
+    const kerf_component* found = module->find(strategy);
     return remesh_here(found != nullptr ? *found : *displace_module->find(strategy), request);
 }
 
@@ -304,14 +304,13 @@ void groove_picture(const char* file) {
 
 int main(int argc, char** argv) {
     std::string error;
-    module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", error);
-    if (module != nullptr)
-        displace_module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_displace.so", error);
+    module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
+    if (module != nullptr) displace_module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_burring.so", error);
     if (module == nullptr || displace_module == nullptr) {
         std::fprintf(stderr, "%s\n", error.c_str());
         return 2;
     }
-    std::printf("%s\n\n", module->entry().kernel);
+    std::printf("%s\n\n", module->find("local")->remesher->kernel);
     const std::string what = argc > 1 ? argv[1] : "";
     if (what.empty() || what == "steps") steps();
     if (what.empty() || what == "cut") cut();

@@ -178,7 +178,7 @@ drawing::Panel cost_of_a_slot(double size, const std::vector<double>& spacings) 
 
 int main(int argc, char** argv) {
     std::string error;
-    module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", error);
+    module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
     if (argc < 2 || module == nullptr) {
         std::fprintf(stderr, "%s\n", module == nullptr ? error.c_str() : "usage: bench_remesh_chart FILE.svg [quick]");
         return 2;

@@ -17,11 +17,11 @@ namespace kerf {
 namespace {
 
 /// The strategies whose surfaces are compared; none if one of them cannot be started.
-std::map<std::string, std::unique_ptr<RemeshChild>> start_strategies(const RemeshFolders& folders) {
+std::map<std::string, std::unique_ptr<RemeshChild>> start_strategies(const StrategyHost& host) {
     std::map<std::string, std::unique_ptr<RemeshChild>> started;
-    for (const char* id : {"displace", "local", "exact"}) {
+    for (const std::string id : chart::surface_strategies) {
         std::string error;
-        auto child = start_strategy(folders, id, error);
+        auto child = start_strategy(host, id, {}, error);
         if (child == nullptr) {
             print_error("kerf: " + error + " The chart goes without surfaces.\n");
             return {};
@@ -43,7 +43,7 @@ ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, cons
     chart::Request request{.scene = line.scene, .is_quick = line.is_quick};
     request.progress = [](const std::string& what) { print_error(what + "\n"); };
     // First, while this process has one thread and little memory.
-    const auto strategies = start_strategies(here.remeshing());
+    const auto strategies = start_strategies(here.strategies(plugins));
     if (!strategies.empty())
         request.strategies = [&](const std::string& id) -> AskStrategy {
             RemeshChild* child = strategies.at(id).get();

@@ -48,15 +48,15 @@ std::string surface_text(const std::vector<StrategyCost>& costs, double accuracy
     const StrategyCost& exact = costs.back();
     const bool has_reference = exact.why_not.empty() && exact.removed > 0.0;
     const StrategyCost* chosen = nullptr;
-    std::string text = "\n  surface       removed      off        farthest   faces     time\n";
+    std::string text = "\n  surface                   removed      off        farthest   faces     time\n";
     for (const StrategyCost& cost : costs) {
         if (!cost.why_not.empty()) {
-            text += formatted("  %-12s  none: ", cost.strategy.c_str()) + cost.why_not + "\n";
+            text += formatted("  %-24s  none: ", cost.strategy.c_str()) + cost.why_not + "\n";
             continue;
         }
         const double off = has_reference ? std::abs(cost.removed / exact.removed - 1.0) : 0.0;
         if (has_reference && off <= accuracy && (chosen == nullptr || cost.seconds < chosen->seconds)) chosen = &cost;
-        text += formatted("  %-12s  %-11s  %-9s  %-9s  %-8zu  %.2f s\n", cost.strategy.c_str(),
+        text += formatted("  %-24s  %-11s  %-9s  %-9s  %-8zu  %.2f s\n", cost.strategy.c_str(),
                           (rounded(cost.removed * 1e9, 1) + " mm3").c_str(),
                           has_reference ? (rounded(100.0 * off, 3) + " %").c_str() : "-",
                           has_reference ? (rounded(cost.farthest * 1e3, 4) + " mm").c_str() : "-", cost.triangles,
@@ -75,7 +75,7 @@ std::string write_plan(const std::string& folder, const std::string& text, const
 }  // namespace
 
 PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, const std::string& folder,
-                           const RemeshFolders& remeshing, const std::function<void(const std::string& text)>& show) {
+                           const StrategyHost& host, const std::function<void(const std::string& text)>& show) {
     const Procedure& procedure = scene.procedure;
     PlanOutcome outcome;
     outcome.is_kept = true;
@@ -124,11 +124,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         outcome.is_kept = outcome.is_kept && found->keeps_accuracy && found->keeps(procedure.budget);
         plans.push_back(*found);
         add("\n" + plan::plan_text(task, *found));
-        // A blade is no body of revolution: `displace` declines it.
-        const bool is_blade = scene.tool(s).outline.cutting.is_prism();
-        const std::vector<std::string> strategies = is_blade ? std::vector<std::string>{"local", "exact"}
-                                                             : std::vector<std::string>{"displace", "local", "exact"};
-        const auto costs = compare_strategies(scene, s, depth, remeshing, strategies, show_work);
+        const auto costs = compare_strategies(scene, s, depth, host, task.tool.strategies, show_work);
         show_work("");
         add(surface_text(costs, procedure.accuracy.volume));
     }

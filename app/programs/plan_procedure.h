@@ -17,10 +17,10 @@ struct PlanOutcome {
 };
 
 /// Plans every step of `scene`; with `folder` not empty, writes plan.txt and plan.csv there as well.   [main]
-/// @param remeshing   where strategies for exact surfaces are
+/// @param host   calls the strategies for exact surfaces
 /// @param show        takes the plan, for people, step by step
 [[nodiscard]] PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, const std::string& folder,
-                                         const RemeshFolders& remeshing,
+                                         const StrategyHost& host,
                                          const std::function<void(const std::string& text)>& show);
 
 }  // namespace kerf

@@ -44,7 +44,7 @@ double farthest_from(const SurfaceMesh& mesh, const TriangleTree& other, const B
 }  // namespace
 
 std::vector<StrategyCost> compare_strategies(const Scene& scene, std::size_t step, double depth,
-                                             const RemeshFolders& folders, const std::vector<std::string>& strategies,
+                                             const StrategyHost& host, const std::vector<std::string>& strategies,
                                              const std::function<void(const std::string& what)>& report) {
     using Clock = std::chrono::steady_clock;
     const auto seconds_since = [](Clock::time_point start) {
@@ -82,10 +82,10 @@ std::vector<StrategyCost> compare_strategies(const Scene& scene, std::size_t ste
         SurfaceMesh& made = surfaces.emplace_back();
         cost.strategy = strategy;
         cost.why_not = flaw;
-        const auto child = base ? start_strategy(folders, strategy, cost.why_not) : nullptr;
+        const auto child = base ? start_strategy(host, strategy, {}, cost.why_not) : nullptr;
         if (child == nullptr) continue;
         ExactTools tools = exact_tools(scene);
-        tools.strategies.assign(tools.solids.size(), child.get());
+        tools.strategies.assign(tools.solids.size(), {{strategy, child.get()}});
         CutHistory history;
         for (const CutRecord& record : records) history.push(record);
         ExactTrack track(bone, {}, tools, voxel);

@@ -24,9 +24,10 @@ struct StrategyCost {
 
 /// Cuts the bone of a scene by the tool of a step, straight along its planned axis. Returns the field's surface first,
 /// then one for each strategy. The last one is what the others are compared with: let it be the exact one.   [main]
-/// @param depth   [m] past the entry
+/// @param depth        [m] past the entry
+/// @param strategies   full ids
 [[nodiscard]] std::vector<StrategyCost> compare_strategies(const Scene& scene, std::size_t step, double depth,
-                                                           const RemeshFolders& folders,
+                                                           const StrategyHost& host,
                                                            const std::vector<std::string>& strategies,
                                                            const std::function<void(const std::string& what)>& report);
 

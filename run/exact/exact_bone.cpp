@@ -199,7 +199,8 @@ void ExactBone::add_counts_of(const ExactTrack& track) {
     stretches_ += track.stretches();
     refusals_ += track.refusals();
     handed_over_ += track.handed_over();
-    notes_.insert(notes_.end(), track.notes().begin(), track.notes().end());
+    const std::vector<std::string> notes = track.notes();
+    notes_.insert(notes_.end(), notes.begin(), notes.end());
 }
 
 void ExactBone::add_crumb(const MeshPart& part) {
@@ -240,8 +241,10 @@ int ExactBone::handed_over() const noexcept {
 
 std::vector<std::string> ExactBone::notes() const {
     std::vector<std::string> all = notes_;
-    for (const Track& track : tracks_)
-        all.insert(all.end(), track.surface->notes().begin(), track.surface->notes().end());
+    for (const Track& track : tracks_) {
+        const std::vector<std::string> own = track.surface->notes();
+        all.insert(all.end(), own.begin(), own.end());
+    }
     return all;
 }
 

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "core/field/present_bone.h"
+#include "core/procedure/quantity.h"
 #include "core/session/stl.h"
 #include "core/session/write_file.h"
 
@@ -26,8 +27,13 @@ Mesh shown(const TaggedMesh& exact) {
 
 ExactRow exact_row(const ExactSurface& made, const ExactStrategies& strategies) {
     ExactRow row;
-    for (const auto& [id, strategy] : strategies.running())
-        row.strategies.push_back({id, strategy->plugin(), strategy->kernel()});
+    for (const ExactStrategies::Running& one : strategies.running()) {
+        row.strategies.push_back({one.id, one.child->plugin(), one.child->kernel(), one.module_hash, {}});
+        for (std::size_t p = 0; p < one.parameters.size(); ++p)
+            row.strategies.back().parameters.emplace_back(
+                one.parameters[p].id,
+                quantity_text(one.child->program().parameters[p], one.parameters[p].display_unit));
+    }
     row.why_not = made.error;
     if (made.error.empty())
         for (const ExactPiece& piece : made.pieces)

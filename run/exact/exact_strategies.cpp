@@ -2,85 +2,142 @@
 #include "run/exact/exact_strategies.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <cstddef>
+#include <fstream>
 #include <iterator>
 #include <string_view>
 #include <utility>
-#include <vector>
+
+#include "core/session/content_hash.h"
+#include "kerf/units.hpp"
 
 namespace kerf {
 namespace {
 
-/// Cuts what another strategy for patches declines.
-constexpr const char* fallback = "local";
+constexpr auto not_started = static_cast<std::size_t>(-1);
 
-/// Where a strategy of Kerf's own is: the stem of its module, and the package that installs it.
-struct ShippedStrategy {
-    std::string_view id, module, package;
-};
-constexpr ShippedStrategy own_strategies[] = {
-    {"exact", "kerf_remesh_cgal", "kerf-remesh-cgal"},
-    {"local", "kerf_remesh_cgal", "kerf-remesh-cgal"},
-    {"displace", "kerf_remesh_displace", "kerf"},
-};
+/// "kerf.remesh_cgal" of "kerf.remesh_cgal.local".
+std::string plugin_of(const std::string& full_id) { return full_id.substr(0, full_id.rfind('.')); }
 
-/// Why no module has a strategy.
-/// @param reasons   of each module, a line each
-std::string refusal_of(const std::string& strategy, const std::string& folder, const std::vector<std::string>& modules,
-                       const std::string& reasons) {
-    const auto own = std::ranges::find(own_strategies, strategy, &ShippedStrategy::id);
-    const bool is_missing =
-        own != std::end(own_strategies) && std::none_of(modules.begin(), modules.end(), [&](const std::string& module) {
-            return std::filesystem::path(module).stem() == own->module;
-        });
-    if (!is_missing)
-        return "no module in " + folder + " has a remeshing strategy `" + strategy + "`" +
-               (modules.empty() ? "; there are none." : ":" + reasons);
-    const std::string module(own->module);
-    return "the remeshing strategy `" + strategy + "` is not installed. Its module, " + module + ".so, is not in " +
-           folder + ". Install the package `" + std::string(own->package) + "`. In a build tree, build the target `" +
-           module + "`.";
+/// How to get a plugin: Kerf's own are packages and targets that are named after them.
+std::string how_to_install(const std::string& plugin) {
+    std::string package = plugin, target = plugin;
+    std::replace_if(
+        package.begin(), package.end(), [](char c) { return c == '.' || c == '_'; }, '-');
+    std::replace(target.begin(), target.end(), '.', '_');
+    if (!plugin.starts_with("kerf."))
+        return "Install the plugin `" + plugin + "`, or name its folder in KERF_PLUGIN_PATH.";
+    return "Install the package `" + package + "`. In a build tree, build the target `" + target + "`.";
+}
+
+std::string why_missing(const std::string& full_id) {
+    const std::string plugin = plugin_of(full_id);
+    return "the remeshing strategy `" + full_id + "` is not installed: no folder of plugins has `" + plugin + "`. " +
+           how_to_install(plugin);
+}
+
+bool are_equal(const std::vector<ParameterSetting>& a, const std::vector<ParameterSetting>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ParameterSetting& x, const ParameterSetting& y) {
+        return x.id == y.id && x.value == y.value;
+    });
+}
+
+std::uint64_t hash_of_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return hash_of_text(std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+const ComponentInfo* tool_of(const Instrument& instrument, const ComponentCatalog& catalog) {
+    const auto found = std::find_if(catalog.begin(), catalog.end(), [&](const ComponentInfo& c) {
+        return c.kind == KERF_KIND_TOOL && c.plugin == instrument.plugin && c.id == instrument.tool;
+    });
+    return found != catalog.end() ? &*found : nullptr;
+}
+
+bool is_used(const Instrument& instrument, const Procedure& procedure) {
+    return std::any_of(procedure.steps.begin(), procedure.steps.end(),
+                       [&](const Step& step) { return step.instrument == instrument.id; });
 }
 
 }  // namespace
 
-std::unique_ptr<RemeshChild> start_strategy(const RemeshFolders& folders, const std::string& strategy,
-                                            std::string& error) {
-    namespace fs = std::filesystem;
-    std::vector<std::string> modules;
-    std::error_code unreadable;
-    for (auto entry = fs::directory_iterator(folders.modules, unreadable);
-         !unreadable && entry != fs::directory_iterator(); entry.increment(unreadable))
-        if (entry->path().extension() == ".so") modules.push_back(entry->path().string());
-    std::sort(modules.begin(), modules.end());
-    std::string reasons;
-    for (const std::string& module : modules) {
-        std::string reason;
-        if (auto child = RemeshChild::start({folders.program, module, strategy}, reason)) return child;
-        reasons += "\n      " + reason;
-    }
-    error = refusal_of(strategy, folders.modules, modules, reasons);
-    return nullptr;
+const ComponentInfo* find_strategy(const ComponentCatalog& catalog, const std::string& full_id) {
+    const auto found = std::find_if(catalog.begin(), catalog.end(), [&](const ComponentInfo& c) {
+        return c.kind == KERF_KIND_REMESHER && c.full_id() == full_id;
+    });
+    return found != catalog.end() ? &*found : nullptr;
 }
 
-std::string ExactStrategies::start(const RemeshFolders& folders, const std::string& strategy) {
-    if (running_.contains(strategy)) return {};
-    std::string error;
-    auto child = start_strategy(folders, strategy, error);
-    if (child == nullptr) return error;
-    const bool may_decline = child->scope() == KERF_REMESH_PATCH && strategy != fallback;
-    running_.emplace(strategy, std::move(child));
-    if (may_decline) why_no_fallback_ = start(folders, fallback);
-    if (why_no_fallback_.ends_with('.')) why_no_fallback_.pop_back();
+std::unique_ptr<RemeshChild> start_strategy(const StrategyHost& host, const std::string& full_id,
+                                            const std::vector<ParameterSetting>& set, std::string& error) {
+    const ComponentInfo* strategy = find_strategy(*host.catalog, full_id);
+    if (strategy == nullptr) {
+        error = why_missing(full_id);
+        return nullptr;
+    }
+    RemeshProgram program{host.program, strategy->module, strategy->id};
+    for (const ParameterInfo& parameter : strategy->parameters) {
+        const auto own =
+            std::find_if(set.begin(), set.end(), [&](const ParameterSetting& one) { return one.id == parameter.id; });
+        program.parameters.push_back(own != set.end() ? own->value : parameter.def);
+        if (parameter.id == "tolerance" && parameter.dimension == dimension::length)
+            program.tolerance = program.parameters.back();
+    }
+    auto child = RemeshChild::start(program, error);
+    if (child == nullptr) error = "the remeshing strategy `" + full_id + "` cannot be started: " + error;
+    return child;
+}
+
+std::size_t ExactStrategies::start_one(const std::string& id, const std::vector<ParameterSetting>& set,
+                                       std::string& error) {
+    for (std::size_t n = 0; n < running_.size(); ++n)
+        if (running_[n].id == id && are_equal(running_[n].set, set)) return n;
+    auto child = start_strategy(host_, id, set, error);
+    if (child == nullptr) return not_started;
+    const ComponentInfo& info = *find_strategy(*host_.catalog, id);
+    running_.push_back({id, set, info.parameters, hash_of_file(info.module), std::move(child)});
+    return running_.size() - 1;
+}
+
+std::string ExactStrategies::start_chain(const Instrument& instrument, const std::string& wanted,
+                                         const std::vector<ParameterSetting>& set) {
+    const ComponentInfo* tool = tool_of(instrument, *host_.catalog);
+    std::vector<std::string> ids{wanted};
+    if (tool != nullptr)
+        std::copy_if(tool->strategies.begin(), tool->strategies.end(), std::back_inserter(ids),
+                     [&](const std::string& id) { return id != wanted; });
+    Chain chain{instrument.id, {}, {}};
+    std::string first_error;
+    for (const std::string& id : ids) {
+        // One that cuts patches cannot replace one that cuts whole meshes.
+        const ComponentInfo* info = find_strategy(*host_.catalog, id);
+        if (info != nullptr && !chain.strategies.empty() &&
+            info->scope != running_[chain.strategies.front()].child->scope())
+            continue;
+        std::string error;
+        const std::size_t one = start_one(id, id == wanted ? set : std::vector<ParameterSetting>{}, error);
+        if (one != not_started) {
+            chain.strategies.push_back(one);
+            continue;
+        }
+        if (first_error.empty()) first_error = error;
+        if (chain.why_no_more.empty() && !chain.strategies.empty()) chain.why_no_more = error;
+    }
+    if (chain.strategies.empty()) return first_error;
+    if (const std::string& first = running_[chain.strategies.front()].id; first != wanted) {
+        if (first_error.ends_with('.')) first_error.pop_back();
+        notes_.push_back("Instrument `" + instrument.id + "`: " + first_error + ". `" + first + "` replaces it.");
+    }
+    if (chain.why_no_more.ends_with('.')) chain.why_no_more.pop_back();
+    chains_.push_back(std::move(chain));
     return {};
 }
 
-std::string ExactStrategies::start(const RemeshFolders& folders, const Procedure& procedure) {
+std::string ExactStrategies::start(const Procedure& procedure) {
     for (const Instrument& instrument : procedure.instruments) {
-        const bool is_used = std::any_of(procedure.steps.begin(), procedure.steps.end(),
-                                         [&](const Step& step) { return step.instrument == instrument.id; });
-        if (instrument.remeshing.empty() || !is_used) continue;
-        if (std::string error = start(folders, instrument.remeshing); !error.empty()) {
+        if (instrument.remeshing.empty() || !is_used(instrument, procedure)) continue;
+        if (std::string error = start_chain(instrument, instrument.remeshing, instrument.remeshing_parameters);
+            !error.empty()) {
             instrument_without_ = instrument.id;
             why_not_ = "instrument `" + instrument.id + "`: " + error;
             return error;
@@ -89,26 +146,42 @@ std::string ExactStrategies::start(const RemeshFolders& folders, const Procedure
     return {};
 }
 
-RemeshChild* ExactStrategies::find(const std::string& strategy) const {
-    const auto found = running_.find(strategy);
-    return found != running_.end() ? found->second.get() : nullptr;
+std::string ExactStrategies::start(const Procedure& procedure, const std::string& wanted) {
+    for (const Instrument& instrument : procedure.instruments) {
+        if (!is_used(instrument, procedure)) continue;
+        const bool is_its_own = wanted.empty() || wanted == instrument.remeshing;
+        const ComponentInfo* tool = tool_of(instrument, *host_.catalog);
+        std::string id = is_its_own ? instrument.remeshing : wanted;
+        if (id.empty() && tool != nullptr && !tool->strategies.empty()) id = tool->strategies.front();
+        if (id.empty()) continue;  // a tool that removes no bone, or for which its plugin names no strategy
+        if (std::string error = start_chain(
+                instrument, id, is_its_own ? instrument.remeshing_parameters : std::vector<ParameterSetting>{});
+            !error.empty()) {
+            instrument_without_ = instrument.id;
+            why_not_ = "instrument `" + instrument.id + "`: " + error;
+            return error;
+        }
+    }
+    if (running_.empty())
+        return why_not_ = "no tool of the procedure names a remeshing strategy that suits it. Choose one with "
+                          "`--strategy`; `kerf list` shows all.";
+    return {};
 }
 
 ExactTools ExactStrategies::tools(const Scene& scene) const {
     ExactTools tools = exact_tools(scene);
-    for (std::size_t tool = 0; tool < scene.tools.size(); ++tool)
-        tools.strategies[tool] = tools.strategies[scene.tools.size() + tool] =
-            find(instrument_of(scene, tool).remeshing);
-    tools.otherwise = find(fallback);
-    tools.why_no_otherwise = why_no_fallback_;
-    return tools;
-}
-
-ExactTools ExactStrategies::tools(const Scene& scene, const std::string& strategy) const {
-    ExactTools tools = exact_tools(scene);
-    tools.strategies.assign(tools.solids.size(), find(strategy));
-    tools.otherwise = find(fallback);
-    tools.why_no_otherwise = why_no_fallback_;
+    for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
+        const std::string& instrument = instrument_of(scene, tool).id;
+        const auto chain = std::find_if(chains_.begin(), chains_.end(),
+                                        [&](const Chain& one) { return one.instrument == instrument; });
+        if (chain == chains_.end()) continue;
+        for (const std::size_t solid : {tool, scene.tools.size() + tool}) {
+            for (const std::size_t one : chain->strategies)
+                tools.strategies[solid].push_back({running_[one].id, running_[one].child.get()});
+            tools.why_no_more[solid] = chain->why_no_more;
+        }
+    }
+    tools.notes = notes_;
     return tools;
 }
 

@@ -47,6 +47,14 @@ ExactPiece piece_of(const ExactBody& body, TaggedMesh mesh) {
     return piece;
 }
 
+/// [m] beyond the request's own, of the strategy that states most.
+double stated_tolerance(const ExactTools& tools) {
+    double most = tools.tolerance;
+    for (const auto& strategies : tools.strategies)
+        for (const ExactStrategy& one : strategies) most = std::max(most, one.child->tolerance());
+    return most - tools.tolerance;
+}
+
 double wall_area_of(const ExactPiece& piece) {
     double sum = 0.0;
     for (const auto& [tissue, area] : piece.wall_areas) sum += area;
@@ -74,7 +82,8 @@ ExactTools exact_tools(const Scene& scene) {
     ExactTools tools;
     for (const Tool& tool : scene.tools) tools.solids.push_back(&tool.outline.cutting);
     for (const Tool& tool : scene.tools) tools.solids.push_back(&tool.outline.crest);
-    tools.strategies.assign(tools.solids.size(), nullptr);
+    tools.strategies.resize(tools.solids.size());
+    tools.why_no_more.resize(tools.solids.size());
     return tools;
 }
 
@@ -102,6 +111,7 @@ void ExactSurfaces::follow(const ExactState& state) {
 ExactSurface ExactSurfaces::finish(const ExactState& state) {
     follow(state);
     ExactSurface made;
+    made.notes = tools_.notes;
     for (const Bone& one : bones_) {
         const std::vector<ExactBody> bodies = bodies_of(state, *one.field);
         if (bodies.empty()) continue;
@@ -122,7 +132,7 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
             ExactPiece piece = piece_of(bodies[n], std::move(meshes[n]));
             made.removed -= piece.volume;
             made.field_removed -= piece.field_volume;
-            made.allowed += 0.15 * one.field->grid().spacing * wall_area_of(piece);
+            made.allowed += (0.15 * one.field->grid().spacing + stated_tolerance(tools_)) * wall_area_of(piece);
             if (piece.mesh.mesh.triangles.empty() && piece.field_volume > 0.0 && made.error.empty())
                 made.error =
                     "body " + std::to_string(piece.body) +
@@ -141,8 +151,9 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
     std::sort(made.pieces.begin(), made.pieces.end(),
               [](const ExactPiece& a, const ExactPiece& b) { return a.body < b.body; });
     if (made.error.empty() && std::abs(made.removed - made.field_removed) > made.allowed)
-        made.notes.push_back("Mesh and field differ by more than the field explains: the mesh lost " +
-                             text_of(made.removed) + ", the field " + text_of(made.field_removed) + ".");
+        made.error = "the mesh lost " + text_of(made.removed) + " and the field " + text_of(made.field_removed) +
+                     ", which differ by more than the " + text_of(made.allowed) +
+                     " that the field's grid and the strategies' tolerance explain.";
     made.digest = digest_of(made.pieces);
     return made;
 }

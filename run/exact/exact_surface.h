@@ -29,14 +29,14 @@ struct ExactSurface {
     std::size_t stretches = 0;                          ///< straight ones that they were joined into
     double base_volume = 0.0, field_base_volume = 0.0;  ///< [m³] before the first cut
     double removed = 0.0, field_removed = 0.0;          ///< [m³] by tools, without crumbs
-    double allowed = 0.0;                               ///< [m³] by which the two may differ: 0.15 voxels on all walls
-    std::size_t crumbs = 0;                             ///< parts of the mesh in which the field has no body
-    double crumb_volume = 0.0;                          ///< [m³]
-    int refusals = 0;                                   ///< results that the host did not take, and asked for again
-    int handed_over = 0;                                ///< stretches that a strategy declined and `local` cut
-    std::uint64_t digest = 0;                           ///< of all pieces; no part of the replay hash
-    std::vector<std::string> notes;                     ///< for people
-    std::string error;                                  ///< not empty: there is no exact surface; for people
+    double allowed = 0.0;    ///< [m³] by which the two may differ, on all walls: 0.15 voxels and what strategies state
+    std::size_t crumbs = 0;  ///< parts of the mesh in which the field has no body
+    double crumb_volume = 0.0;       ///< [m³]
+    int refusals = 0;                ///< results that the host did not take, and asked for again
+    int handed_over = 0;             ///< stretches that a strategy did not cut and a later one got
+    std::uint64_t digest = 0;        ///< of all pieces; no part of the replay hash
+    std::vector<std::string> notes;  ///< for people
+    std::string error;               ///< not empty: there is no exact surface; for people
 };
 
 /// The bodies of bone at one time.

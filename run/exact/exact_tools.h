@@ -12,18 +12,27 @@
 
 namespace kerf {
 
+/// A strategy that runs.
+struct ExactStrategy {
+    std::string id;  ///< full: "kerf.burring.displace"
+    RemeshChild* child = nullptr;
+
+    [[nodiscard]] bool is_whole() const noexcept { return child->scope() == KERF_REMESH_WHOLE; }
+};
+
 /// What exact surfaces are cut with. All that it points to must outlive them.
 struct ExactTools {
     std::vector<const ToolSolid*> solids;  ///< by the records' numbers
-    std::vector<RemeshChild*> strategies;  ///< of each solid; null: it leaves no exact surface
-    RemeshChild* otherwise = nullptr;      ///< gets the stretches that a strategy declines; null: none
-    std::string why_no_otherwise{};        ///< why it could not be started: part of a sentence
+    /// Of each solid, each to replace those before it; none: it leaves no exact surface.
+    std::vector<std::vector<ExactStrategy>> strategies;
+    std::vector<std::string> why_no_more;  ///< of each solid: why one more could not be started; part of a sentence
+    std::vector<std::string> notes{};      ///< for people; part of the results
     double tolerance = 20e-6;              ///< [m] that a straight stretch may be off the recorded path
     double window = 2e-3;                  ///< [m] the longest stretch that is cut into a patch
     std::chrono::milliseconds limit = std::chrono::minutes(5);         ///< for a whole mesh
     std::chrono::milliseconds patch_limit = std::chrono::seconds(20);  ///< for a patch
     std::function<void(double fraction, const std::string& what)> progress{};
-    std::function<bool()> is_cancelled{};  ///< asked before each request
+    std::function<bool()> is_cancelled{};  ///< called before each request
 
     void report(double fraction, const std::string& what) const {
         if (progress) progress(fraction, what);

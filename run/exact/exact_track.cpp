@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/remesh/accept.h"
+#include "core/remesh/removal.h"
 
 namespace kerf {
 namespace {
@@ -23,19 +24,24 @@ Box swept_by(const std::vector<CutRecord>& records, const std::vector<const Tool
     return all;
 }
 
-AskStrategy strategy_of(const ExactTools& tools) {
-    return [&tools](const RemeshRequest& patch) {
-        const auto solid = std::find(tools.solids.begin(), tools.solids.end(), patch.solids.front());
-        RemeshChild& strategy = *tools.strategies[static_cast<std::size_t>(solid - tools.solids.begin())];
-        RemeshResult result = strategy.remesh(patch, tools.patch_limit);
-        if (result.status == KERF_REMESH_DECLINED && !tools.why_no_otherwise.empty())
-            result.message += "; " + tools.why_no_otherwise;
-        return result;
-    };
-}
-AskStrategy fallback_of(const ExactTools& tools) {
-    if (tools.otherwise == nullptr) return {};
-    return [&tools](const RemeshRequest& patch) { return tools.otherwise->remesh(patch, tools.patch_limit); };
+/// Of each solid the strategies that cut patches.
+std::vector<std::vector<NamedStrategy>> patch_strategies(const ExactTools& tools) {
+    std::vector<std::vector<NamedStrategy>> all(tools.solids.size());
+    for (std::size_t solid = 0; solid < all.size(); ++solid)
+        for (const ExactStrategy& one : tools.strategies[solid]) {
+            if (one.is_whole()) continue;
+            const bool is_last = &one == &tools.strategies[solid].back();
+            all[solid].push_back({one.id,
+                                  [&tools, solid, one, is_last](const RemeshRequest& patch) {
+                                      RemeshResult result = one.child->remesh(patch, tools.patch_limit);
+                                      if (result.status == KERF_REMESH_DECLINED && is_last &&
+                                          !tools.why_no_more[solid].empty())
+                                          result.message += "; " + tools.why_no_more[solid];
+                                      return result;
+                                  },
+                                  one.child->tolerance()});
+        }
+    return all;
 }
 
 }  // namespace
@@ -44,7 +50,7 @@ ExactTrack::ExactTrack(const TaggedMesh& mesh, CutHistory done, const ExactTools
     : tools_(&tools),
       apart_(apart),
       done_(std::move(done)),
-      cutting_(mesh, tools.solids, tools.tolerance, strategy_of(tools), fallback_of(tools)),
+      cutting_(mesh, tools.solids, tools.tolerance, patch_strategies(tools)),
       joiner_(tools.solids, tools.tolerance, tools.window),
       swept_(tools.solids, tools.tolerance, apart) {}
 
@@ -55,14 +61,15 @@ void ExactTrack::follow(const CutHistory& history) {
         const ToolSolid& solid = *tools_->solids[record.solid];
         if (solid.outline().empty()) continue;
         ++records_;
-        RemeshChild* const strategy = tools_->strategies[record.solid];
-        const bool is_whole = strategy != nullptr && strategy->scope() == KERF_REMESH_WHOLE;
-        if (!is_whole || (!waiting_.empty() && tools_->strategies[waiting_.front().solid] != strategy))
+        const auto& strategies = tools_->strategies[record.solid];
+        const bool is_whole = !strategies.empty() && strategies.front().is_whole();
+        if (!is_whole ||
+            (!waiting_.empty() && tools_->strategies[waiting_.front().solid].front().child != strategies.front().child))
             commit_waiting();
         if (is_whole) {
             commit(joiner_.end());
             waiting_.push_back(record);
-        } else if (strategy != nullptr) {
+        } else if (!strategies.empty()) {
             tools_->report(static_cast<double>(n) / static_cast<double>(records.size()),
                            "cutting along " + std::to_string(records.size()) + " records");
             commit(joiner_.push(record));
@@ -111,14 +118,20 @@ void ExactTrack::commit_waiting() {
     request.base = mesh();
     if (request.cuts.empty() || request.base.mesh.triangles.empty()) return;
     std::string why;
-    if (const auto cut = cut_whole(request, *tools_->strategies[records.front().solid], why))
-        cutting_.replace(*cut);
-    else
-        cutting_.give_up(swept_by(records, tools_->solids), std::move(why));
+    const auto& strategies = tools_->strategies[records.front().solid];
+    for (const ExactStrategy& strategy : strategies) {
+        if (const auto cut = cut_whole(request, strategy, why)) return cutting_.replace(*cut);
+        if (tools_->are_cancelled()) break;
+        if (&strategy != &strategies.back()) ++handed_over_;
+    }
+    if (!tools_->why_no_more[records.front().solid].empty()) why += "; " + tools_->why_no_more[records.front().solid];
+    cutting_.give_up(swept_by(records, tools_->solids), std::move(why));
 }
 
-std::optional<TaggedMesh> ExactTrack::cut_whole(const RemeshRequest& base, RemeshChild& child, std::string& why) {
+std::optional<TaggedMesh> ExactTrack::cut_whole(const RemeshRequest& base, const ExactStrategy& strategy,
+                                                std::string& why) {
     RemeshRequest request = base;
+    RemeshChild& child = *strategy.child;
     tools_->report(0.0, "cutting " + std::to_string(request.base.mesh.triangles.size()) + " faces along " +
                             std::to_string(request.cuts.size()) + " straight stretches");
     for (int n = 0; n <= most_refusals; ++n) {
@@ -128,14 +141,29 @@ std::optional<TaggedMesh> ExactTrack::cut_whole(const RemeshRequest& base, Remes
         }
         request.nudge_seed = static_cast<std::uint64_t>(n);
         RemeshResult result = child.remesh(request, tools_->limit);
-        if (result.status == KERF_REMESH_UNCHANGED) return request.base;
-        why = result.status == KERF_OK ? flaw_of_result(request, result.mesh) : result.message;
+        const double allowed = allowed_for(request, child.tolerance());
+        const bool is_unchanged = result.status == KERF_REMESH_UNCHANGED;
+        why = is_unchanged               ? flaw_of_unchanged(request, allowed)
+              : result.status == KERF_OK ? flaw_of_result(request, result.mesh)
+                                         : result.message;
+        if (result.status == KERF_OK && why.empty()) why = flaw_of_removal(request, result.mesh, allowed);
+        if (is_unchanged && why.empty()) return request.base;
         if (result.status == KERF_OK && why.empty()) return std::move(result.mesh);
+        if (result.status == KERF_REMESH_DECLINED) break;
         ++refusals_;
-        notes_.push_back("Attempt " + std::to_string(n + 1) + " was refused: " + why + ".");
+        notes_.push_back("`" + strategy.id + "`: attempt " + std::to_string(n + 1) + " was refused: " + why + ".");
         if (!child.is_running() || result.status == KERF_REMESH_CANCELLED) break;
     }
     return std::nullopt;
+}
+
+std::vector<std::string> ExactTrack::notes() const {
+    std::vector<std::string> all = notes_;
+    for (const auto& [id, refused] : cutting_.refused())
+        all.push_back("`" + id + "`: " + std::to_string(refused.count) +
+                      (refused.count == 1 ? " result was refused: " : " results were refused, the first: ") +
+                      refused.first + ".");
+    return all;
 }
 
 ExactTrack::Moment ExactTrack::moment() {

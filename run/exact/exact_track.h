@@ -37,9 +37,9 @@ public:
     [[nodiscard]] std::size_t records() const noexcept { return records_; }
     [[nodiscard]] std::size_t stretches() const noexcept { return stretches_; }
     [[nodiscard]] int refusals() const noexcept { return refusals_ + cutting_.refusals(); }
-    [[nodiscard]] int handed_over() const noexcept { return cutting_.handed_over(); }
-    /// Refused attempts, for people.
-    [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
+    [[nodiscard]] int handed_over() const noexcept { return handed_over_ + cutting_.handed_over(); }
+    /// Refused results by strategy, for people.
+    [[nodiscard]] std::vector<std::string> notes() const;
 
     /// What is committed, and what waits, at one time. Costs a pointer for each page of the surface.
     struct Moment {
@@ -58,7 +58,7 @@ public:
 private:
     void commit(const std::optional<CutStretch>& stretch);
     void commit_waiting();
-    [[nodiscard]] std::optional<TaggedMesh> cut_whole(const RemeshRequest& request, RemeshChild& child,
+    [[nodiscard]] std::optional<TaggedMesh> cut_whole(const RemeshRequest& request, const ExactStrategy& strategy,
                                                       std::string& why);
 
     const ExactTools* tools_;
@@ -69,7 +69,7 @@ private:
     std::vector<CutRecord> waiting_;  ///< what a strategy for whole meshes cuts next
     SweptBefore swept_;
     std::size_t records_ = 0, stretches_ = 0;
-    int refusals_ = 0;
+    int refusals_ = 0, handed_over_ = 0;
     bool is_checked_ = true;  ///< as a whole, since the last patch
     std::vector<std::string> notes_;
 };

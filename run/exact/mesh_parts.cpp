@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/import/surface/edges.h"
-#include "kerf/draft/remesh.h"
+#include "kerf/remesh.h"
 
 namespace kerf {
 namespace {

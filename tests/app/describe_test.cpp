@@ -20,7 +20,8 @@ TEST(Describe, TellsEveryValueOfEveryComponentWithUnitDefaultRangeHelpAndSource)
     const std::string text = description("");
     ASSERT_FALSE(test::plugins().catalog().empty());
     for (const ComponentInfo& component : test::plugins().catalog()) {
-        EXPECT_NE(text.find(component.plugin + "/" + component.id), std::string::npos);
+        EXPECT_NE(text.find(component.plugin + (component.kind == KERF_KIND_REMESHER ? "." : "/") + component.id),
+                  std::string::npos);
         for (const auto* values : {&component.parameters, &component.drives})
             for (const ParameterInfo& p : *values)
                 for (const std::string& part :

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -24,11 +24,29 @@
 namespace kerf {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-const RemeshFolders folders{KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", KERF_BUILD_DIR "/lib/kerf-remesh"};
-const RemeshFolders zoo{folders.program, KERF_BUILD_DIR "/lib/kerf-remesh-zoo"};
+constexpr const char* program = KERF_BUILD_DIR "/libexec/kerf/kerf-remesh";
+
+/// The strategies of Kerf's plugins, and the animals.
+const ComponentCatalog& catalog() {
+    static const ComponentCatalog all = [] {
+        PluginRegistry zoo;
+        zoo.scan({KERF_BUILD_DIR "/lib/kerf-remesh-zoo"});
+        ComponentCatalog both = test::plugins().catalog();
+        std::copy_if(zoo.catalog().begin(), zoo.catalog().end(), std::back_inserter(both),
+                     [](const ComponentInfo& c) { return c.kind == KERF_KIND_REMESHER; });
+        return both;
+    }();
+    return all;
+}
+StrategyHost host() { return {program, &catalog()}; }
+/// A full id by its last word; an unknown word as it is.
+std::string full_id(const std::string& word) {
+    for (const ComponentInfo& one : catalog())
+        if (one.kind == KERF_KIND_REMESHER && one.is_meant_by(word)) return one.full_id();
+    return word;
+}
 
 const Scene& leg() {
     static const Scene scene = [] {
@@ -47,7 +65,7 @@ const Scene& leg() {
 Scene leg_with(const std::string& strategy, const std::string& instrument = "saw") {
     Scene scene = leg();
     for (Instrument& one : scene.procedure.instruments)
-        if (one.id == instrument) one.remeshing = strategy;
+        if (one.id == instrument) one.remeshing = full_id(strategy);
     return scene;
 }
 
@@ -68,8 +86,8 @@ struct Ended {
     ExactSurface afterwards;
 };
 Ended run_with(const Scene& scene) {
-    ExactStrategies strategies;
-    EXPECT_EQ(strategies.start(folders, scene.procedure), "");
+    ExactStrategies strategies(host());
+    EXPECT_EQ(strategies.start(scene.procedure), "");
     Afterwards afterwards(scene, strategies);
     RunRequest request;
     request.rehearsal = "expert";
@@ -182,9 +200,11 @@ TEST(ExactFollower, AnInstrumentWithoutAStrategyLeavesNoSurfaceAndSaysSo) {
 }
 
 TEST(ExactFollower, AnUnknownStrategyIsRefusedByName) {
-    ExactStrategies strategies;
-    const std::string why = strategies.start(folders, leg_with("lokal").procedure);
-    EXPECT_NE(why.find("`lokal`"), std::string::npos) << why;
+    ExactStrategies strategies(host());
+    Scene scene = leg_with("nobody.has.this");
+    scene.procedure.instruments[0].tool = "no_tool";  // whose plugin would name a replacement
+    const std::string why = strategies.start(scene.procedure);
+    EXPECT_NE(why.find("`nobody.has.this`"), std::string::npos) << why;
     EXPECT_EQ(strategies.why_not(), "instrument `saw`: " + why);
     EXPECT_EQ(strategies.instrument_without(), "saw");
     EXPECT_FALSE(strategies.are_any());
@@ -192,8 +212,8 @@ TEST(ExactFollower, AnUnknownStrategyIsRefusedByName) {
 
 TEST(ExactFollower, ARunThatIsDroppedEndsItsThread) {
     const Scene scene = leg_with("local");
-    ExactStrategies strategies;
-    ASSERT_EQ(strategies.start(folders, scene.procedure), "");
+    ExactStrategies strategies(host());
+    ASSERT_EQ(strategies.start(scene.procedure), "");
     for (const int ticks : {0, 1, 6000, 12'000}) {
         RunRequest request;
         request.rehearsal = "expert";
@@ -205,91 +225,110 @@ TEST(ExactFollower, ARunThatIsDroppedEndsItsThread) {
     }
 }
 
-TEST(ExactFollower, WithoutItsModuleTheRunGoesOn) {
-    const Scene scene = leg_with("local");
-    ExactStrategies strategies;
-    EXPECT_NE(strategies.start({folders.program, KERF_BUILD_DIR "/nowhere"}, scene.procedure), "");
-    RunRequest request;
-    request.rehearsal = "expert";
-    request.strategies = &strategies;
-    const RunOutcome outcome = run_procedure(scene, test::plugins(), request);
-    EXPECT_EQ(outcome.error, "");
-    ASSERT_TRUE(outcome.summary.exact.has_value());
-    EXPECT_NE(outcome.summary.exact->why_not.find("Install the package `kerf-remesh-cgal`"), std::string::npos)
-        << outcome.summary.exact->why_not;
-    EXPECT_EQ(outcome.summary.hash, plain_run("local").summary.hash);
-}
-
 /// As it is where the package with the GPL's strategies is not installed.
 class WithoutCgal : public testing::Test {
 protected:
-    void SetUp() override {
-        fs::create_symlink(fs::path(folders.modules) / "kerf_remesh_displace.so",
-                           fs::path(folder_.path()) / "kerf_remesh_displace.so");
+    WithoutCgal() {
+        std::copy_if(catalog().begin(), catalog().end(), std::back_inserter(without_),
+                     [](const ComponentInfo& c) { return c.plugin != "kerf.remesh_cgal"; });
     }
-    [[nodiscard]] RemeshFolders own() const { return {folders.program, folder_.path()}; }
+    [[nodiscard]] StrategyHost own() const { return {program, &without_}; }
+    /// What a run with this strategy says of its exact surface; its verdict and its hash are those of any run.
+    [[nodiscard]] static ExactRow run_with(const Scene& scene, const ExactStrategies& strategies) {
+        RunRequest request;
+        request.rehearsal = "expert";
+        request.strategies = &strategies;
+        const RunOutcome outcome = run_procedure(scene, test::plugins(), request);
+        EXPECT_EQ(outcome.error, "");
+        EXPECT_EQ(outcome.summary.hash, plain_run("local").summary.hash);
+        return outcome.summary.exact.value_or(ExactRow{});
+    }
 
 private:
-    test::TemporaryFolder folder_;
+    ComponentCatalog without_;
 };
 
-TEST_F(WithoutCgal, ItsStrategiesNameTheirPackage) {
-    for (const char* id : {"exact", "local"}) {
-        ExactStrategies strategies;
-        const std::string why = strategies.start(own(), id);
-        EXPECT_NE(why.find("Install the package `kerf-remesh-cgal`"), std::string::npos) << why;
-        EXPECT_NE(why.find("`" + std::string(id) + "`"), std::string::npos) << why;
-    }
-}
-
-TEST_F(WithoutCgal, DisplaceStarts) {
-    ExactStrategies strategies;
-    EXPECT_EQ(strategies.start(own(), "displace"), "");
-    EXPECT_TRUE(strategies.are_any());
+TEST_F(WithoutCgal, TheRunContinuesWithoutASurface) {
+    const Scene scene = leg_with("local");
+    ExactStrategies strategies(own());
+    const std::string why = strategies.start(scene.procedure);
+    EXPECT_NE(why.find("Install the package `kerf-remesh-cgal`"), std::string::npos) << why;
+    EXPECT_NE(why.find("`kerf.remesh_cgal.local`"), std::string::npos) << why;
+    const std::string recorded = run_with(scene, strategies).why_not;
+    EXPECT_NE(recorded.find("Install the package `kerf-remesh-cgal`"), std::string::npos) << recorded;
 }
 
 TEST_F(WithoutCgal, WhatDisplaceDeclinesNamesThePackage) {
     const Scene scene = leg_with("displace");  // a blade, which it always declines
-    ExactStrategies strategies;
-    ASSERT_EQ(strategies.start(own(), scene.procedure), "");
-    RunRequest request;
-    request.rehearsal = "expert";
-    request.strategies = &strategies;
-    const RunOutcome outcome = run_procedure(scene, test::plugins(), request);
-    EXPECT_EQ(outcome.error, "");
-    ASSERT_TRUE(outcome.summary.exact.has_value());
-    EXPECT_NE(outcome.summary.exact->why_not.find("Install the package `kerf-remesh-cgal`"), std::string::npos)
-        << outcome.summary.exact->why_not;
-    EXPECT_EQ(outcome.summary.hash, plain_run("local").summary.hash);
+    ExactStrategies strategies(own());
+    ASSERT_EQ(strategies.start(scene.procedure), "");
+    const std::string recorded = run_with(scene, strategies).why_not;
+    EXPECT_NE(recorded.find("Install the package `kerf-remesh-cgal`"), std::string::npos) << recorded;
 }
 
-class ExactAnimals : public testing::TestWithParam<const char*> {};
+TEST(ExactFollower, AMissingStrategyIsReplacedByTheNextThatSuitsTheTool) {
+    const Scene scene = leg_with("example.missing.strategy");
+    ExactStrategies strategies(host());
+    ASSERT_EQ(strategies.start(scene.procedure), "");
+    ASSERT_EQ(strategies.notes().size(), 1u);
+    EXPECT_NE(strategies.notes()[0].find("`kerf.remesh_cgal.local` replaces it"), std::string::npos)
+        << strategies.notes()[0];
+    EXPECT_NE(strategies.notes()[0].find("name its folder in KERF_PLUGIN_PATH"), std::string::npos)
+        << strategies.notes()[0];
+}
+
+class ExactAnimals : public testing::TestWithParam<const char*> {
+protected:
+    /// Cuts the leg by an animal, and perhaps by what replaces it.
+    static ExactSurface cut_by(const std::string& animal, bool is_replaced) {
+        const Scene scene = leg_with(animal);
+        ExactStrategies strategies(host());
+        EXPECT_EQ(strategies.start(scene.procedure), "");
+        ExactTools tools = strategies.tools(scene);
+        for (auto& of_solid : tools.strategies)
+            if (!is_replaced && of_solid.size() > 1) of_solid.resize(1);
+        if (!is_replaced) tools.limit = 100ms;
+        ExactFollower follower(scene, std::move(tools));
+        RunRequest request;
+        request.rehearsal = "expert";
+        RunOutcome outcome;
+        const auto run = Run::create(scene, test::plugins(), request, outcome);
+        if (run == nullptr) throw std::runtime_error(outcome.error);
+        while (run->step()) follower.follow(run->simulation());
+        ExactSurface made = follower.finish(run->simulation(), {}, {});
+        EXPECT_EQ(run->finish().summary.hash, plain_run("local").summary.hash);
+        return made;
+    }
+};
 
 TEST_P(ExactAnimals, CostTheSurfaceAndNotTheRun) {
-    const Scene scene = leg_with(GetParam());
-    ExactStrategies strategies;
-    ASSERT_EQ(strategies.start(zoo, scene.procedure), "");
-    ExactTools tools = strategies.tools(scene);
-    tools.limit = 100ms;
-    ExactFollower follower(scene, std::move(tools));
-    RunRequest request;
-    request.rehearsal = "expert";
-    RunOutcome outcome;
-    const auto run = Run::create(scene, test::plugins(), request, outcome);
-    ASSERT_NE(run, nullptr) << outcome.error;
-    while (run->step()) follower.follow(run->simulation());
-    const ExactSurface made = follower.finish(run->simulation(), {}, {});
+    const ExactSurface made = cut_by(GetParam(), false);
     EXPECT_NE(made.error.find("no exact surface could be made"), std::string::npos) << made.error;
-    EXPECT_EQ(run->finish().summary.hash, plain_run("local").summary.hash);
 }
 
-INSTANTIATE_TEST_SUITE_P(Zoo, ExactAnimals, testing::Values("dies", "hangs", "flips_a_face", "drops_a_face"),
+INSTANTIATE_TEST_SUITE_P(Zoo, ExactAnimals,
+                         testing::Values("dies", "hangs", "flips_a_face", "drops_a_face", "stays_as_it_was", "declines",
+                                         "shrinks", "splits_every_face"),
                          [](const auto& strategy) { return std::string(strategy.param); });
+
+using ExactReplacement = ExactAnimals;
+
+TEST_F(ExactReplacement, CutsWhatAnAnimalLeavesAndNamesIt) {
+    const ExactSurface made = cut_by("stays_as_it_was", true);
+    EXPECT_EQ(made.error, "");
+    EXPECT_EQ(made.digest, plain_run("exact").afterwards.digest);
+    EXPECT_GE(made.handed_over, 1);
+    const auto names_it = [](const std::string& note) {
+        return note.find("`test.animals.stays_as_it_was`") != std::string::npos &&
+               note.find("bone is left in the path of the tool") != std::string::npos;
+    };
+    EXPECT_TRUE(std::any_of(made.notes.begin(), made.notes.end(), names_it));
+}
 
 TEST(ExactFollower, ShowsTheSurfaceWhileItIsCut) {
     const Scene scene = leg_with("local");
-    ExactStrategies strategies;
-    ASSERT_EQ(strategies.start(folders, scene.procedure), "");
+    ExactStrategies strategies(host());
+    ASSERT_EQ(strategies.start(scene.procedure), "");
     RunRequest request;
     request.rehearsal = "expert";
     request.strategies = &strategies;

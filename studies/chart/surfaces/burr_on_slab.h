@@ -11,7 +11,7 @@
 #include "core/import/surface/surface_mesh.h"
 #include "core/remesh/cut_path.h"
 #include "core/remesh/tagged_mesh.h"
-#include "kerf/draft/remesh.h"
+#include "kerf/remesh.h"
 
 /// A round burr and a slab of bone, whose grooves and holes have known volumes. For training and research; not for
 /// diagnosis, planning or deciding treatment.

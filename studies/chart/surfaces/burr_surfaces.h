@@ -20,11 +20,15 @@ struct SurfaceRow {
     GrooveSurface made{};
 };
 
-/// A strategy by its id; empty where there is none.
+/// The strategies that are compared, by full id: the burr's own, what cuts what that declines, and the reference.
+inline constexpr const char* surface_strategies[] = {"kerf.burring.displace", "kerf.remesh_cgal.local",
+                                                     "kerf.remesh_cgal.exact"};
+
+/// A strategy by its full id; empty where there is none.
 using FindStrategy = std::function<AskStrategy(const std::string& id)>;
 
-/// Field, `displace` with `local` for what it declines, and `exact`, on the grooves of a scene; none where the scene
-/// has no groove, or a strategy is missing.   [main]
+/// Field, the burr's strategy with the second for what it declines, and the reference, on the grooves of a scene; none
+/// where the scene has no groove, or a strategy is missing.   [main]
 /// @param quick  two values of each knob
 [[nodiscard]] std::vector<SurfaceRow> burr_surfaces(const std::string& scene, const FindStrategy& find, bool quick);
 

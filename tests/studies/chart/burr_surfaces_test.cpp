@@ -24,15 +24,16 @@ const Clock clock_of = [](const auto& work) { return processor_time_of(work); };
 
 /// The strategies as kerf-remesh opens them.
 struct Modules {
-    std::unique_ptr<RemeshModule> displace, cgal;
+    std::unique_ptr<RemeshModule> burring, cgal;
 
     Modules() {
         std::string error;
-        displace = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_displace.so", error);
-        cgal = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", error);
+        burring = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_burring.so", error);
+        cgal = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
     }
-    [[nodiscard]] AskStrategy find(const std::string& id) const {
-        const kerf_remesher* found = displace->find(id) != nullptr ? displace->find(id) : cgal->find(id);
+    [[nodiscard]] AskStrategy find(const std::string& full_id) const {
+        const std::string id = full_id.substr(full_id.rfind('.') + 1);
+        const kerf_component* found = burring->find(id) != nullptr ? burring->find(id) : cgal->find(id);
         return [found](const RemeshRequest& request) { return remesh_here(*found, request); };
     }
 };
