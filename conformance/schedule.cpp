@@ -75,7 +75,8 @@ std::vector<SubjectName> subjects_in(const std::string& path, std::string& plugi
         Json answer{{"plugin", std::string(entry.plugin_id) + " " + plain(entry.plugin_version)},
                     {"subjects", Json::array()}};
         for (const SubjectName& name : subjects_of(entry))
-            answer["subjects"].push_back({static_cast<int>(name.scope), name.name, name.tool, name.force});
+            answer["subjects"].push_back(
+                {static_cast<int>(name.scope), name.name, name.tool, name.force, name.strategy});
         return answer.dump(-1, ' ', false, Json::error_handler_t::replace);
     });
     const Json answer = ended.how == Ended::How::returned ? Json::parse(ended.text, nullptr, false) : Json();
@@ -86,7 +87,7 @@ std::vector<SubjectName> subjects_in(const std::string& path, std::string& plugi
     plugin = answer["plugin"];
     std::vector<SubjectName> names;
     for (const Json& one : answer["subjects"])
-        names.push_back({static_cast<Scope>(one[0].get<int>()), one[1], one[2], one[3]});
+        names.push_back({static_cast<Scope>(one[0].get<int>()), one[1], one[2], one[3], one[4]});
     return names;
 }
 
@@ -185,8 +186,16 @@ void run_tests(const std::string& path, const Selection& selection,
     std::string plugin, why_not;
     const std::vector<SubjectName> subjects = subjects_in(path, plugin, why_not);
     if (!plugin.empty()) on_plugin(plugin);
+    const auto has = [&](Scope scope) {
+        return std::any_of(subjects.begin(), subjects.end(), [&](const SubjectName& s) { return s.scope == scope; });
+    };
     for (const Test& test : all_tests()) {
         if (test.scope == Scope::file) continue;
+        // Few plugins have tools and strategies: what one kind has not is no gap of the other's.
+        const bool is_of_strategies = test.scope == Scope::strategy;
+        const bool is_of_tools = test.scope == Scope::tool || test.scope == Scope::law;
+        if (is_of_strategies && !has(Scope::strategy)) continue;
+        if (is_of_tools && has(Scope::strategy) && !has(Scope::tool) && !has(Scope::law)) continue;
         const std::size_t before = others.size();
         for (const SubjectName& subject : subjects)
             if (subject.scope == test.scope) add(test, subject, others);

@@ -17,5 +17,6 @@ namespace kerf::conformance {
 [[nodiscard]] std::span<const Test> real_time_tests();  // level 3: what it does between pose and force
 [[nodiscard]] std::span<const Test> range_tests();      // level 3: over parameters, drives, bone, ticks
 [[nodiscard]] std::span<const Test> physics_tests();    // level 4
+[[nodiscard]] std::span<const Test> strategy_tests();   // levels 3 and 4: remeshing strategies
 
 }  // namespace kerf::conformance
