@@ -5,7 +5,6 @@
 #     bin/kerf                 the program, core's runtime in it
 #     libexec/kerf             the programs that it starts
 #     lib/kerf/*.so            plugins, each by its own kerf_add_plugin()
-#     lib/kerf-remesh/*.so     remeshing strategies
 #     share/kerf/procedures    procedures and their anatomies
 #     share/doc/kerf           the documentation
 #   component sdk
@@ -15,7 +14,7 @@
 #     lib/cmake/kerf           find_package(kerf): kerf::sdk, kerf::program, kerf_add_plugin(); COMPONENTS run: kerf::run
 #     share/kerf/examples      plugins and a program to begin with, each a project of its own
 #   component remesh_cgal, under the GPL
-#     lib/kerf-remesh/kerf_remesh_cgal.so
+#     lib/kerf/kerf_remesh_cgal.so
 #
 # `./dev run` builds less than all. A rule for what it leaves out is OPTIONAL, so that `cmake --install` works after it
 # (tests/house/install.sh).
@@ -29,6 +28,7 @@ install(FILES
   ${CMAKE_CURRENT_LIST_DIR}/kerfConfig.cmake
   ${CMAKE_CURRENT_LIST_DIR}/KerfPlugin.cmake
   ${CMAKE_CURRENT_LIST_DIR}/KerfPluginTest.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/kerf_plugin.map
   ${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake
   DESTINATION ${kerf_package} COMPONENT sdk)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/procedures/ DESTINATION share/kerf/procedures FILES_MATCHING PATTERN "*.yaml")

@@ -3,19 +3,22 @@
 include_guard(GLOBAL)
 include(CheckCXXCompilerFlag)
 set(KERF_PLUGIN_TEST ${CMAKE_CURRENT_LIST_DIR}/KerfPluginTest.cmake CACHE INTERNAL "")
+set(KERF_PLUGIN_MAP ${CMAKE_CURRENT_LIST_DIR}/kerf_plugin.map CACHE INTERNAL "")
 
-# kerf_add_plugin(drilling ENTRY plugin.cpp [SOURCES edge_law.cpp edge_law.h …] [PROCEDURES drill.yaml …]
-#                 [ANATOMIES anatomy/femur.yaml …] [ACCEPTANCE drill.csv …] [FOLDER kerf] [UNCHECKED] [OPTIONAL])
+# kerf_add_plugin(drilling ENTRY plugin.cpp [SOURCES edge_law.cpp edge_law.h …] [LINKS OpenMeshCore …] [PROCEDURES drill.yaml …]
+#                 [ANATOMIES anatomy/femur.yaml …] [ACCEPTANCE drill.csv …] [FOLDER kerf] [COMPONENT program]
+#                 [UNCHECKED] [OPTIONAL])
 #   → kerf_drilling    the module that the host loads, lib/kerf/kerf_drilling.so where built and where installed
 #   → kerf::drilling   SOURCES as a static library, or as an interface library where all of them are headers; tests link it
 #   → drilling.loads   a test: `kerf` loads the module and describes it
 #   → drilling.check   a test: `kerf check` passes it at level 3; not for a plugin that is UNCHECKED
 #   → drilling.accepts.NAME   for each acceptance file NAME.csv a test: the law makes the forces that it holds
 #   → drilling.NAME    for each procedure NAME.yaml a test: all of its rehearsals end as they expect
+# LINKS: libraries of its sources, which only a plugin with a remeshing strategy should need. COMPONENT: that of its installation.
 # FOLDER: below lib; procedures find the modules in `kerf` only. OPTIONAL: `cmake --install` passes over a module that was not
 # built. A plugin outside of Kerf's tree is installed where that Kerf is, unless CMAKE_INSTALL_PREFIX says otherwise.
 function(kerf_add_plugin name)
-  cmake_parse_arguments(arg "UNCHECKED;OPTIONAL" "ENTRY;FOLDER" "SOURCES;PROCEDURES;ANATOMIES;ACCEPTANCE" ${ARGN})
+  cmake_parse_arguments(arg "UNCHECKED;OPTIONAL" "ENTRY;FOLDER;COMPONENT" "SOURCES;LINKS;PROCEDURES;ANATOMIES;ACCEPTANCE" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_ENTRY)
     message(FATAL_ERROR "kerf_add_plugin(${name}): got \"${arg_UNPARSED_ARGUMENTS}\", need ENTRY, the file with KERF_PLUGIN. "
       "Write kerf_add_plugin(${name} ENTRY plugin.cpp), with SOURCES a.cpp a.h for further files.")
@@ -40,9 +43,10 @@ function(kerf_add_plugin name)
   if(arg_SOURCES)
     add_library(kerf::${name} ALIAS kerf_${name}_parts)
     target_include_directories(kerf_${name}_parts ${scope} ${PROJECT_SOURCE_DIR})
-    target_link_libraries(kerf_${name}_parts ${scope} kerf::sdk)
+    target_link_libraries(kerf_${name}_parts ${scope} kerf::sdk ${arg_LINKS})
     target_link_libraries(kerf_${name} PRIVATE kerf_${name}_parts)
   endif()
+  target_link_libraries(kerf_${name} PRIVATE ${arg_LINKS})
 
   check_cxx_compiler_flag(-fno-gnu-unique KERF_COMPILER_HAS_NO_GNU_UNIQUE)
   foreach(part IN LISTS parts)
@@ -60,13 +64,18 @@ function(kerf_add_plugin name)
   endforeach()
   set(folder ${CMAKE_BINARY_DIR}/lib/${arg_FOLDER})
   set_target_properties(kerf_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${folder})
-  target_link_options(kerf_${name} PRIVATE -Wl,--exclude-libs,ALL)
+  target_link_options(kerf_${name} PRIVATE -Wl,--exclude-libs,ALL "-Wl,--version-script=${KERF_PLUGIN_MAP}")
+  set_property(TARGET kerf_${name} APPEND PROPERTY LINK_DEPENDS ${KERF_PLUGIN_MAP})
 
   set(optional)
   if(arg_OPTIONAL)
     set(optional OPTIONAL)
   endif()
-  install(TARGETS kerf_${name} LIBRARY DESTINATION lib/${arg_FOLDER} ${optional})
+  set(component)
+  if(arg_COMPONENT)
+    set(component COMPONENT ${arg_COMPONENT})
+  endif()
+  install(TARGETS kerf_${name} LIBRARY DESTINATION lib/${arg_FOLDER} ${component} ${optional})
   install(FILES ${arg_PROCEDURES} DESTINATION share/kerf/procedures)
   foreach(anatomy IN LISTS arg_ANATOMIES)   # a procedure names it from its own folder
     get_filename_component(beside "${anatomy}" DIRECTORY)

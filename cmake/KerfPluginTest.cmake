@@ -23,7 +23,7 @@ endfunction()
 
 ask(listed list)
 # The folder was the first, so what it holds is listed first.
-if(NOT listed MATCHES "^[a-z]+ +([A-Za-z0-9_.-]+)/")
+if(NOT listed MATCHES "^[a-z]+ +([A-Za-z0-9_.-]+)[/ ]")
   message(FATAL_ERROR "`kerf list` names nothing of ${file}. It says\n${listed}")
 endif()
 ask(described describe ${CMAKE_MATCH_1})

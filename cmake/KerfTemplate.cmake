@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -D FOLDER=<examples/02_round_burr> -D OUT=<header> -P KerfTemplate.cmake
+# cmake -D TOOL=<examples/02_round_burr> -D STRATEGY=<examples/06_groove> -D OUT=<header> -P KerfTemplate.cmake
 #
-# The files of an example as a C++ header, so that `kerf new plugin` needs nothing but the program.
+# The files of two examples as a C++ header, so that `kerf new plugin` needs nothing but the program.
 cmake_minimum_required(VERSION 3.25)
-set(header "// Made from ${FOLDER} by KerfTemplate.cmake.\n#pragma once\n\n")
-string(REGEX REPLACE "^.*/(examples/)" "\\1" shown "${FOLDER}")
-string(REPLACE "${FOLDER}" "${shown}" header "${header}")
+set(header "// Made from examples by KerfTemplate.cmake.\n#pragma once\n\n")
 string(APPEND header "namespace kerf {\n\nstruct NewPluginFile {\n    const char* name;\n    const char* text;\n};\n")
-string(APPEND header "inline constexpr NewPluginFile new_plugin_files[] = {\n")
-file(GLOB files RELATIVE ${FOLDER} ${FOLDER}/*)
-foreach(file IN LISTS files)
-  file(READ ${FOLDER}/${file} text)
-  string(APPEND header "{\"${file}\", R\"kerf(${text})kerf\"},\n")
+foreach(kind TOOL STRATEGY)
+  string(TOLOWER ${kind} name)
+  string(APPEND header "inline constexpr NewPluginFile new_${name}_files[] = {\n")
+  file(GLOB files RELATIVE ${${kind}} ${${kind}}/*)
+  foreach(file IN LISTS files)
+    file(READ ${${kind}}/${file} text)
+    string(APPEND header "{\"${file}\", R\"kerf(${text})kerf\"},\n")
+  endforeach()
+  string(APPEND header "};\n")
 endforeach()
-string(APPEND header "};\n\n}  // namespace kerf\n")
+string(APPEND header "\n}  // namespace kerf\n")
 file(WRITE ${OUT} "${header}")

@@ -3,12 +3,13 @@
 #
 # Who may know whom (docs/overview.md):
 #   core/<layer>    kerf/…, core/<its own layer or an earlier one>/…, third parties; core/sdk only kerf/… and std
-#   plugins/<name>  kerf/…, its own folder, std; CGAL in plugins/remesh_cgal/booleans.cpp alone
+#   plugins/<name>  kerf/…, its own folder, std; CGAL in plugins/remesh_cgal/booleans.cpp, OpenMesh in plugins/burring/displace
 #   devices/<name>  the same; so does bench/as_printed, which is a plugin that only charts and tests find
 #   run/…           kerf/…, core/…, devices/…, run/…, third parties; plugins it finds at run time
 #   conformance/…   kerf/…, core/…, conformance/…, studies/drawing/…, third parties; plugins it is given at run time
 #   studies/…       kerf/…, core/…, devices/…, studies/…, third parties; plugins it finds at run time
-# and core names no plugin: neither its id, nor its module, nor its folder. Comments may, as examples.
+# and core names no plugin: neither its id, nor its module, nor its folder. Nor do core, run and app name a remeshing
+# strategy of a plugin. Comments may, as examples.
 cmake_minimum_required(VERSION 3.25)
 
 set(layers sdk field plugin haptics procedure session import remesh measure)   # each may include itself and those before it
@@ -125,7 +126,7 @@ function(check_plugin_include file content directive folder)
   get_filename_component(beside "${file}" DIRECTORY)
   if(is_angled AND path MATCHES "^CGAL/" AND file STREQUAL "${ROOT}/plugins/remesh_cgal/booleans.cpp")
     return()
-  elseif(is_angled AND path MATCHES "^OpenMesh/" AND folder MATCHES "^plugins/remesh_(cgal|displace)$")
+  elseif(is_angled AND path MATCHES "^OpenMesh/" AND file MATCHES "/plugins/burring/displace/[^/]+$")
     return()
   elseif(path MATCHES "(^|/)\\.\\./")
     # may leave the folder: refused below
@@ -195,6 +196,39 @@ if(names)
     check_core_names("${file}" "${content}" "${names}" "#.*")
   endforeach()
 endif()
+
+# ---- strategies of plugins -------------------------------------------------------------------------------------
+
+# Their ids: the first text of a describe() that states what a strategy gets.
+set(strategies)
+file(GLOB_RECURSE sources "${ROOT}/plugins/*.h")
+foreach(file IN LISTS sources)
+  read("${file}" content)
+  string(REGEX MATCHALL "describe\\([^()]*remeshes_" descriptions "${content}")
+  foreach(description IN LISTS descriptions)
+    if(description MATCHES "describe\\([ \n]*\"([a-z_0-9]+)\"")
+      list(APPEND strategies ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+endforeach()
+if(EXISTS "${ROOT}/plugins/remesh_cgal" AND NOT strategies)
+  message(FATAL_ERROR "layers: found no strategy in plugins. Correct how cmake/check_layers.cmake finds them.")
+endif()
+list(JOIN strategies "|" strategies)
+foreach(folder core/plugin core/procedure core/session core/remesh run app)   # core/import reads words of other formats
+  file(GLOB_RECURSE sources "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cpp")
+  foreach(file IN LISTS sources)
+    read("${file}" content)
+    string(REGEX MATCHALL "\n[^\n]*[\"`.](${strategies})[\"`][^\n]*" lines "${content}")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "//.*" "" code "${line}")
+      if(strategies AND code MATCHES "[\"`.](${strategies})[\"`]")
+        report("${file}" "${content}" "${line}" "${folder} must not name the strategy \"${CMAKE_MATCH_1}\""
+          "none of a plugin's; tools name those that suit them, and procedures name any")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
 
 # ---- plugins and devices -----------------------------------------------------------------------------------------
 

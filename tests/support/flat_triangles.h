@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "core/import/surface/surface_mesh.h"
-#include "kerf/draft/remesh_mesh.hpp"
+#include "kerf/remesh_mesh.hpp"
 
 namespace kerf::test {
 
