@@ -102,6 +102,7 @@ struct OutlineShape {
     double largest_radius;  ///< [m]
     bool is_convex;
     double half_thickness;  ///< [m] of a prism, which is convex; 0: a solid of revolution
+    double bore;            ///< [m] radius of the bore through a hollow solid, which is not convex; 0: none
 };
 
 /// The same in single precision, for samples and for many solids at once.
@@ -116,6 +117,7 @@ struct SingleOutline {
     float front_radius, front_z, back_radius, back_z;
     bool is_convex;
     float half_thickness;  ///< [m] of a prism, which is convex; 0: a solid of revolution
+    float bore;            ///< [m] radius of the bore through a hollow solid, which is not convex; 0: none
 };
 
 /// Samples of a brick: three layers of three rows of nine. Sample (x, y, z) of them lies, in the tool frame [m], at

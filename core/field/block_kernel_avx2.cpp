@@ -619,7 +619,8 @@ inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
     const Four is_between =
         _mm256_and_pd(less(z, all(outline.point[0].z)), less(all(outline.point[outline.count - 1].z), z));
     const Four is_inside = _mm256_and_pd(is_between, less(r, wall_at(outline, z)));
-    return with_sign(_mm256_sqrt_pd(squared_distance(outline, r, z)), is_inside);
+    const Four depth = with_sign(_mm256_sqrt_pd(squared_distance(outline, r, z)), is_inside);
+    return outline.bore > 0.0 ? least(r - all(outline.bore), depth) : depth;
 }
 
 inline Four magnitude(Four a) noexcept { return _mm256_andnot_pd(all(-0.0), a); }
@@ -721,7 +722,8 @@ inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
     }
     const Eight is_between = _mm256_and_ps(less(z, eight(o.front_z)), less(eight(o.back_z), z));
     const Eight distance = _mm256_sqrt_ps(squared_distance(o, r, z));
-    return _mm256_blendv_ps(minus(distance), distance, _mm256_and_ps(is_between, less(r, wall)));
+    const Eight depth = _mm256_blendv_ps(minus(distance), distance, _mm256_and_ps(is_between, less(r, wall)));
+    return o.bore > 0.0f ? least(r - eight(o.bore), depth) : depth;
 }
 /// The depth in a convex solid from that.
 inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) noexcept {
@@ -788,6 +790,11 @@ inline EightPoints way_in(const SingleOutline& o, const EightPoints& p, Eight r)
         return {_mm256_andnot_ps(is_side, _mm256_blendv_ps(minus(in_r), in_r, less(p.x, zero))),
                 _mm256_and_ps(is_side, _mm256_blendv_ps(eight(-1.0f), eight(1.0f), less(p.y, zero))),
                 _mm256_andnot_ps(is_side, in_z)};
+    }
+    if (o.bore > 0.0f) {  // away from the bore
+        const Eight is_bore = less(r - eight(o.bore), depth);
+        in_r = _mm256_blendv_ps(in_r, eight(-1.0f), is_bore);
+        in_z = _mm256_andnot_ps(is_bore, in_z);
     }
     const Eight inwards = _mm256_and_ps(minus(in_r) / r, less(_mm256_setzero_ps(), r));
     return {inwards * p.x, inwards * p.y, in_z};

@@ -325,6 +325,11 @@ void depths(const OutlineShape& outline, std::size_t count, const ConstCoordinat
         const bool is_inside = (z[i] < front.z) & (z[i] > back.z) & (r[i] < wall[i]);
         depths[i] = is_inside ? distance : -distance;
     }
+    if (!(outline.bore > 0.0)) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double to_bore = r[i] - outline.bore;
+        depths[i] = to_bore < depths[i] ? to_bore : depths[i];
+    }
 }
 
 void tangents(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool,
@@ -406,7 +411,8 @@ float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
         wall = z < (n < o.count ? o.face[n].z : o.back_z) ? wall : f.radius + f.slope * (f.z - z);
     }
     const float distance = std::sqrt(squared_distance(o, r, z));
-    return z < o.front_z && o.back_z < z && r < wall ? distance : -distance;
+    const float depth = z < o.front_z && o.back_z < z && r < wall ? distance : -distance;
+    return o.bore > 0.0f ? smaller(r - o.bore, depth) : depth;
 }
 /// The depth from that: in a convex solid less where a point is outside and beyond the edges of its nearest face.
 float depth_from(const SingleOutline& o, float r, float z, float depth) noexcept {
@@ -464,6 +470,10 @@ SinglePoint way_in(const SingleOutline& o, SinglePoint p, float r) noexcept {
     if (o.half_thickness > 0.0f) {
         if (o.half_thickness - std::abs(p.y) < depth) return {0.0f, p.y < 0.0f ? 1.0f : -1.0f, 0.0f};
         return {p.x < 0.0f ? in_r : -in_r, 0.0f, in_z};
+    }
+    if (o.bore > 0.0f && r - o.bore < depth) {  // away from the bore
+        in_r = -1.0f;
+        in_z = 0.0f;
     }
     const float inwards = r > 0.0f ? -in_r / r : 0.0f;
     return {inwards * p.x, inwards * p.y, in_z};

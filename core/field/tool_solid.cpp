@@ -24,8 +24,8 @@ double radius_at(const std::vector<kerf_profile_point>& outline, const std::vect
 
 }  // namespace
 
-ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickness)
-    : outline_(std::move(outline)), half_thickness_(half_thickness) {
+ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickness, double bore)
+    : outline_(std::move(outline)), half_thickness_(half_thickness), bore_(bore) {
     KERF_ASSERT(outline_.size() >= 2, "give the outline at least a tip and an end");
     for (std::size_t i = 0; i < outline_.size(); ++i) {
         KERF_ASSERT(outline_[i].radius >= 0.0, "radii are not negative");
@@ -50,6 +50,8 @@ ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickn
     const auto is_wider = [](const kerf_profile_point& a, const kerf_profile_point& b) { return a.radius < b.radius; };
     if (std::is_sorted(outline_.begin(), outline_.end(), is_wider))
         land_ = std::lower_bound(outline_.begin(), outline_.end(), outline_.back(), is_wider)->z - end_z();
+    if (is_hollow()) is_blunt_ = is_convex_ = false;
+    KERF_ASSERT(bore_ == 0.0 || (bore_ > 0.0 && bore_ < largest_radius_), "a bore is narrower than its solid");
     is_blunt_ = is_blunt_ && segments_.front().normal_z > -0.5 && segments_.back().normal_z < 0.5;
     Fnv1a hash;
     const auto add = [&](double v) { hash.add_bytes(std::bit_cast<std::uint64_t>(v), 8); };
@@ -58,6 +60,7 @@ ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickn
         add(radius);
     }
     add(half_thickness_);
+    if (is_hollow()) add(bore_);
     shape_hash_ = hash.value();
     KERF_ASSERT(is_convex_ || !is_prism(), "give a prism an outline that bends towards the axis only");
 }
@@ -97,8 +100,8 @@ double ToolSolid::distance(double r, double z) const noexcept {
     const auto &front = outline_.front(), &back = outline_.back();
     if (!is_convex_) {
         const bool is_inside = z < front.z && z > back.z && r < radius_at(outline_, segments_, z);
-        const double distance = std::sqrt(squared_distance(r, z));
-        return is_inside ? -distance : distance;
+        const double distance = std::sqrt(squared_distance(r, z)), outer = is_inside ? -distance : distance;
+        return is_hollow() ? std::max(outer, bore_ - r) : outer;
     }
     const auto to_face = [&](const OutlineSegment& s) { return s.offset - (s.normal_r * r + s.normal_z * z); };
     double depth = std::min(front.z - z, z - back.z);
@@ -291,6 +294,11 @@ Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
     if (front.radius > 0.0) consider(std::max(0.0, r - front.radius), p.z - front.z, 0.0, -1.0);
     consider(std::max(0.0, r - back.radius), p.z - back.z, 0.0, 1.0);
 
+    if (is_hollow()) {  // the bore is as near as it is to the side
+        const double off = r - bore_;
+        if (squared(off) < nearest2 && (r < bore_ || distance(p) < 0.0))
+            return r > 0.0 ? Vec3{p.x / r, p.y / r, 0.0} : Vec3{1.0, 0.0, 0.0};
+    }
     const double sign = distance(p) < 0.0 ? 1.0 : -1.0;
     if (nearest2 > 0.0) {
         in_r = sign * off_r;
@@ -346,6 +354,12 @@ double ToolSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) cons
         return exit < 1e299 ? exit : 0.0;
     }
 
+    if (is_hollow()) {  // (x + t dx)² + (y + t dy)² = bore², towards the axis
+        const double A = squared(direction.x) + squared(direction.y);
+        const double B = p.x * direction.x + p.y * direction.y, C = p.x * p.x + p.y * p.y - bore_ * bore_;
+        if (const double discriminant = B * B - A * C; B < 0.0 && discriminant >= 0.0)
+            consider(C / (-B + std::sqrt(discriminant)));
+    }
     for (std::size_t i = 1; i < outline_.size(); ++i) {
         // On the cone r = q + m z:  (x + t dx)² + (y + t dy)² = (q + m z + m t dz)²
         const auto &a = outline_[i - 1], &b = outline_[i];

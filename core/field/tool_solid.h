@@ -12,7 +12,7 @@
 #include "core/field/point_block.h"
 #include "kerf/math.hpp"
 
-/// What a tool removes or is: a solid of revolution about its z axis, or a prism.
+/// What a tool removes or is: a solid of revolution about its z axis, which may be hollow, or a prism.
 namespace kerf {
 
 /// The outline is a polyline (z, radius) from the tip (largest z) backwards; it is closed by the axis and by a flat
@@ -30,8 +30,15 @@ public:
         return ToolSolid(std::move(outline), 0.5 * thickness);
     }
 
-    /// Exact signed distance [m], negative inside. A convex solid's is that to the plane of its nearest face, unless an
-    /// edge of the outline is nearer still.   [any] pure.
+    /// A hollow solid of revolution: a bore of radius `bore` [m] goes all through it. Pre: 0 < bore, less than the
+    /// largest radius (asserted).
+    [[nodiscard]] static ToolSolid hollow(std::vector<kerf_profile_point> outline, double bore) {
+        return ToolSolid(std::move(outline), 0.0, bore);
+    }
+
+    /// Exact signed distance [m], negative inside; outside of a hollow solid, before its rim, no more than that. A
+    /// convex solid's is that to the plane of its nearest face, unless an edge of the outline is nearer still.   [any]
+    /// pure.
     [[nodiscard]] double distance(Vec3 point_in_tool) const noexcept;
 
     /// Minus the distance of a block [m].   [any] pure, nonblocking.
@@ -49,7 +56,8 @@ public:
                 static_cast<float>(back.radius),
                 static_cast<float>(back.z),
                 is_convex_,
-                static_cast<float>(half_thickness_)};
+                static_cast<float>(half_thickness_),
+                static_cast<float>(bore_)};
     }
 
     /// Of a prism's outline those faces that may be the nearest to a point which is no farther than `reach` [m] from
@@ -103,6 +111,8 @@ public:
     [[nodiscard]] std::uint64_t shape_hash() const noexcept { return shape_hash_; }
     [[nodiscard]] bool is_prism() const noexcept { return half_thickness_ > 0.0; }
     [[nodiscard]] double thickness() const noexcept { return 2.0 * half_thickness_; }  ///< [m] of a prism; else 0
+    [[nodiscard]] bool is_hollow() const noexcept { return bore_ > 0.0; }
+    [[nodiscard]] double bore() const noexcept { return bore_; }  ///< [m] radius, of a hollow solid; else 0
 
     /// Eight points around the solid where its outline has `radius` at `z`. Of a prism those on its flat sides stand
     /// away from its edges, which a grid rounds off.   [any] pure.
@@ -129,7 +139,7 @@ public:
     [[nodiscard]] const std::vector<kerf_profile_point>& outline() const noexcept { return outline_; }
 
 private:
-    ToolSolid(std::vector<kerf_profile_point> outline, double half_thickness);
+    ToolSolid(std::vector<kerf_profile_point> outline, double half_thickness, double bore = 0.0);
 
     /// Where a point stands in the plane of the outline.
     [[nodiscard]] double radius_of(Vec3 p) const noexcept {
@@ -141,7 +151,8 @@ private:
     /// The way to the nearest point of the outline, squared.
     [[nodiscard]] double squared_distance(double r, double z) const noexcept;
     [[nodiscard]] OutlineShape shape() const noexcept {
-        return {outline_.data(), segments_.data(), outline_.size(), largest_radius_, is_convex_, half_thickness_};
+        return {
+            outline_.data(), segments_.data(), outline_.size(), largest_radius_, is_convex_, half_thickness_, bore_};
     }
 
     std::vector<kerf_profile_point> outline_;
@@ -150,6 +161,7 @@ private:
     double largest_radius_ = 0.0;
     double land_ = 0.0;
     double half_thickness_ = 0.0;  ///< [m] 0: a solid of revolution
+    double bore_ = 0.0;            ///< [m] 0: it is not hollow
     std::uint64_t shape_hash_ = 0;
     bool is_convex_ = true;
     bool is_blunt_ = true;  ///< its faces meet at 60° or more

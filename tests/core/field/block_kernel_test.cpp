@@ -276,6 +276,7 @@ TEST_F(BothKernels, MeasureTheSameDepths) {
     std::vector<ToolSolid> solids;
     for (const auto& outline : outlines) solids.emplace_back(outline);
     solids.push_back(test::blade_outline(20.0_mm, 5.0_mm, 4.0_mm, 2.0_mm));
+    solids.push_back(ToolSolid::hollow({{0.0, 3.0_mm}, {-1.0_mm, 4.0_mm}, {-9.0_mm, 4.0_mm}}, 2.0_mm));
     std::size_t inside = 0;
     for (const ToolSolid& solid : solids) {
         const auto& outline = solid.outline();
@@ -335,13 +336,14 @@ TEST_F(BothKernels, RaiseTheSameValues) {
             {{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-3.0_mm, 1.5_mm}, {-3.5_mm, 2.5_mm}, {-9.0_mm, 2.5_mm}}),  // a step drill
         ToolSolid({{0.3_mm, 1.0_mm}, {-1.0_mm, 1.5_mm}}),                                               // a flat face
         test::blade_outline(10.0_mm, 3.0_mm, 1.0_mm, 1.0_mm),
+        ToolSolid::hollow({{0.0, 2.0_mm}, {-6.0_mm, 2.0_mm}}, 1.0_mm),
     };
     constexpr double h = 0.25_mm, quantum = 4.0 * h / 32767.0, band = 2.0 * h;
     constexpr std::size_t layers = 3 * stored_edge * stored_edge;
     std::size_t raised = 0, kept = 0, outside = 0;
     for (int n = 0; n < 12 * blocks; ++n) {
         // Three layers of samples somewhere about the tip, and a cell of them
-        const ToolSolid& solid = solids[n % 4];
+        const ToolSolid& solid = solids[static_cast<std::size_t>(n) % std::size(solids)];
         const Quat turn = normalized(Quat{numbers.sound(), numbers.sound(), numbers.sound(), numbers.sound()});
         const Vec3 corner{3e-3 * numbers.sound(), 3e-3 * numbers.sound(), -1e-3 + 3e-3 * numbers.sound()};
         const int first_y = CellPlace::of(numbers.below(3)).first_y;
@@ -430,10 +432,11 @@ TEST_F(BothKernels, FindTheSameSamples) {
 TEST_F(BothKernels, FindTheSameDeepestSolid) {
     const ToolSolid solids[] = {test::drill_outline(1.6_mm, 59.0_deg, 3.0_mm),
                                 ToolSolid({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 0.5_mm}, {-3.0_mm, 1.0_mm}}),
-                                test::blade_outline(10.0_mm, 2.0_mm, 2.0_mm, 1.5_mm)};
+                                test::blade_outline(10.0_mm, 2.0_mm, 2.0_mm, 1.5_mm),
+                                ToolSolid::hollow({{0.0, 2.0_mm}, {-3.0_mm, 2.0_mm}}, 1.0_mm)};
     std::size_t found = 0, outside = 0;
     for (int n = 0; n < blocks; ++n) {
-        const ToolSolid& solid = solids[n % 3];
+        const ToolSolid& solid = solids[static_cast<std::size_t>(n) % std::size(solids)];
         std::vector<Frame> frames;
         std::vector<SingleFrame> single_frames;
         for (int i = 0; i < 9; ++i) {

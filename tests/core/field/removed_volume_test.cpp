@@ -54,6 +54,20 @@ TEST(BoneVolume, AFlatCutTakesWhatItOverlaps) {
         EXPECT_NEAR((whole - bone_volume(body, cut_to(body, depth))) / area, depth, 0.01 * h) << depth / h;
 }
 
+TEST(RemovedVolume, OfATubeIsThatOfItsRing) {
+    constexpr double outer = 2.0_mm, inner = 1.3_mm, deep = 1.5_mm, fine = 0.1_mm;
+    const Body body = test::block({-3.0_mm, -3.0_mm, -3.0_mm}, {3.0_mm, 3.0_mm, 0}, fine, {0.31, 0.17, 0.73});
+    CutField cut(body, 4096);
+    CutRecord record;
+    record.from = test::pointing({0, 0, 0.5_mm}, {0, 0, -1});
+    record.to = test::pointing({0, 0, -deep}, {0, 0, -1});
+    cut.stamp(record, ToolSolid::hollow({{0.0, outer}, {-5.0_mm, outer}}, inner));
+    RemovedVolume removed(body);
+    removed.update(cut);
+    const double ring = pi * (outer * outer - inner * inner) * deep;
+    EXPECT_NEAR(removed.total(), ring, 0.01 * ring);
+}
+
 TEST(RemovedVolume, IsWhatTheBoneLost) {
     const Body body = half_space();
     const double whole = bone_volume(body, CutField(body, 0));

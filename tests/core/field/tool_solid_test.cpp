@@ -25,6 +25,27 @@ TEST(ToolSolid, DistanceIsThatOfConeWallAndCap) {
     EXPECT_NEAR(tool.distance({0, 0, -1.0_mm}), -1.0_mm / std::sqrt(2.0), 1e-15);  // on the axis, below the cone
 }
 
+TEST(ToolSolid, DistanceToATubeIsThatOfBothWalls) {
+    const ToolSolid tube = ToolSolid::hollow({{0.0, 4.0_mm}, {-10.0_mm, 4.0_mm}}, 3.0_mm);
+    EXPECT_NEAR(tube.distance({3.4_mm, 0, -5.0_mm}), -0.4_mm, 1e-15) << "nearer to the bore";
+    EXPECT_NEAR(tube.distance({0, 3.7_mm, -5.0_mm}), -0.3_mm, 1e-15) << "nearer to the side";
+    EXPECT_NEAR(tube.distance({3.5_mm, 0, -0.2_mm}), -0.2_mm, 1e-15) << "nearer to the rim";
+    EXPECT_NEAR(tube.distance({1.0_mm, 0, -5.0_mm}), 2.0_mm, 1e-15) << "in the bore";
+    EXPECT_NEAR(tube.distance({6.0_mm, 0, -5.0_mm}), 2.0_mm, 1e-15);
+    EXPECT_NEAR(tube.distance({3.5_mm, 0, 1.0_mm}), 1.0_mm, 1e-15) << "before the rim";
+    EXPECT_FALSE(tube.is_convex());
+}
+
+TEST(ToolSolid, APointLeavesATubeIntoItsBore) {
+    const ToolSolid tube = ToolSolid::hollow({{0.0, 4.0_mm}, {-10.0_mm, 4.0_mm}}, 3.0_mm);
+    EXPECT_NEAR(tube.travel_to_leave({3.4_mm, 0, -5.0_mm}, {-1, 0, 0}), 0.4_mm, 1e-12);
+    EXPECT_NEAR(tube.travel_to_leave({3.4_mm, 0, -5.0_mm}, {1, 0, 0}), 0.6_mm, 1e-12);
+    EXPECT_NEAR(tube.travel_to_leave({3.4_mm, 0, -5.0_mm}, {0, 0, 1}), 5.0_mm, 1e-12);
+    EXPECT_EQ(tube.travel_to_leave({1.0_mm, 0, -5.0_mm}, {1, 0, 0}), 0.0) << "it is in no bone's way";
+    const Vec3 in = tube.way_in({3.2_mm, 0, -5.0_mm});
+    EXPECT_NEAR(in.x, 1.0, 1e-12) << "away from the bore";
+}
+
 TEST(ToolSolid, APointLeavesAlongTheAxisThroughTheCone) {
     // At radius 1 mm the cone's face is 1 mm behind the tip.
     EXPECT_NEAR(tool.travel_to_leave({1.0_mm, 0, -4.0_mm}, {0, 0, 1}), 3.0_mm, 1e-12);
