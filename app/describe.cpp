@@ -55,6 +55,8 @@ std::string about(const ComponentInfo& component) {
         text += std::string("  gets ") +
                 (component.scope == KERF_REMESH_PATCH ? "the faces near each cut" : "the whole mesh") +
                 (component.kernel.empty() ? "" : "; results depend on " + component.kernel) + "\n";
+    if (component.feed == KERF_FEED_SIDE) text += "  fed across its axis, towards its x\n";
+    if (component.feed == KERF_FEED_TURN) text += "  fed by turning\n";
     if (!component.strategies.empty()) text += "  strategies that suit it: " + listed(component.strategies) + "\n";
     text += about_values("parameters, with default and range", component.parameters);
     text += about_values("drives, with default and range", component.drives);

@@ -25,10 +25,10 @@ bool is_fault(Examination& exam, const TickResult& tick, const ToolRig&) {
     return tick.is_quarantined;
 }
 
-double mean_thrust(const std::vector<TickResult>& ticks, double share) {
+double mean_thrust(const ToolRig& rig, const std::vector<TickResult>& ticks, double share) {
     const std::size_t from = ticks.size() - static_cast<std::size_t>(share * static_cast<double>(ticks.size()));
     double sum = 0.0;
-    for (std::size_t i = from; i < ticks.size(); ++i) sum += ticks[i].thrust;
+    for (std::size_t i = from; i < ticks.size(); ++i) sum += rig.thrust(ticks[i]);
     return sum / static_cast<double>(ticks.size() - from);
 }
 
@@ -41,7 +41,7 @@ Fed fed(const Subject& subject, const RigSettings& settings, double speed = feed
     ToolRig rig(subject, settings);
     rig.run_up();
     Fed result;
-    result.thrust = mean_thrust(rig.feed(-above, rig.working_depth(), speed), 0.2);
+    result.thrust = mean_thrust(rig, rig.feed(-above, rig.working_depth(), speed), 0.2);
     result.removed = rig.removed();
     return result;
 }
@@ -53,7 +53,8 @@ std::string percent(double share) { return number(100.0 * share) + " %"; }
 void touches_where_bone_is(Examination& exam) {
     ToolRig rig(*exam.subject, {.is_running = false});
     double most = 0.0;
-    for (const TickResult& tick : rig.feed(-above, -0.1e-3, feed_rate)) most = std::max(most, std::abs(tick.thrust));
+    for (const TickResult& tick : rig.feed(-above, -0.1e-3, feed_rate))
+        most = std::max(most, std::abs(rig.thrust(tick)));
     if (most > slight)
         exam.fail("At rest it makes a force of " + number(most) + " N while its tip is still 0.1 mm above the bone.");
 }
@@ -64,7 +65,7 @@ void rests_on_bone(Examination& exam) {
     TickResult tick;
     for (int i = 0; i < 1500; ++i)
         if (is_fault(exam, tick = rig.push(push), rig)) return;
-    const double depth = -rig.simulation().world_from_tool().position.z;
+    const double depth = rig.depth();
     if (depth > most_depth)
         exam.fail("At rest, pushed with 10 N, its tip sinks " + number(1e3 * depth) +
                   " mm into dense bone. Add contact for a tool that does not cut.");
@@ -79,7 +80,7 @@ void settles(Examination& exam) {
         if (is_fault(exam, rig.push(push), rig)) return;
     double least = 1e300, most = -1e300;
     for (int i = 0; i < 200; ++i) {
-        const double thrust = rig.push(push).thrust;
+        const double thrust = rig.thrust(rig.push(push));
         least = std::min(least, thrust);
         most = std::max(most, thrust);
     }
@@ -188,12 +189,12 @@ void knows_no_ghosts(Examination& exam) {
     ToolRig rig(*exam.subject, {.spacing = 0.2e-3});
     rig.run_up();
     const double deep = rig.working_depth();
-    const double steady = mean_thrust(rig.feed(-above, deep, feed_rate), 0.2);
+    const double steady = mean_thrust(rig, rig.feed(-above, deep, feed_rate), 0.2);
     if (steady < slight) return exam.skip("it makes no thrust in bone");
     for (const TickResult& tick : rig.feed(deep, -above, 5.0 * feed_rate)) static_cast<void>(tick);
     for (int i = 0; i < 100; ++i) static_cast<void>(rig.lead(-above));
     double most = 0.0;
-    for (const TickResult& tick : rig.feed(-above, deep - 0.5e-3, feed_rate)) most = std::max(most, tick.thrust);
+    for (const TickResult& tick : rig.feed(-above, deep - 0.5e-3, feed_rate)) most = std::max(most, rig.thrust(tick));
     const double allowed = std::max(slight, 0.03 * steady);
     if (rig.removed() > 0.0 && most > allowed)
         exam.fail("On its way back into the hole that it has made, it meets " + number(most) +
@@ -211,9 +212,9 @@ void hands_over(Examination& exam) {
         if (is_fault(exam, rig.push(push), rig)) return;
     const auto largest_step = [&](double fraction) {
         rig.drive(fraction);
-        double last = rig.push(push).thrust, largest = 0.0;
+        double last = rig.thrust(rig.push(push)), largest = 0.0;
         for (int i = 0; i < 1500; ++i) {
-            const double thrust = rig.push(push).thrust;
+            const double thrust = rig.thrust(rig.push(push));
             largest = std::max(largest, std::abs(thrust - last));
             last = thrust;
         }
@@ -290,7 +291,7 @@ void does_not_age_in_air(Examination& exam) {
     ToolRig rig(*exam.subject, {});
     rig.run_up();
     for (int i = 0; i < 5000; ++i) static_cast<void>(rig.lead(-above));
-    const double idle = mean_thrust(rig.feed(-above, rig.working_depth(), feed_rate), 0.2);
+    const double idle = mean_thrust(rig, rig.feed(-above, rig.working_depth(), feed_rate), 0.2);
     if (std::abs(idle - fresh) > 0.01 * std::abs(fresh) + slight)
         exam.fail("After five seconds in air it makes " + number(idle) + " N in bone instead of " + number(fresh) +
                   " N: its state drifts while nothing happens.");
@@ -298,40 +299,19 @@ void does_not_age_in_air(Examination& exam) {
 
 // ---- what it removes ----------------------------------------------------------------------------------------------
 
-/// Volume that the cutting part sweeps below a face when it is led straight in to `depth` [m³]; `with_crests`: with
-/// the cylinder over its thread, as crests that are not turned shear the bone between them.
-double swept(const ToolOutline& outline, double depth, bool with_crests = false) {
-    constexpr int pieces = 2000;
-    const double ds = depth / pieces;
-    double sum = 0.0, widest = 0.0;
-    for (int i = 0; i < pieces; ++i) {
-        const double behind = (i + 0.5) * ds;  // the tip
-        double radius = 0.0;
-        for (std::size_t p = 0; p + 1 < outline.cutting_count; ++p) {
-            const auto &a = outline.profile[p], &b = outline.profile[p + 1];
-            if (behind < -a.z || behind > -b.z) continue;
-            radius = std::max(radius, a.radius + (b.radius - a.radius) * (behind + a.z) / (a.z - b.z));
-        }
-        if (with_crests && outline.has_thread() && behind >= -outline.profile[outline.thread_count > 2 ? 1 : 0].z)
-            radius = std::max(radius, outline.thread_radius);
-        widest = std::max(widest, radius);
-        sum += ds * (outline.whole.is_prism() ? 2.0 * widest * outline.cutting.thickness() : pi * widest * widest);
-    }
-    return sum;
-}
-
 void removes_what_it_sweeps(Examination& exam) {
     ToolRig rig(*exam.subject, {.spacing = 0.2e-3});
     if (rig.outline().cutting_count == 0) return exam.skip("the tool has no cutting part");
     rig.run_up();
     const double depth = rig.working_depth();
     static_cast<void>(rig.feed(-above, depth, feed_rate));
-    const double removed = rig.removed(), expected = swept(rig.outline(), depth);
-    const std::string text = "Fed " + number(1e3 * depth) + " mm into bone, it removes " + number(1e9 * removed) +
-                             " mm³; its cutting part sweeps " + number(1e9 * expected) + " mm³";
+    const double removed = rig.removed(), expected = rig.swept(depth);
+    const std::string text = "Fed " + number(1e3 * depth) + " mm into bone" +
+                             (rig.is_fed_sideways() ? ", lying on its side" : ", tip first") + ", it removes " +
+                             number(1e9 * removed) + " mm³; its cutting part sweeps " + number(1e9 * expected) + " mm³";
     if (removed < 0.9 * expected)
         exam.fail(text + ". Request `cut` in each tick in which it cuts.");
-    else if (const double most = swept(rig.outline(), depth, true); removed > 1.05 * most)
+    else if (const double most = rig.swept(depth, true); removed > 1.05 * most)
         exam.fail(text + (rig.outline().has_thread() ? ", with its crests " + number(1e9 * most) + " mm³." : "."));
     else
         exam.note(percent(removed / expected) + " of what it sweeps");

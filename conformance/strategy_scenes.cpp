@@ -106,6 +106,16 @@ std::vector<RemeshScene> make_scenes() {
                           2.0 * w * k * h,
                           2.0 * w * k + 2.0 * h * (2.0 * w + k)});
     }
+    {
+        // A tube of radii r and b: V = π (r² − b²) h. The core stays.
+        constexpr double r = 2.5_mm, b = 1.7_mm, h = 2.0_mm;
+        const ToolSolid tube = ToolSolid::hollow({{0.0, r}, {-20.0_mm, r}}, b);
+        scenes.push_back({"a ring 2 mm deep by a tube of 5 mm",
+                          tube,
+                          {down(0.1_mm, 0.2_mm, 1.0_mm), down(0.1_mm, 0.2_mm, -h), 0},
+                          pi * (r * r - b * b) * h,
+                          pi * (r * r - b * b) + 2.0 * pi * (r + b) * h});
+    }
     scenes.push_back({"a pass 0.5 mm above the bone",
                       ball(2.0_mm),
                       {down(-1.0_mm, 0.0, 0.5_mm), down(1.0_mm, 0.0, 0.5_mm), 0},

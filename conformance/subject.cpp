@@ -78,7 +78,7 @@ const kerf_component& stand_in_for(const kerf_component& law) {
                   .drives = made->drives.data(),
                   .strategies = nullptr,
                   .strategy_count = 0,
-                  .reserved = 0,
+                  .feed = KERF_FEED_AXIS,
                   .shape = &stand_in_shape};
     made->component = {.size = sizeof(kerf_component),
                        .kind = KERF_KIND_TOOL,

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
 #include "conformance/law_walk.h"
 #include "conformance/parameter_sets.h"
+#include "kerf/units.hpp"
 
 namespace kerf::conformance {
 
@@ -60,11 +62,17 @@ Body block(const RigSettings& settings, double half_x, double half_y, double thi
 }
 
 kerf_profile_point widest_of(const ToolOutline& outline) {
-    const std::size_t count = std::max<std::size_t>(outline.cutting_count, 2);
-    kerf_profile_point widest = outline.profile.front();
-    for (std::size_t i = 0; i < std::min(count, outline.profile.size()); ++i)
-        if (outline.profile[i].radius > widest.radius) widest = outline.profile[i];
-    return widest;
+    const auto first = outline.profile.begin() + static_cast<std::ptrdiff_t>(outline.cutting_first);
+    const auto count = std::max<std::size_t>(outline.cutting_count, 2);
+    return *std::max_element(first, first + static_cast<std::ptrdiff_t>(count),
+                             [](const auto& a, const auto& b) { return a.radius < b.radius; });
+}
+
+/// The part of a circle's area that lies deeper than `r` − `depth` on one side [m²].
+double segment_area(double r, double depth) {
+    if (depth <= 0.0 || r <= 0.0) return 0.0;
+    const double h = std::min(depth, r);
+    return r * r * std::acos(1.0 - h / r) - (r - h) * std::sqrt(2.0 * r * h - h * h);
 }
 
 }  // namespace
@@ -73,17 +81,76 @@ ToolRig::ToolRig(const Subject& subject, const RigSettings& settings)
     : settings_(settings),
       setup_(set_up(subject, settings.is_running)),
       outline_(made(setup_)),
-      full_depth_(-widest_of(outline_).z),
-      radius_(widest_of(outline_).radius),
+      widest_(widest_of(outline_)),
       body_([&] {
-          const double across = outline_.whole.is_prism() ? 6e-3 : radius_ + 4e-3;
-          return block(settings, radius_ + 4e-3, across,
-                       settings.thickness > 0.0 ? settings.thickness : working_depth() + 4e-3);
+          const double along = widest_.radius + 4e-3, deep = working_depth() + 4e-3;
+          const double across = is_fed_sideways() ? half_length() : outline_.whole.is_prism() ? 6e-3 : along;
+          return block(settings, along, across, settings.thickness > 0.0 ? settings.thickness : deep);
       }()),
       simulation_(body_, setup_, outline_, gains_for(*find_device("premium-1.5-6dof"), force_scale),
-                  placed(at_depth(-above)), settings.period) {}
+                  placed(fed_to(-above)), settings.period) {}
 
-double ToolRig::working_depth() const noexcept { return std::min(full_depth_ + 1e-3, 6e-3); }
+double ToolRig::working_depth() const noexcept {
+    return is_fed_sideways() ? std::min(0.6 * widest_.radius, 2e-3) : std::min(1e-3 - widest_.z, 6e-3);
+}
+
+/// Half of the length along the shaft of the bone under a tool that lies on it: what cuts, and no more.
+double ToolRig::half_length() const noexcept {
+    return std::max(0.4 * (outline_.cutting.tip_z() - outline_.cutting.end_z()), 0.5e-3);
+}
+
+Pose ToolRig::fed_to(double depth, double tilt, double aside) const noexcept {
+    if (!is_fed_sideways()) return at_depth(depth, tilt, {aside, 0, 0});
+    // Its x into the bone, its shaft along the block's y, its cutting part in the middle.
+    const Quat lying = quat_from_rotation_vector({0, tilt, 0}) * Quat{0.5, -0.5, 0.5, 0.5};
+    const double middle = 0.5 * (outline_.cutting.tip_z() + outline_.cutting.end_z());
+    return {Vec3{aside, 0, widest_.radius - depth} - rotate(lying, {0, 0, middle}), lying};
+}
+
+double ToolRig::depth() {
+    const Pose block_from_tool{rotate(conjugate(settings_.turn), simulation_.world_from_tool().position), {}};
+    return block_from_tool.position.z * -1.0 + (is_fed_sideways() ? widest_.radius : 0.0);
+}
+
+double ToolRig::thrust(const TickResult& tick) const noexcept {
+    return is_fed_sideways() ? force_in_block(tick).z : tick.thrust;
+}
+
+double ToolRig::swept(double depth, bool with_crests) const {
+    constexpr int pieces = 2000;
+    const double bore = outline_.cutting.bore(), tip = outline_.cutting.tip_z(), end = outline_.cutting.end_z();
+    const auto radius_at = [&](double z) {
+        double radius = 0.0;
+        for (std::uint32_t p = outline_.cutting_first; p + 1 < outline_.cutting_first + outline_.cutting_count; ++p) {
+            const auto &a = outline_.profile[p], &b = outline_.profile[p + 1];
+            if (z > a.z || z < b.z) continue;
+            radius = std::max(radius, a.radius + (b.radius - a.radius) * (a.z - z) / (a.z - b.z));
+        }
+        if (with_crests && outline_.has_thread() && z <= outline_.profile[outline_.thread_count > 2 ? 1 : 0].z)
+            radius = std::max(radius, outline_.thread_radius);
+        return radius;
+    };
+    double sum = 0.0;
+    if (is_fed_sideways()) {
+        const double middle = 0.5 * (tip + end), half = std::min(half_length(), 0.5 * (tip - end)),
+                     dz = 2.0 * half / pieces;
+        for (int i = 0; i < pieces; ++i) {
+            const double radius = radius_at(middle - half + (i + 0.5) * dz), deep = depth - (widest_.radius - radius);
+            sum += dz * (outline_.whole.is_prism() ? std::max(0.0, deep) * outline_.cutting.thickness()
+                                                   : segment_area(radius, deep));
+        }
+        return sum;
+    }
+    double widest = 0.0;
+    const double ds = depth / pieces;
+    for (int i = 0; i < pieces; ++i) {
+        widest = std::max(widest, radius_at(-(i + 0.5) * ds));
+        if (widest > 0.0)
+            sum += ds * (outline_.whole.is_prism() ? 2.0 * widest * outline_.cutting.thickness()
+                                                   : pi * (widest * widest - bore * bore));
+    }
+    return sum;
+}
 
 Pose ToolRig::placed(const Pose& in_block) const noexcept {
     return {rotate(settings_.turn, in_block.position), settings_.turn * in_block.rotation};
@@ -96,7 +163,7 @@ void ToolRig::run_up() {
 
 TickResult ToolRig::lead(const Pose& block_from_tool) { return simulation_.tick_direct({placed(block_from_tool)}); }
 
-TickResult ToolRig::lead(double depth, double aside, double tilt) { return lead(at_depth(depth, tilt, {aside, 0, 0})); }
+TickResult ToolRig::lead(double depth, double aside, double tilt) { return lead(fed_to(depth, tilt, aside)); }
 
 std::vector<TickResult> ToolRig::feed(double from, double to, double speed) {
     const auto count = std::max(1, static_cast<int>(std::lround(std::abs(to - from) / (speed * settings_.period))));
@@ -107,10 +174,9 @@ std::vector<TickResult> ToolRig::feed(double from, double to, double speed) {
 
 TickResult ToolRig::push(double push) {
     constexpr double mass = 0.1, damping = 2.0;  // [kg], [N·s/m] of hand and handle, on the device's side
-    const TickResult tick = simulation_.tick({placed(at_depth(hand_depth_))});
-    const Vec3 shaft = rotate(settings_.turn, Vec3{0, 0, -1});
-    const double force =
-        push * force_scale + dot(linear(tick.command.wrench), shaft) - damping * hand_speed_;  // along the shaft
+    const TickResult tick = simulation_.tick({placed(fed_to(hand_depth_))});
+    const Vec3 down = rotate(settings_.turn, Vec3{0, 0, -1});
+    const double force = push * force_scale + dot(linear(tick.command.wrench), down) - damping * hand_speed_;
     hand_speed_ += settings_.period * force / mass;
     hand_depth_ += settings_.period * hand_speed_;
     return tick;

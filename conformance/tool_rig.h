@@ -22,7 +22,8 @@ struct RigSettings {
     bool is_running = true;          ///< its drives at their defaults; else at rest
 };
 
-/// A tool with its law in a block of bone, in a simulation of the host.   [main]
+/// A tool with its law in a block of bone, in a simulation of the host. The tool is fed as it declares: along its axis
+/// with its tip in front; or across its axis, lying on the face with its x into the bone.   [main]
 class ToolRig {
 public:
     /// The subject must outlive it.
@@ -30,9 +31,7 @@ public:
     ToolRig(const ToolRig&) = delete;
     ToolRig& operator=(const ToolRig&) = delete;
 
-    /// How deep its cutting part has its full width [m], and how wide that is.
-    [[nodiscard]] double full_depth() const noexcept { return full_depth_; }
-    [[nodiscard]] double radius() const noexcept { return radius_; }
+    [[nodiscard]] bool is_fed_sideways() const noexcept { return setup_.tool->tool->feed == KERF_FEED_SIDE; }
     /// How deep a tool is fed so that it cuts with its full width [m].
     [[nodiscard]] double working_depth() const noexcept;
     [[nodiscard]] Simulation& simulation() noexcept { return simulation_; }
@@ -42,7 +41,15 @@ public:
     void run_up();
     /// One tick with the tool led to a pose of the block.
     TickResult lead(const Pose& block_from_tool);
+    /// One tick with the tool led to a depth: of its tip, or of its side where it is widest [m].
     TickResult lead(double depth, double aside = 0.0, double tilt = 0.0);
+    /// How deep the tool is now [m].
+    [[nodiscard]] double depth();
+    /// The force of the bone against the feed [N].
+    [[nodiscard]] double thrust(const TickResult& tick) const noexcept;
+    /// The volume below the face that its cutting part sweeps on its way to `depth` [m³]; `with_crests`: with the
+    /// cylinder over its thread, as crests that are not turned shear the bone between them.
+    [[nodiscard]] double swept(double depth, bool with_crests = false) const;
     /// Leads the tool straight from one depth to the other at `speed` [m/s], and returns the ticks.
     std::vector<TickResult> feed(double from, double to, double speed);
     /// One tick with a hand of 10 kg on the bone's side that pushes straight down with `push` [N].
@@ -57,11 +64,13 @@ public:
 
 private:
     [[nodiscard]] Pose placed(const Pose& in_block) const noexcept;
+    [[nodiscard]] Pose fed_to(double depth, double tilt = 0.0, double aside = 0.0) const noexcept;
+    [[nodiscard]] double half_length() const noexcept;
 
     RigSettings settings_;
     ToolSetup setup_;
     ToolOutline outline_;
-    double full_depth_ = 0.0, radius_ = 0.0;
+    kerf_profile_point widest_{};                    ///< of what cuts
     double hand_depth_ = -above, hand_speed_ = 0.0;  ///< [m], [m/s]
     Body body_;
     Simulation simulation_;

@@ -13,6 +13,7 @@
 #include "core/session/recorder.h"
 #include "core/session/write_file.h"
 #include "run/exact/compare_strategies.h"
+#include "run/planned_feed.h"
 #include "run/run_checks.h"
 #include "studies/plan/plan_text.h"
 
@@ -110,7 +111,8 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         task.tool = info_of(plugins, *instrument, KERF_KIND_TOOL);
         task.force = info_of(plugins, *instrument, KERF_KIND_FORCE);
         task.gains = scene.gains;
-        task.way = {scene.frames[s].pose_at({.depth = -in_air_before_entry}), in_air_before_entry + depth, step.feed};
+        task.way = {planned_pose(scene, s, -in_air_before_entry), planned_direction(scene, s),
+                    in_air_before_entry + depth, step.feed};
         task.spacing = procedure.spacing;
         task.coarsest = coarsest_spacing(scene.tool(s).outline.cutting);
         task.accuracy = procedure.accuracy;

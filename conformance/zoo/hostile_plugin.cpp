@@ -71,7 +71,11 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
     if (out->profile_capacity < std::size(points)) return KERF_CAPACITY;
     std::copy(std::begin(points), std::end(points), out->profile);
     out->profile_count = is("empty_outline") ? 0u : is("huge_outline") ? 2000000000u : 4u;
-    out->cutting_count = is("cuts_beyond_its_outline") ? 9u : 3u;
+    out->cutting_count = is("cuts_beyond_its_outline") ? 9u : is("has_an_empty_cutting_part") ? 0u : 3u;
+    if (is("has_an_empty_cutting_part")) out->cutting_first = 2;
+    if (is("begins_beyond_its_outline")) out->cutting_first = 7;
+    if (is("has_a_bore_wider_than_itself")) out->bore = 2e-3;
+    if (is("has_a_negative_bore")) out->bore = -1e-3;
     if (is("thread_in_its_core")) out->thread_radius = 0.1e-3;
     if (is("thread_without_lead")) out->thread_radius = 2e-3;
     if (is("stays_without_thread")) out->stay_count = 1;
@@ -261,6 +265,7 @@ void fill_components() {
     if (is("twin_components")) components[1].id = "burr";
     if (is("component_of_another_world")) components[1].kind = 77;
     if (is("tool_of_another_version")) components[0].version = KERF_TOOL_VERSION + 1;
+    if (is("is_fed_backwards")) tool.feed = 9;
     if (is("uses_what_is_reserved")) components[0].reserved = 1;
     if (is("null_component_id")) components[0].id = nullptr;
     if (is("dangling_parameters")) components[0].params = reinterpret_cast<kerf_param*>(std::uintptr_t{64});

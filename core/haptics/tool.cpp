@@ -61,7 +61,9 @@ kerf_solid ToolOutline::solid() const noexcept {
             .kind = static_cast<std::uint32_t>(whole.is_prism() ? KERF_SOLID_PRISM : KERF_SOLID_REVOLUTION),
             .profile = profile.data(),
             .profile_count = static_cast<std::uint32_t>(profile.size()),
-            .cutting_count = cutting_count};
+            .cutting_first = cutting_first,
+            .cutting_count = cutting_count,
+            .bore = cutting.bore()};
 }
 
 kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, double dt) noexcept {
@@ -119,6 +121,21 @@ std::string fault_of_bending(const kerf_tool_shape& shape) {
     return {};
 }
 
+/// A bore leaves a wall all around.
+std::string fault_of_bore(const kerf_tool_shape& shape) {
+    if (shape.bore == 0.0) return {};
+    if (shape.kind != KERF_SOLID_REVOLUTION)
+        return "`bore` is " + in_mm(shape.bore) + ", expected 0 mm: only a solid of revolution has one.";
+    if (shape.cutting_count == 0)
+        return "`bore` is " + in_mm(shape.bore) + ", expected 0 mm: the tool removes no bone.";
+    double narrowest = widest;
+    for (std::uint32_t i = 0; i < shape.cutting_count; ++i)
+        narrowest = std::min(narrowest, shape.profile[shape.cutting_first + i].radius);
+    if (shape.bore > 0.0 && shape.bore < narrowest) return {};
+    return "`bore` is " + in_mm(shape.bore) + ", expected 0 mm, or more and less than " + in_mm(narrowest) +
+           ", the narrowest radius of what cuts. Make the tool wider or the bore narrower.";
+}
+
 /// What the carver cannot take. It follows every outline that does not turn back along the axis, however its radius
 /// rises and falls (tests/core/field/outline_sweep_test.cpp), so nothing else is asked of one.
 std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacity) {
@@ -128,9 +145,16 @@ std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacit
     };
     if (shape.profile_count < 2 || shape.profile_count > capacity)
         return count("profile_count", shape.profile_count, 2, capacity);
-    if (shape.cutting_count == 1 || shape.cutting_count > shape.profile_count)
-        return "`cutting_count` is " + std::to_string(shape.cutting_count) + ", expected 0, or 2 … " +
-               std::to_string(shape.profile_count) + ".";
+    if (shape.cutting_first >= shape.profile_count)
+        return count("cutting_first", shape.cutting_first, 0, shape.profile_count - 1);
+    const std::uint32_t behind = shape.profile_count - shape.cutting_first;
+    if (shape.cutting_count == 1 || shape.cutting_count > behind ||
+        (shape.cutting_count == 0 && shape.cutting_first > 0))
+        return "`cutting_count` is " + std::to_string(shape.cutting_count) +
+               (shape.cutting_first > 0 ? " from point " + std::to_string(shape.cutting_first) + " on" : "") +
+               ", expected " + (shape.cutting_first > 0 ? "" : "0, or ") + "2 … " + std::to_string(behind) +
+               (shape.cutting_first > 0 ? ": what cuts has two points at least. List some after `safe()`." : ".");
+    if (shape.reserved != 0) return "`reserved` is " + std::to_string(shape.reserved) + ", expected 0.";
     for (std::uint32_t i = 0; i < shape.profile_count; ++i) {
         const auto& [z, radius] = shape.profile[i];
         if (!std::isfinite(z)) return point(i, "z", z, "a finite number");
@@ -140,6 +164,7 @@ std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacit
                          "less than " + in_mm(shape.profile[i - 1].z) +
                              ", the `z` of the point before it: list the points from the tip backwards");
     }
+    if (const std::string fault = fault_of_bore(shape); !fault.empty()) return fault;
     if (!std::isfinite(shape.grip_z)) return "`grip_z` is " + in_mm(shape.grip_z) + ", expected a finite number.";
     if (shape.hands > 2) return count("hands", shape.hands, 0, 2);
     return fault_of_bending(shape);
@@ -171,6 +196,9 @@ std::string fault_of_thread(const kerf_tool_shape& shape) {
         return "`thread_radius` is " + in_mm(shape.thread_radius) +
                ", expected 0 mm: only a solid of revolution that removes bone has one.";
     double core = 0.0;
+    if (shape.cutting_first > 0 || shape.bore > 0.0)
+        return "`thread_radius` is " + in_mm(shape.thread_radius) +
+               ", expected 0 mm: what has a thread cuts from its tip on, and has no bore.";
     for (std::uint32_t i = 0; i < shape.cutting_count; ++i) core = std::max(core, shape.profile[i].radius);
     if (!(shape.thread_radius >= core && shape.thread_radius < widest))
         return "`thread_radius` is " + in_mm(shape.thread_radius) + ", expected 0 mm, or " + in_mm(core) +
@@ -211,6 +239,7 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     }
     out.handling = {shape.grip_z, shape.hands == 2 ? 2 : 1, {shape.tip_deflection, shape.tip_slope}};
     out.profile.assign(points, points + shape.profile_count);
+    out.cutting_first = shape.cutting_first;
     out.cutting_count = shape.cutting_count;
     if (const std::string fault = fault_of_thread(shape); !fault.empty()) {
         error = std::string("tool `") + setup.tool->id + "` gives a thread that cannot be: " + fault;
@@ -230,12 +259,13 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
                 "gyration above 0 mm.";
         return false;
     }
+    const kerf_profile_point* const cutting = points + shape.cutting_first;
     if (shape.kind == KERF_SOLID_PRISM) {
         if (const std::string fault = fault_of_prism(shape); !fault.empty()) {
             error = std::string("tool `") + setup.tool->id + "` gives a prism that is no blade: " + fault;
             return false;
         }
-        out.cutting = ToolSolid::prism({points, points + shape.cutting_count}, shape.kerf);
+        out.cutting = ToolSolid::prism({cutting, cutting + shape.cutting_count}, shape.kerf);
         out.whole = ToolSolid::prism({points, points + shape.profile_count}, shape.thickness);
         return true;
     }
@@ -244,7 +274,8 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
                 "; this Kerf knows 1, a solid of revolution, and 2, a prism.";
         return false;
     }
-    out.cutting = ToolSolid({points, points + shape.cutting_count});
+    const std::vector<kerf_profile_point> region{cutting, cutting + shape.cutting_count};
+    out.cutting = shape.bore > 0.0 ? ToolSolid::hollow(region, shape.bore) : ToolSolid(region);
     if (out.has_thread())
         out.crest = ToolSolid({{points[shape.thread_count > 2 ? 1 : 0].z, out.thread_radius},  // behind the tip
                                {points[shape.thread_count - 1].z, out.thread_radius}});

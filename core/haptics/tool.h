@@ -42,7 +42,7 @@ struct ToolOutline {
     ToolSolid crest;                          ///< with a thread: the cylinder over it
     ToolSolid staying;                        ///< of an implant: all that stays, with its head
     std::vector<kerf_profile_point> profile;  ///< as the plugin gave it
-    std::uint32_t cutting_count = 0;
+    std::uint32_t cutting_first = 0, cutting_count = 0;
 
     [[nodiscard]] bool has_thread() const noexcept { return thread_radius > 0.0; }
     [[nodiscard]] bool is_implant() const noexcept { return stay_count > 0; }

@@ -278,7 +278,8 @@ std::string fault_of_tool(const kerf_tool* tool) {
     if (std::string fault = fault_of_size("kerf_tool", tool->size, sizeof *tool); !fault.empty())
         return "tool: " + fault;
     if (tool->shape == nullptr) return got("tool.shape", "null", "a function", "Point to it.");
-    if (std::string fault = fault_of_reserved(tool->reserved); !fault.empty()) return "tool: " + fault;
+    if (tool->feed > KERF_FEED_TURN)
+        return got("tool.feed", std::to_string(tool->feed), "0 (axis), 1 (side) or 2 (turn)", "Write one of them.");
     if (std::string fault = fault_of_strategies(*tool); !fault.empty()) return fault;
     return fault_of_table("drive", "drive", tool->drives, tool->drive_count, KERF_MAX_DRIVES);
 }

@@ -62,6 +62,7 @@ struct ComponentInfo {
     std::vector<std::string> tools;       ///< forces only: those of its own plugin that it takes
     std::vector<NeedInfo> needs;          ///< forces only: what it needs of any tool; then `tools` is empty
     std::vector<std::string> strategies;  ///< tools only: remeshing strategies by full id, best first
+    uint32_t feed = KERF_FEED_AXIS;       ///< tools only: KERF_FEED_…
     uint32_t scope = 0;                   ///< strategies only: KERF_REMESH_PATCH or KERF_REMESH_WHOLE
     std::string kernel;                   ///< strategies only: what its results depend on
     std::string module;                   ///< path of its shared library; empty: it is the core's own

@@ -154,6 +154,7 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
         const kerf_feature& f = c.features[i];
         info.features.push_back({f.id, f.help, f.kind, f.param, f.off});
     }
+    if (c.kind == KERF_KIND_TOOL) info.feed = c.tool->feed;
     if (c.kind == KERF_KIND_TOOL)
         info.strategies.assign(c.tool->strategies, c.tool->strategies + c.tool->strategy_count);
     if (c.kind == KERF_KIND_REMESHER) {

@@ -152,6 +152,16 @@ RemeshResult RemeshChild::lost(const std::string& why) {
 }
 
 RemeshResult RemeshChild::remesh(const RemeshRequest& request, std::chrono::milliseconds limit) {
+    RemeshResult result = answer_of(request, limit);
+    if (!is_repeated_ && scope_ == KERF_REMESH_PATCH && result.status == KERF_OK) {
+        is_repeated_ = true;
+        const RemeshResult again = answer_of(request, limit);
+        is_constant_ = again.status == result.status && has_same_bytes(again.mesh, result.mesh);
+    }
+    return is_constant_ ? std::move(result) : failed("the same request gave another result when it was made again");
+}
+
+RemeshResult RemeshChild::answer_of(const RemeshRequest& request, std::chrono::milliseconds limit) {
     if (!is_running()) return failed("the remeshing process is no longer running");
     if (!request_.grow(request_bytes(request)) || !result_.grow(result_bytes(request)))
         return failed("the system gives no memory for this mesh");

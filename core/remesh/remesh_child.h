@@ -38,7 +38,8 @@ public:
     RemeshChild& operator=(const RemeshChild&) = delete;
 
     /// Asks for one result and waits for it. A child that does not answer in time, dies or returns nonsense gives
-    /// KERF_FAILED with a message; so does every request after the last restart.
+    /// KERF_FAILED with a message; so does every request after the last restart. The first patch that is cut is
+    /// requested twice: a strategy whose results differ gets no further one taken.
     [[nodiscard]] RemeshResult remesh(const RemeshRequest& request, std::chrono::milliseconds limit);
 
     [[nodiscard]] std::uint32_t scope() const noexcept { return scope_; }  ///< KERF_REMESH_PATCH or KERF_REMESH_WHOLE
@@ -52,6 +53,7 @@ public:
 
 private:
     explicit RemeshChild(RemeshProgram program) : program_(std::move(program)) {}
+    [[nodiscard]] RemeshResult answer_of(const RemeshRequest& request, std::chrono::milliseconds limit);
     [[nodiscard]] std::string spawn();
     /// Ends the child and waits until it has gone. Returns how it ended, for people.
     std::string end();
@@ -66,6 +68,7 @@ private:
     std::uint32_t scope_ = 0;
     std::string plugin_, kernel_;
     int restarts_ = 0;
+    bool is_repeated_ = false, is_constant_ = true;
 };
 
 }  // namespace kerf

@@ -72,7 +72,7 @@ bool pack(const RemeshRequest& request, const std::vector<double>& parameters, k
         const kerf_offset at = append(arena, profile.data(), profile.size());
         has_room = has_room && (at != 0 || profile.empty());
         solids.push_back({solid->is_prism() ? KERF_SOLID_PRISM : KERF_SOLID_REVOLUTION,
-                          static_cast<std::uint32_t>(profile.size()), at, solid->thickness()});
+                          static_cast<std::uint32_t>(profile.size()), at, solid->thickness(), solid->bore()});
     }
     std::vector<kerf_cut> cuts;
     for (const CutStretch& cut : request.cuts) cuts.push_back({cut.from, cut.to, cut.solid, 0});

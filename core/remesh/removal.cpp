@@ -119,7 +119,8 @@ double spacing_of(const RemeshRequest& request, double allowed) {
     double thinnest = HUGE_VAL;
     for (const ToolSolid* solid : request.solids)
         if (!solid->outline().empty())
-            thinnest = std::min(thinnest, solid->is_prism() ? solid->thickness() : solid->largest_radius());
+            thinnest =
+                std::min(thinnest, solid->is_prism() ? solid->thickness() : solid->largest_radius() - solid->bore());
     return std::max(allowed, 0.25 * thinnest);
 }
 

@@ -36,7 +36,9 @@ std::vector<Vec3> surface_points(const ToolSolid& solid, double apart) {
         for (int step = i == 0 ? 0 : 1; step <= steps; ++step) {
             const double t = static_cast<double>(step) / steps;
             const bool is_first = i == 0 && step == 0, is_last = i + 2 == outline.size() && step == steps;
-            add_section(a.radius + t * (b.radius - a.radius), a.z + t * (b.z - a.z), is_first || is_last);
+            const double z = a.z + t * (b.z - a.z);
+            add_section(a.radius + t * (b.radius - a.radius), z, (is_first || is_last) && !solid.is_hollow());
+            if (solid.is_hollow()) add_section(solid.bore(), z, false);
         }
     }
     return points;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct TaggedMesh {
 [[nodiscard]] inline TaggedMesh tagged(SurfaceMesh mesh) {
     std::vector<std::uint8_t> tags(mesh.triangles.size(), KERF_FACE_SURFACE);
     return {std::move(mesh), std::move(tags)};
+}
+
+/// Whether two meshes have the same bytes.   [any] pure.
+[[nodiscard]] inline bool has_same_bytes(const TaggedMesh& a, const TaggedMesh& b) noexcept {
+    const auto &x = a.mesh.vertices, &y = b.mesh.vertices;
+    return a.tags == b.tags && a.mesh.triangles == b.mesh.triangles && x.size() == y.size() &&
+           (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(Vec3)) == 0);
 }
 
 /// Returns the volume between two surfaces with the same border [m³], or the difference of two closed ones; positive

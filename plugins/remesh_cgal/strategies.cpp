@@ -18,9 +18,11 @@ using Cut = std::function<Outcome(Triangles&, const std::vector<ConvexPart>&, co
 RemeshAnswer answer(const RemeshJob& job, const Cut& cut_mesh) {
     std::vector<ConvexPart> parts;
     const Nudge nudge = Nudge::of(job.seed());
-    for (const SweptTool& cut : job.cuts())
+    for (const SweptTool& cut : job.cuts()) {
+        if (cut.bore > 0.0) return RemeshAnswer::declined("the tool is hollow");
         for (ConvexPart& part : swept_parts({cut.profile, cut.kerf}, cut.from, cut.to, job.tolerance(), nudge))
             parts.push_back(std::move(part));
+    }
     Triangles mesh = job.mesh();
     std::string why;
     switch (cut_mesh(

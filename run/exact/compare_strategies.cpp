@@ -9,6 +9,7 @@
 #include "core/field/removed_volume.h"
 #include "core/import/surface/triangle_tree.h"
 #include "run/exact/base_surface.h"
+#include "run/planned_feed.h"
 
 namespace kerf {
 namespace {
@@ -20,8 +21,7 @@ std::vector<CutRecord> planned_cut(const Scene& scene, std::size_t step, double 
     const int count = std::max(1, static_cast<int>(std::ceil((in_air_before_entry + depth) / advance)));
     for (int n = 0; n < count; ++n) {
         const auto pose_at = [&](int i) {
-            return scene.frames[step].pose_at(
-                {.depth = (in_air_before_entry + depth) * i / count - in_air_before_entry});
+            return planned_pose(scene, step, (in_air_before_entry + depth) * i / count - in_air_before_entry);
         };
         CutRecord record;
         record.sequence = static_cast<std::uint64_t>(n);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int run_up = 600;  // [ticks] a motor is given to come to its speed
 
-Pose at(const Way& way, double gone) { return way.start * Pose{{0, 0, gone}, {1, 0, 0, 0}}; }
+Pose at(const Way& way, double gone) { return way.start * Pose{gone * way.direction, {1, 0, 0, 0}}; }
 
 int ticks_of(const Way& way) { return static_cast<int>(std::ceil(way.length / (way.feed * Simulation::dt))); }
 

@@ -19,7 +19,8 @@ using BoneAt = std::function<std::optional<Body>(double spacing)>;
 
 /// The way a step goes, at a steady feed along the tool.
 struct Way {
-    Pose start = identity_pose();  ///< tip in air, before the entry
+    Pose start = identity_pose();  ///< in air, before the entry
+    Vec3 direction{0, 0, 1};       ///< of the feed, tool frame
     double length = 0.0;           ///< [m]
     double feed = 1e-3;            ///< [m/s]
 };

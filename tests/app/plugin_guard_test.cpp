@@ -158,6 +158,12 @@ TEST(PluginGuard, NamesTheOutlineThatIsNoSolid) {
          {std::pair<const char*, const char*>{"empty_outline", "`profile_count` is 0, expected 2 … 64."},
           {"huge_outline", "`profile_count` is 2000000000, expected 2 … 64."},
           {"cuts_beyond_its_outline", "`cutting_count` is 9, expected 0, or 2 … 4."},
+          {"has_an_empty_cutting_part",
+           "`cutting_count` is 0 from point 2 on, expected 2 … 2: what cuts has two points"},
+          {"begins_beyond_its_outline", "`cutting_first` is 7, expected 0 … 3."},
+          {"has_a_bore_wider_than_itself",
+           "`bore` is 2 mm, expected 0 mm, or more and less than 0 mm, the narrowest radius of what cuts."},
+          {"has_a_negative_bore", "`bore` is -1 mm, expected 0 mm"},
           {"forward_outline", "point 2: `z` is 1 mm, expected less than -1 mm"},
           {"nan_outline", "point 1: `radius` is nan mm, expected 0 mm … 100 mm."},
           {"negative_outline", "point 1: `radius` is -1 mm, expected 0 mm … 100 mm."}}) {

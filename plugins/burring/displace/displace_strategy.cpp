@@ -67,7 +67,8 @@ RemeshAnswer Displace::remesh(const RemeshJob& job) const {
     if (!why.empty()) return RemeshAnswer::refused(why);
     const Locked locked(mesh, job.locked());
     bool has_changed = false;
-    for (const SweptTool& cut : job.cuts())
+    for (const SweptTool& cut : job.cuts()) {
+        if (cut.bore > 0.0) return RemeshAnswer::declined("the tool is hollow");
         for (const remeshing::Profile run : cut.kerf == 0.0 ? convex_runs(cut.profile) : std::vector{cut.profile}) {
             const auto burr = SweptBurr::make(run, cut.kerf, cut.from, cut.to, why);
             if (!burr) return RemeshAnswer::declined(why);
@@ -89,6 +90,7 @@ RemeshAnswer Displace::remesh(const RemeshJob& job) const {
                     break;
             }
         }
+    }
     return has_changed ? RemeshAnswer::cut(std::move(mesh)) : RemeshAnswer::unchanged();
 }
 

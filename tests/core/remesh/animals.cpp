@@ -127,10 +127,20 @@ kerf_status splits_every_face(In in, From from, kerf_arena* to, kerf_remesh_out*
     return remeshing::write(split, *to, out->result) ? KERF_OK : KERF_FAILED;
 }
 
-#define TABLE(name)                                                                                           \
-    constexpr kerf_remesher name##_table {                                                                    \
-        sizeof(kerf_remesher), KERF_REMESH_WHOLE, KERF_REMESH_LAYOUT_INIT, 0, "none", &name, nullptr, nullptr \
+/// Each result is another one.
+kerf_status counts(In in, From from, kerf_arena* to, kerf_remesh_out* out, void*) {
+    static int calls = 0;
+    copy_base(in, from, to, out);
+    first_vertex(out, to)[0] += 1e-9 * ++calls;
+    return KERF_OK;
+}
+
+#define TABLE_OF(name, scope)                                                                     \
+    constexpr kerf_remesher name##_table {                                                        \
+        sizeof(kerf_remesher), scope, KERF_REMESH_LAYOUT_INIT, 0, "none", &name, nullptr, nullptr \
     }
+#define TABLE(name) TABLE_OF(name, KERF_REMESH_WHOLE)
+TABLE_OF(counts, KERF_REMESH_PATCH);
 TABLE(copies);
 TABLE(dies);
 TABLE(exits);
@@ -174,7 +184,8 @@ constexpr kerf_component animals[] = {ANIMAL(copies),
                                       ANIMAL(stays_as_it_was),
                                       ANIMAL(declines),
                                       ANIMAL(shrinks),
-                                      ANIMAL(splits_every_face)};
+                                      ANIMAL(splits_every_face),
+                                      ANIMAL(counts)};
 
 }  // namespace
 

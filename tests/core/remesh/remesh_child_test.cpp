@@ -48,6 +48,15 @@ TEST(RemeshChild, ReturnsWhatTheStrategyMade) {
     EXPECT_EQ(child->restarts(), 0);
 }
 
+TEST(RemeshChild, TakesNoResultOfAStrategyThatIsNotConstant) {
+    const auto child = child_with("counts");
+    for (int n = 0; n < 3; ++n) {
+        const RemeshResult result = child->remesh(cube_request(), 5s);
+        EXPECT_EQ(result.status, KERF_FAILED);
+        EXPECT_EQ(result.message, "the same request gave another result when it was made again");
+    }
+}
+
 TEST(RemeshChild, GrowsItsMemoryWithTheMesh) {
     const auto child = child_with("copies");
     EXPECT_EQ(child->remesh(cube_request(), 5s).status, KERF_OK);

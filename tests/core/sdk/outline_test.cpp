@@ -44,6 +44,24 @@ TEST(Outline, CutsNothingUnlessAsked) {
     EXPECT_EQ(Written(revolution({{0, 0}, {-2_mm, 1_mm}}).cuts().to(-9_mm, 1_mm)).shape.cutting_count, 2u);
 }
 
+TEST(Outline, BeginsToCutWhereASafePartEnds) {
+    const Written reamer(revolution({{0, 0}, {-1_mm, 1_mm}, {-5_mm, 1_mm}})
+                             .safe()
+                             .to(-6_mm, 2_mm)
+                             .to(-9_mm, 2_mm)
+                             .cuts()
+                             .to(-20_mm, 2_mm));
+    EXPECT_EQ(reamer.shape.cutting_first, 2u);
+    EXPECT_EQ(reamer.shape.cutting_count, 3u);
+    EXPECT_EQ(reamer.shape.profile_count, 6u);
+    EXPECT_EQ(Written(revolution({{0, 0}, {-2_mm, 1_mm}}).safe()).shape.cutting_count, 0u) << "it cuts nothing";
+}
+
+TEST(Outline, WritesTheBoreOfAHollowTool) {
+    EXPECT_EQ(Written(revolution({{0, 4_mm}, {-9_mm, 4_mm}}).cuts().hollow(3_mm)).shape.bore, 3_mm);
+    EXPECT_EQ(Written(revolution({{0, 4_mm}, {-9_mm, 4_mm}}).cuts()).shape.bore, 0.0);
+}
+
 TEST(Outline, WritesTheThreadOfWhatStays) {
     EXPECT_EQ(Written(revolution({{0, 0}, {-2_mm, 1_mm}}).cuts()).shape.thread_radius, 0.0);
     const Written screw(revolution({{0, 0}, {-2_mm, 1_mm}}).cuts().threaded({3_mm, 2_mm}).stays());

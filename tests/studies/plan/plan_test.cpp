@@ -39,7 +39,7 @@ Task drilling() {
     task.tool = info("twist_drill");
     task.force = info("drill_cutting");
     task.gains = test::gains();
-    task.way = {test::at_depth(-0.5_mm), 4.0_mm, 4.0_mm_per_s};
+    task.way = {test::at_depth(-0.5_mm), {0, 0, 1}, 4.0_mm, 4.0_mm_per_s};
     return task;
 }
 

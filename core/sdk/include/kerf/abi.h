@@ -132,7 +132,10 @@ typedef struct kerf_solid {
     uint32_t kind;
     const kerf_profile_point* profile;
     uint32_t profile_count;
-    uint32_t cutting_count; /* the first profile points, which bound the region that removes bone */
+    uint32_t
+        cutting_first; /* the points from this one on, `cutting_count` of them, bound the region that removes bone */
+    uint32_t cutting_count;
+    double bore; /* [m] radius of the bore through all that cuts; 0: it is no hollow tool */
 } kerf_solid;
 
 /* What a tool writes into for the host: at most `capacity` points. The host sets all outputs to zero before. */
@@ -141,15 +144,20 @@ typedef struct kerf_tool_shape {
     uint32_t profile_capacity;
     kerf_profile_point* profile;
     uint32_t profile_count; /* out */
-    uint32_t cutting_count; /* out: 0 for a tool that removes no bone */
-    double grip_z;          /* out: where the hand holds the tool on its axis [m], < 0 */
-    uint32_t kind;          /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION before the call */
-    uint32_t hands;         /* out: how many hold it; 0 means 1, 2 at most */
-    double kerf;            /* out, prism: thickness of what removes bone [m], > 0 */
-    double thickness;       /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
-    double mass;            /* out: of the tool with its handpiece [kg]; 0: none */
-    double centre_z;        /* out, with a mass: where its centre lies on the axis [m] */
-    double gyration;        /* out, with a mass: radius of gyration about that centre [m], > 0 */
+    uint32_t
+        cutting_count; /* out: the points that bound the region that removes bone; 0 for a tool that removes none */
+    uint32_t cutting_first; /* out: the first of them; what is before it has a shape only, as a pilot or a safe end */
+    uint32_t reserved;
+    double bore;    /* out, revolution: radius of a bore through all that cuts [m], less than each of its radii, as of a
+                       trephine; 0: none */
+    double grip_z;  /* out: where the hand holds the tool on its axis [m], < 0 */
+    uint32_t kind;  /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION before the call */
+    uint32_t hands; /* out: how many hold it; 0 means 1, 2 at most */
+    double kerf;    /* out, prism: thickness of what removes bone [m], > 0 */
+    double thickness;      /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
+    double mass;           /* out: of the tool with its handpiece [kg]; 0: none */
+    double centre_z;       /* out, with a mass: where its centre lies on the axis [m] */
+    double gyration;       /* out, with a mass: radius of gyration about that centre [m], > 0 */
     double tip_deflection; /* out: how far 1 N across the tip bends the shaft there, held at the grip [m/N]; 0: rigid */
     double tip_slope;      /* out: by how much it turns the tip [rad/N]; 0 if and only if tip_deflection is */
     double thread_radius;  /* out, revolution: the radius over its thread [m], at least that of what removes bone; 0: it
@@ -161,6 +169,11 @@ typedef struct kerf_tool_shape {
                               needed; UTF-8, ends with NUL */
 } kerf_tool_shape;
 
+/*   axis   along its axis, tip first: a drill, a saw that plunges
+ *   side   across its axis, towards x: a file, a side-cutting burr. What meets bone lies beside it
+ *   turn   along its axis by the lead of its thread for each turn: a screw, a tap */
+enum { KERF_FEED_AXIS = 0, KERF_FEED_SIDE = 1, KERF_FEED_TURN = 2 };
+
 typedef struct kerf_tool {
     uint32_t size;
     uint32_t drive_count;
@@ -169,7 +182,7 @@ typedef struct kerf_tool {
        Each replaces the one before it where that is not installed or declines a cut. [library] */
     const char* const* strategies;
     uint32_t strategy_count;
-    uint32_t reserved;
+    uint32_t feed; /* KERF_FEED_…: how a hand moves it through bone; `kerf check` and `kerf plan` do */
     /* Writes the tool's outline for these parameters. [main] */
     kerf_status (*shape)(const double* params, kerf_tool_shape* out);
 } kerf_tool;

@@ -122,6 +122,10 @@ struct Strategies {
     const char* ids[max_count] = {};
     std::uint32_t count = 0;
 };
+/// How a hand moves a tool through bone: KERF_FEED_….
+struct Feed {
+    std::uint32_t how = KERF_FEED_AXIS;
+};
 /// What a remeshing strategy gets, and what its results depend on (kerf/strategy.hpp).
 struct Remeshes {
     std::uint32_t scope = 0;  ///< KERF_REMESH_PATCH or KERF_REMESH_WHOLE
@@ -190,6 +194,10 @@ template <class... Id>
         if (one.find('.') == one.npos) throw "a strategy needs its full id, as \"example.burring.groove\"";
     return {{id...}, sizeof...(Id)};
 }
+/// States that a tool is fed across its axis, towards its x: a file. Without it: along its axis, tip first.
+[[nodiscard]] constexpr Feed fed_sideways() noexcept { return {KERF_FEED_SIDE}; }
+/// States that a tool is fed by turning it: a screw, a tap.
+[[nodiscard]] constexpr Feed fed_by_turning() noexcept { return {KERF_FEED_TURN}; }
 /// Joins descriptions that several components share.
 template <class... Items>
 [[nodiscard]] constexpr Group<Items...> group(Items... items) noexcept {

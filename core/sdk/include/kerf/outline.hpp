@@ -44,6 +44,17 @@ public:
         cutting_ = count_;
         return *this;
     }
+    /// What is listed so far is safe: it removes no bone. The region that does begins at its last point, with a flat
+    /// front: a reamer behind its pilot, a file behind its tip, a saw with a safe end.
+    constexpr Outline& safe() noexcept {
+        safe_ = count_;
+        return *this;
+    }
+    /// A bore of this radius [m] goes through all that removes bone: a trephine. What is in it stays.
+    constexpr Outline& hollow(double radius) noexcept {
+        bore_ = radius;
+        return *this;
+    }
     /// The hand holds the tool on its axis at `z` < 0 [m].
     constexpr Outline& gripped_at(double z) noexcept {
         grip_z_ = z;
@@ -98,7 +109,10 @@ public:
         if (count_ > capacity || count_ > out.profile_capacity) return KERF_CAPACITY;
         std::copy_n(point_.begin(), count_, out.profile);
         out.profile_count = static_cast<std::uint32_t>(count_);
-        out.cutting_count = static_cast<std::uint32_t>(cutting_);
+        const std::size_t first = safe_ > 0 ? safe_ - 1 : 0;
+        out.cutting_first = static_cast<std::uint32_t>(first);
+        out.cutting_count = static_cast<std::uint32_t>(cutting_ > first ? cutting_ - first : 0);
+        out.bore = bore_;
         out.grip_z = grip_z_;
         out.hands = hands_;
         out.tip_deflection = bending_.deflection;
@@ -123,9 +137,9 @@ private:
     friend Outline refuse(const Pieces&... pieces) noexcept;
 
     std::array<kerf_profile_point, capacity> point_{};
-    std::size_t count_ = 0, cutting_ = 0, stay_ = 0, threaded_ = 0;
+    std::size_t count_ = 0, safe_ = 0, cutting_ = 0, stay_ = 0, threaded_ = 0;
     std::uint32_t kind_ = KERF_SOLID_REVOLUTION, hands_ = 1;
-    double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0;
+    double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0, bore_ = 0.0;
     Thread thread_{};
     Weight weight_{};
     Bending bending_{};

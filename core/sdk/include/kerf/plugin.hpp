@@ -86,7 +86,7 @@ struct ComponentTable<Tool> {
                                      .drives = first_of(Tables<Tool>::drives),
                                      .strategies = strategies.count > 0 ? strategies.ids : nullptr,
                                      .strategy_count = strategies.count,
-                                     .reserved = 0,
+                                     .feed = stated_in<Tool>(Feed{}).how,
                                      .shape = &shape};
     static constexpr void put_into(kerf_component& component) noexcept { component.tool = &table; }
 };

@@ -47,7 +47,8 @@ typedef struct kerf_cut_solid {
     uint32_t kind; /* KERF_SOLID_… */
     uint32_t profile_count;
     kerf_offset profile; /* kerf_profile_point each */
-    double kerf;         /* of a prism: its thickness [m], > 0 */
+    double kerf;         /* of a prism: its thickness [m], > 0; else 0 */
+    double bore;         /* of a hollow solid of revolution: the radius of its bore [m]; else 0 */
 } kerf_cut_solid;
 
 /* The solid moved straight from one pose to another. */

@@ -32,6 +32,7 @@ namespace kerf {
 struct SweptTool {
     std::span<const kerf_profile_point> profile;  ///< (z, radius) [m] from the tip backwards, tool frame
     double kerf = 0.0;                            ///< [m] of a blade: its thickness; 0: the outline turns about z
+    double bore = 0.0;                            ///< [m] radius of a bore through it; 0: none
     Pose from{}, to{};                            ///< body_from_tool
 };
 
@@ -55,7 +56,7 @@ public:
             if (cut.solid >= solids.size()) throw std::out_of_range("a cut has a tool that does not exist");
             const kerf_cut_solid& solid = solids[cut.solid];
             all.push_back({remeshing::array<kerf_profile_point>(*arena_, solid.profile, solid.profile_count),
-                           solid.kerf, cut.from, cut.to});
+                           solid.kerf, solid.bore, cut.from, cut.to});
         }
         return all;
     }
