@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
 #include <cmath>
+#include <kerf/remesh_refine.hpp>
 #include <kerf/strategy.hpp>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,53 +37,6 @@ std::optional<SweptBall> ball_of(const SweptTool& cut) {
     return SweptBall{cut.from * Vec3{0, 0, centre}, cut.to * Vec3{0, 0, centre}, radius};
 }
 
-/// Splits each edge near the ball that is longer than `longest` in its middle, until there is none. A face of three
-/// such edges becomes four, of two three, of one two. Edges between locked vertices stay whole: the border must come
-/// back.
-void refine(Triangles& mesh, std::span<const std::uint8_t> locked, const SweptBall& ball, double longest) {
-    const auto is_locked = [&](std::uint32_t v) { return v < locked.size() && locked[v] != 0; };
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
-    for (bool has_split = true; has_split;) {
-        std::map<Edge, std::uint32_t> middles;
-        const auto middle_of = [&](std::uint32_t a, std::uint32_t b) {
-            const Edge edge = std::minmax(a, b);
-            if (const auto known = middles.find(edge); known != middles.end()) return known->second;
-            const Vec3 from = mesh.vertices[a], to = mesh.vertices[b], middle = 0.5 * (from + to);
-            const double span = length(to - from);
-            const bool is_split =
-                span > longest && ball.outside(middle) < 0.5 * span && !(is_locked(a) && is_locked(b));
-            if (is_split) mesh.vertices.push_back(middle);
-            return middles[edge] = is_split ? static_cast<std::uint32_t>(mesh.vertices.size() - 1) : 0;  // 0: whole
-        };
-        Triangles next;
-        const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint8_t tag) {
-            next.triangles.insert(next.triangles.end(), {a, b, c});
-            next.tags.push_back(tag);
-        };
-        for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
-            std::array<std::uint32_t, 3> v{mesh.triangles[3 * f], mesh.triangles[3 * f + 1], mesh.triangles[3 * f + 2]},
-                m;
-            for (int i = 0; i < 3; ++i) m[i] = middle_of(v[i], v[(i + 1) % 3]);
-            const int count = (m[0] != 0) + (m[1] != 0) + (m[2] != 0);
-            for (int turn = 0; turn < 2 && (count == 1 ? m[0] == 0 : count == 2 && m[2] != 0); ++turn) {
-                v = {v[1], v[2], v[0]};
-                m = {m[1], m[2], m[0]};
-            }
-            const std::uint8_t tag = mesh.tags[f];
-            if (count == 0) add(v[0], v[1], v[2], tag);
-            if (count == 1) add(v[0], m[0], v[2], tag), add(m[0], v[1], v[2], tag);
-            if (count == 2) add(v[0], m[0], v[2], tag), add(m[0], m[1], v[2], tag), add(m[0], v[1], m[1], tag);
-            if (count == 3) {
-                add(v[0], m[0], m[2], tag), add(m[0], v[1], m[1], tag), add(m[2], m[1], v[2], tag);
-                add(m[0], m[1], m[2], tag);
-            }
-        }
-        has_split = next.tags.size() > mesh.tags.size();
-        mesh.triangles = std::move(next.triangles);
-        mesh.tags = std::move(next.tags);
-    }
-}
-
 /// Moves what lies in a ball's path onto the ball, away from the path of its centre: a groove no deeper than the ball's
 /// half.
 struct Groove {
@@ -109,7 +61,8 @@ struct Groove {
         for (const SweptTool& cut : job.cuts()) {
             const auto ball = ball_of(cut);
             if (!ball) return RemeshAnswer::declined("its tool is no ball");
-            refine(mesh, locked, *ball, tolerance);
+            remeshing::split_long_edges(mesh, locked, tolerance,
+                                        [&](Vec3 middle, double span) { return ball->outside(middle) < 0.5 * span; });
             std::vector<char> is_inside;
             for (const Vec3 v : mesh.vertices) is_inside.push_back(ball->outside(v) < 0.0);
             for (std::size_t v = 0; v < locked.size(); ++v)
