@@ -120,6 +120,8 @@ double ToolRig::swept(double depth, bool with_crests) const {
     constexpr int pieces = 2000;
     const double bore = outline_.cutting.bore(), tip = outline_.cutting.tip_z(), end = outline_.cutting.end_z();
     const auto radius_at = [&](double z) {
+        for (const ToolSolid::Gap& gap : outline_.cutting.gaps())
+            if (z < gap.front && z > gap.back) return 0.0;
         double radius = 0.0;
         for (std::uint32_t p = outline_.cutting_first; p + 1 < outline_.cutting_first + outline_.cutting_count; ++p) {
             const auto &a = outline_.profile[p], &b = outline_.profile[p + 1];

@@ -75,6 +75,11 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
     if (is("has_an_empty_cutting_part")) out->cutting_first = 2;
     if (is("begins_beyond_its_outline")) out->cutting_first = 7;
     if (is("has_a_bore_wider_than_itself")) out->bore = 2e-3;
+    if (is("has_too_many_gaps")) out->gap_count = 99;
+    if (is("has_a_gap_at_its_tip")) {
+        out->gap_count = 1;
+        out->gap[0] = {0, 1};
+    }
     if (is("has_a_negative_bore")) out->bore = -1e-3;
     if (is("thread_in_its_core")) out->thread_radius = 0.1e-3;
     if (is("thread_without_lead")) out->thread_radius = 2e-3;

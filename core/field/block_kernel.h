@@ -87,6 +87,15 @@ struct SampleColumns {
     std::int32_t body;
 };
 
+/// A slab across the axis in which a solid is not: half of its thickness, and its middle [m].
+struct OutlineGap {
+    double half, middle;
+};
+struct SingleGap {
+    float half, middle;
+};
+inline constexpr std::size_t max_gaps = KERF_MAX_GAPS;
+
 /// From one outline point to the next, in the half plane (r, z): r = √(x² + y²) of a solid of revolution, |x| of a
 /// prism.
 struct OutlineSegment {
@@ -103,6 +112,8 @@ struct OutlineShape {
     bool is_convex;
     double half_thickness;  ///< [m] of a prism, which is convex; 0: a solid of revolution
     double bore;            ///< [m] radius of the bore through a hollow solid, which is not convex; 0: none
+    const OutlineGap* gap;  ///< of a solid in several parts, which is not convex
+    std::size_t gaps;
 };
 
 /// The same in single precision, for samples and for many solids at once.
@@ -118,6 +129,8 @@ struct SingleOutline {
     bool is_convex;
     float half_thickness;  ///< [m] of a prism, which is convex; 0: a solid of revolution
     float bore;            ///< [m] radius of the bore through a hollow solid, which is not convex; 0: none
+    const SingleGap* gap;  ///< of a solid in several parts, which is not convex
+    std::size_t gaps;
 };
 
 /// Samples of a brick: three layers of three rows of nine. Sample (x, y, z) of them lies, in the tool frame [m], at

@@ -578,6 +578,9 @@ inline Four squared_distance(const OutlineShape& outline, Four r, Four z) noexce
     return least(to_cap2(r, z, back), nearest2);
 }
 
+inline Four magnitude(Four a) noexcept { return _mm256_andnot_pd(all(-0.0), a); }
+inline Four minus(Four a) noexcept { return _mm256_xor_pd(a, all(-0.0)); }
+
 /// `v` where `is_positive`, else −v. Pre: v ≥ 0.
 inline Four with_sign(Four v, Four is_positive) noexcept {
     return _mm256_xor_pd(v, _mm256_andnot_pd(is_positive, all(-0.0)));
@@ -620,11 +623,11 @@ inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
         _mm256_and_pd(less(z, all(outline.point[0].z)), less(all(outline.point[outline.count - 1].z), z));
     const Four is_inside = _mm256_and_pd(is_between, less(r, wall_at(outline, z)));
     const Four depth = with_sign(_mm256_sqrt_pd(squared_distance(outline, r, z)), is_inside);
-    return outline.bore > 0.0 ? least(r - all(outline.bore), depth) : depth;
+    Four deep = outline.bore > 0.0 ? least(r - all(outline.bore), depth) : depth;
+    for (std::size_t n = 0; n < outline.gaps; ++n)
+        deep = least(magnitude(z - all(outline.gap[n].middle)) - all(outline.gap[n].half), deep);
+    return deep;
 }
-
-inline Four magnitude(Four a) noexcept { return _mm256_andnot_pd(all(-0.0), a); }
-inline Four minus(Four a) noexcept { return _mm256_xor_pd(a, all(-0.0)); }
 
 /// A prism's: what its outline has in the plane, within two flat sides.
 inline Four prism_depth(const OutlineShape& outline, Four x, Four y, Four z) noexcept {
@@ -723,7 +726,10 @@ inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
     const Eight is_between = _mm256_and_ps(less(z, eight(o.front_z)), less(eight(o.back_z), z));
     const Eight distance = _mm256_sqrt_ps(squared_distance(o, r, z));
     const Eight depth = _mm256_blendv_ps(minus(distance), distance, _mm256_and_ps(is_between, less(r, wall)));
-    return o.bore > 0.0f ? least(r - eight(o.bore), depth) : depth;
+    Eight deep = o.bore > 0.0f ? least(r - eight(o.bore), depth) : depth;
+    for (std::size_t n = 0; n < o.gaps; ++n)
+        deep = least(magnitude(z - eight(o.gap[n].middle)) - eight(o.gap[n].half), deep);
+    return deep;
 }
 /// The depth in a convex solid from that.
 inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) noexcept {
@@ -793,8 +799,17 @@ inline EightPoints way_in(const SingleOutline& o, const EightPoints& p, Eight r)
     }
     if (o.bore > 0.0f) {  // away from the bore
         const Eight is_bore = less(r - eight(o.bore), depth);
+        depth = _mm256_blendv_ps(depth, r - eight(o.bore), is_bore);
         in_r = _mm256_blendv_ps(in_r, eight(-1.0f), is_bore);
         in_z = _mm256_andnot_ps(is_bore, in_z);
+    }
+    for (std::size_t n = 0; n < o.gaps; ++n) {  // away from the gap
+        const Eight off = p.z - eight(o.gap[n].middle), to_gap = magnitude(off) - eight(o.gap[n].half),
+                    is_gap = less(to_gap, depth);
+        depth = _mm256_blendv_ps(depth, to_gap, is_gap);
+        in_r = _mm256_andnot_ps(is_gap, in_r);
+        in_z =
+            _mm256_blendv_ps(in_z, _mm256_blendv_ps(eight(1.0f), eight(-1.0f), less(off, _mm256_setzero_ps())), is_gap);
     }
     const Eight inwards = _mm256_and_ps(minus(in_r) / r, less(_mm256_setzero_ps(), r));
     return {inwards * p.x, inwards * p.y, in_z};

@@ -325,11 +325,16 @@ void depths(const OutlineShape& outline, std::size_t count, const ConstCoordinat
         const bool is_inside = (z[i] < front.z) & (z[i] > back.z) & (r[i] < wall[i]);
         depths[i] = is_inside ? distance : -distance;
     }
-    if (!(outline.bore > 0.0)) return;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double to_bore = r[i] - outline.bore;
-        depths[i] = to_bore < depths[i] ? to_bore : depths[i];
-    }
+    if (outline.bore > 0.0)
+        for (std::size_t i = 0; i < count; ++i) {
+            const double to_bore = r[i] - outline.bore;
+            depths[i] = to_bore < depths[i] ? to_bore : depths[i];
+        }
+    for (std::size_t n = 0; n < outline.gaps; ++n)
+        for (std::size_t i = 0; i < count; ++i) {
+            const double to_gap = std::abs(z[i] - outline.gap[n].middle) - outline.gap[n].half;
+            depths[i] = to_gap < depths[i] ? to_gap : depths[i];
+        }
 }
 
 void tangents(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool,
@@ -411,8 +416,10 @@ float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
         wall = z < (n < o.count ? o.face[n].z : o.back_z) ? wall : f.radius + f.slope * (f.z - z);
     }
     const float distance = std::sqrt(squared_distance(o, r, z));
-    const float depth = z < o.front_z && o.back_z < z && r < wall ? distance : -distance;
-    return o.bore > 0.0f ? smaller(r - o.bore, depth) : depth;
+    float depth = z < o.front_z && o.back_z < z && r < wall ? distance : -distance;
+    if (o.bore > 0.0f) depth = smaller(r - o.bore, depth);
+    for (std::size_t n = 0; n < o.gaps; ++n) depth = smaller(std::abs(z - o.gap[n].middle) - o.gap[n].half, depth);
+    return depth;
 }
 /// The depth from that: in a convex solid less where a point is outside and beyond the edges of its nearest face.
 float depth_from(const SingleOutline& o, float r, float z, float depth) noexcept {
@@ -472,8 +479,16 @@ SinglePoint way_in(const SingleOutline& o, SinglePoint p, float r) noexcept {
         return {p.x < 0.0f ? in_r : -in_r, 0.0f, in_z};
     }
     if (o.bore > 0.0f && r - o.bore < depth) {  // away from the bore
+        depth = r - o.bore;
         in_r = -1.0f;
         in_z = 0.0f;
+    }
+    for (std::size_t n = 0; n < o.gaps; ++n) {  // away from the gap
+        const float off = p.z - o.gap[n].middle, to_gap = std::abs(off) - o.gap[n].half;
+        if (!(to_gap < depth)) continue;
+        depth = to_gap;
+        in_r = 0.0f;
+        in_z = off < 0.0f ? -1.0f : 1.0f;
     }
     const float inwards = r > 0.0f ? -in_r / r : 0.0f;
     return {inwards * p.x, inwards * p.y, in_z};

@@ -65,6 +65,45 @@ ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickn
     KERF_ASSERT(is_convex_ || !is_prism(), "give a prism an outline that bends towards the axis only");
 }
 
+ToolSolid ToolSolid::parts(std::vector<kerf_profile_point> outline, double bore, const std::vector<Gap>& gaps) {
+    ToolSolid solid(std::move(outline), 0.0, bore);
+    if (gaps.empty()) return solid;
+    double last = solid.tip_z();
+    Fnv1a hash;
+    hash.add_bytes(solid.shape_hash_, 8);
+    for (const Gap& gap : gaps) {
+        KERF_ASSERT(gap.front < last && gap.back < gap.front && gap.back > solid.end_z(),
+                    "list gaps from the tip backwards, within the outline and apart");
+        last = gap.back;
+        const OutlineGap slab{0.5 * (gap.front - gap.back), 0.5 * (gap.front + gap.back)};
+        solid.slabs_.push_back(slab);
+        solid.single_slabs_.push_back({static_cast<float>(slab.half), static_cast<float>(slab.middle)});
+        for (const double v : {gap.front, gap.back}) hash.add_bytes(std::bit_cast<std::uint64_t>(v), 8);
+    }
+    solid.gaps_ = gaps;
+    solid.shape_hash_ = hash.value();
+    solid.is_blunt_ = solid.is_convex_ = false;
+    solid.land_ = 0.0;
+    return solid;
+}
+
+std::vector<ToolSolid> ToolSolid::each_part() const {
+    if (!has_gaps()) return {*this};
+    std::vector<ToolSolid> all;
+    double front = tip_z();
+    for (std::size_t n = 0; n <= gaps_.size(); ++n) {
+        const double back = n < gaps_.size() ? gaps_[n].front : end_z();
+        std::vector<kerf_profile_point> part;
+        if (front < tip_z()) part.push_back({front, radius_at(outline_, segments_, front)});
+        for (const kerf_profile_point& point : outline_)
+            if (point.z < front + (front < tip_z() ? 0.0 : 1.0) && point.z > back) part.push_back(point);
+        part.push_back({back, radius_at(outline_, segments_, back)});
+        all.push_back(is_hollow() ? hollow(part, bore_) : ToolSolid(part));
+        if (n < gaps_.size()) front = gaps_[n].back;
+    }
+    return all;
+}
+
 std::array<Vec3, 8> ToolSolid::around(double radius, double z) const noexcept {
     std::array<Vec3, 8> points;
     const double y = half_thickness_, x = 0.75 * radius;
@@ -101,7 +140,9 @@ double ToolSolid::distance(double r, double z) const noexcept {
     if (!is_convex_) {
         const bool is_inside = z < front.z && z > back.z && r < radius_at(outline_, segments_, z);
         const double distance = std::sqrt(squared_distance(r, z)), outer = is_inside ? -distance : distance;
-        return is_hollow() ? std::max(outer, bore_ - r) : outer;
+        double off = is_hollow() ? std::max(outer, bore_ - r) : outer;
+        for (const OutlineGap& gap : slabs_) off = std::max(off, gap.half - std::abs(z - gap.middle));
+        return off;
     }
     const auto to_face = [&](const OutlineSegment& s) { return s.offset - (s.normal_r * r + s.normal_z * z); };
     double depth = std::min(front.z - z, z - back.z);
@@ -299,6 +340,11 @@ Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
         if (squared(off) < nearest2 && (r < bore_ || distance(p) < 0.0))
             return r > 0.0 ? Vec3{p.x / r, p.y / r, 0.0} : Vec3{1.0, 0.0, 0.0};
     }
+    for (const OutlineGap& gap : slabs_) {
+        const double off = p.z - gap.middle, beside = std::abs(off) - gap.half;
+        if (squared(beside) < nearest2 && (beside < 0.0 || distance(p) < 0.0))
+            return {0.0, 0.0, off < 0.0 ? -1.0 : 1.0};
+    }
     const double sign = distance(p) < 0.0 ? 1.0 : -1.0;
     if (nearest2 > 0.0) {
         in_r = sign * off_r;
@@ -354,6 +400,10 @@ double ToolSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) cons
         return exit < 1e299 ? exit : 0.0;
     }
 
+    for (const Gap& gap : gaps_) {
+        if (direction.z > 0.0 && p.z < gap.back) consider((gap.back - p.z) / direction.z);
+        if (direction.z < 0.0 && p.z > gap.front) consider((gap.front - p.z) / direction.z);
+    }
     if (is_hollow()) {  // (x + t dx)² + (y + t dy)² = bore², towards the axis
         const double A = squared(direction.x) + squared(direction.y);
         const double B = p.x * direction.x + p.y * direction.y, C = p.x * p.x + p.y * p.y - bore_ * bore_;

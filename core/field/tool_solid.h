@@ -30,6 +30,18 @@ public:
         return ToolSolid(std::move(outline), 0.5 * thickness);
     }
 
+    /// A solid of revolution in several parts: it is not where a gap is. Pre: gaps within the outline's length, from
+    /// the tip backwards, apart (asserted).
+    struct Gap {
+        double front, back;  ///< z [m]
+    };
+    [[nodiscard]] static ToolSolid parts(std::vector<kerf_profile_point> outline, double bore,
+                                         const std::vector<Gap>& gaps);
+    /// The parts of a solid, from the tip backwards: itself, if it has no gap.
+    [[nodiscard]] std::vector<ToolSolid> each_part() const;
+    [[nodiscard]] bool has_gaps() const noexcept { return !gaps_.empty(); }
+    [[nodiscard]] const std::vector<Gap>& gaps() const noexcept { return gaps_; }
+
     /// A hollow solid of revolution: a bore of radius `bore` [m] goes all through it. Pre: 0 < bore, less than the
     /// largest radius (asserted).
     [[nodiscard]] static ToolSolid hollow(std::vector<kerf_profile_point> outline, double bore) {
@@ -57,7 +69,9 @@ public:
                 static_cast<float>(back.z),
                 is_convex_,
                 static_cast<float>(half_thickness_),
-                static_cast<float>(bore_)};
+                static_cast<float>(bore_),
+                single_slabs_.data(),
+                single_slabs_.size()};
     }
 
     /// Of a prism's outline those faces that may be the nearest to a point which is no farther than `reach` [m] from
@@ -151,8 +165,8 @@ private:
     /// The way to the nearest point of the outline, squared.
     [[nodiscard]] double squared_distance(double r, double z) const noexcept;
     [[nodiscard]] OutlineShape shape() const noexcept {
-        return {
-            outline_.data(), segments_.data(), outline_.size(), largest_radius_, is_convex_, half_thickness_, bore_};
+        return {outline_.data(), segments_.data(), outline_.size(), largest_radius_, is_convex_, half_thickness_,
+                bore_,           slabs_.data(),    slabs_.size()};
     }
 
     std::vector<kerf_profile_point> outline_;
@@ -162,6 +176,9 @@ private:
     double land_ = 0.0;
     double half_thickness_ = 0.0;  ///< [m] 0: a solid of revolution
     double bore_ = 0.0;            ///< [m] 0: it is not hollow
+    std::vector<Gap> gaps_;
+    std::vector<OutlineGap> slabs_;  ///< the gaps for kernels
+    std::vector<SingleGap> single_slabs_;
     std::uint64_t shape_hash_ = 0;
     bool is_convex_ = true;
     bool is_blunt_ = true;  ///< its faces meet at 60° or more

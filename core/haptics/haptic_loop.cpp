@@ -291,12 +291,18 @@ bool HapticLoop::is_resisted_at(Vec3 point, const Motion& motion) const noexcept
 /// Nothing stops a tool where its law has no channel: its author, not the hand, must learn of that.
 void HapticLoop::look_for_unresisted(const Motion& motion, TickResult& result) noexcept {
     const ToolSolid &whole = outline().whole, &cutting = outline().cutting;
-    const double beside = (cutting.end_z() - whole.end_z()) + (whole.tip_z() - cutting.tip_z()),
-                 deep = unresisted_depth();
+    const auto cuts_at = [&](double z) {
+        return z >= cutting.end_z() && z <= cutting.tip_z() &&
+               std::none_of(cutting.gaps().begin(), cutting.gaps().end(),
+                            [z](const ToolSolid::Gap& gap) { return z < gap.front && z > gap.back; });
+    };
+    double beside = (cutting.end_z() - whole.end_z()) + (whole.tip_z() - cutting.tip_z());
+    for (const ToolSolid::Gap& gap : cutting.gaps()) beside += gap.front - gap.back;
+    const double deep = unresisted_depth();
     double deepest = 0.0;
     if (beside > 0.0 && is_bone_in_reach(0.0))
         whole.for_each_ring(std::max(least_ring_gap, beside / most_rings), [&](const std::array<Vec3, 8>& ring) {
-            if (ring[0].z >= cutting.end_z() && ring[0].z <= cutting.tip_z()) return;
+            if (cuts_at(ring[0].z)) return;
             std::array<kerf_surface_point, 8> bone;
             view_.nearest(ring.data(), static_cast<std::uint32_t>(ring.size()), bone.data());
             for (std::size_t n = 0; n < ring.size(); ++n) {

@@ -57,13 +57,18 @@ std::string bind_law(ToolSetup& setup) {
 }
 
 kerf_solid ToolOutline::solid() const noexcept {
-    return {.size = sizeof(kerf_solid),
-            .kind = static_cast<std::uint32_t>(whole.is_prism() ? KERF_SOLID_PRISM : KERF_SOLID_REVOLUTION),
-            .profile = profile.data(),
-            .profile_count = static_cast<std::uint32_t>(profile.size()),
-            .cutting_first = cutting_first,
-            .cutting_count = cutting_count,
-            .bore = cutting.bore()};
+    kerf_solid solid{.size = sizeof(kerf_solid),
+                     .kind = static_cast<std::uint32_t>(whole.is_prism() ? KERF_SOLID_PRISM : KERF_SOLID_REVOLUTION),
+                     .profile = profile.data(),
+                     .profile_count = static_cast<std::uint32_t>(profile.size()),
+                     .cutting_first = cutting_first,
+                     .cutting_count = cutting_count,
+                     .bore = cutting.bore(),
+                     .gap_count = static_cast<std::uint32_t>(gaps.size()),
+                     .reserved = 0,
+                     .gap = {}};
+    std::copy(gaps.begin(), gaps.end(), solid.gap);
+    return solid;
 }
 
 kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, double dt) noexcept {
@@ -136,6 +141,27 @@ std::string fault_of_bore(const kerf_tool_shape& shape) {
            ", the narrowest radius of what cuts. Make the tool wider or the bore narrower.";
 }
 
+/// Gaps lie within what cuts, with a part before, between and behind them.
+std::string fault_of_gaps(const kerf_tool_shape& shape) {
+    if (shape.gap_count > KERF_MAX_GAPS)
+        return "`gap_count` is " + std::to_string(shape.gap_count) + ", expected 0 … " + std::to_string(KERF_MAX_GAPS) +
+               ".";
+    if (shape.gap_count > 0 && shape.kind != KERF_SOLID_REVOLUTION)
+        return "`gap_count` is " + std::to_string(shape.gap_count) +
+               ", expected 0: only a solid of revolution has several parts that cut.";
+    std::uint32_t before = shape.cutting_first;
+    for (std::uint32_t i = 0; i < shape.gap_count; ++i) {
+        const auto& [first, last] = shape.gap[i];
+        if (first <= before || last <= first || last + 1 >= shape.cutting_first + shape.cutting_count)
+            return "gap " + std::to_string(i) + " reaches from point " + std::to_string(first) + " to point " +
+                   std::to_string(last) + ", expected two of those between " + std::to_string(before) + " and " +
+                   std::to_string(shape.cutting_first + shape.cutting_count - 1) +
+                   ": each part that cuts has two points at least.";
+        before = last;
+    }
+    return {};
+}
+
 /// What the carver cannot take. It follows every outline that does not turn back along the axis, however its radius
 /// rises and falls (tests/core/field/outline_sweep_test.cpp), so nothing else is asked of one.
 std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacity) {
@@ -154,7 +180,8 @@ std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacit
                (shape.cutting_first > 0 ? " from point " + std::to_string(shape.cutting_first) + " on" : "") +
                ", expected " + (shape.cutting_first > 0 ? "" : "0, or ") + "2 … " + std::to_string(behind) +
                (shape.cutting_first > 0 ? ": what cuts has two points at least. List some after `safe()`." : ".");
-    if (shape.reserved != 0) return "`reserved` is " + std::to_string(shape.reserved) + ", expected 0.";
+    if (shape.reserved != 0 || shape.reserved2 != 0)
+        return "`reserved` is " + std::to_string(shape.reserved) + ", expected 0.";
     for (std::uint32_t i = 0; i < shape.profile_count; ++i) {
         const auto& [z, radius] = shape.profile[i];
         if (!std::isfinite(z)) return point(i, "z", z, "a finite number");
@@ -165,6 +192,7 @@ std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacit
                              ", the `z` of the point before it: list the points from the tip backwards");
     }
     if (const std::string fault = fault_of_bore(shape); !fault.empty()) return fault;
+    if (const std::string fault = fault_of_gaps(shape); !fault.empty()) return fault;
     if (!std::isfinite(shape.grip_z)) return "`grip_z` is " + in_mm(shape.grip_z) + ", expected a finite number.";
     if (shape.hands > 2) return count("hands", shape.hands, 0, 2);
     return fault_of_bending(shape);
@@ -196,9 +224,9 @@ std::string fault_of_thread(const kerf_tool_shape& shape) {
         return "`thread_radius` is " + in_mm(shape.thread_radius) +
                ", expected 0 mm: only a solid of revolution that removes bone has one.";
     double core = 0.0;
-    if (shape.cutting_first > 0 || shape.bore > 0.0)
+    if (shape.cutting_first > 0 || shape.bore > 0.0 || shape.gap_count > 0)
         return "`thread_radius` is " + in_mm(shape.thread_radius) +
-               ", expected 0 mm: what has a thread cuts from its tip on, and has no bore.";
+               ", expected 0 mm: what has a thread cuts from its tip on, in one part, and has no bore.";
     for (std::uint32_t i = 0; i < shape.cutting_count; ++i) core = std::max(core, shape.profile[i].radius);
     if (!(shape.thread_radius >= core && shape.thread_radius < widest))
         return "`thread_radius` is " + in_mm(shape.thread_radius) + ", expected 0 mm, or " + in_mm(core) +
@@ -241,6 +269,7 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     out.profile.assign(points, points + shape.profile_count);
     out.cutting_first = shape.cutting_first;
     out.cutting_count = shape.cutting_count;
+    out.gaps.assign(shape.gap, shape.gap + shape.gap_count);
     if (const std::string fault = fault_of_thread(shape); !fault.empty()) {
         error = std::string("tool `") + setup.tool->id + "` gives a thread that cannot be: " + fault;
         return false;
@@ -275,7 +304,9 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
         return false;
     }
     const std::vector<kerf_profile_point> region{cutting, cutting + shape.cutting_count};
-    out.cutting = shape.bore > 0.0 ? ToolSolid::hollow(region, shape.bore) : ToolSolid(region);
+    std::vector<ToolSolid::Gap> gaps;
+    for (const auto& [first, last] : out.gaps) gaps.push_back({points[first].z, points[last].z});
+    out.cutting = ToolSolid::parts(region, shape.bore, gaps);
     if (out.has_thread())
         out.crest = ToolSolid({{points[shape.thread_count > 2 ? 1 : 0].z, out.thread_radius},  // behind the tip
                                {points[shape.thread_count - 1].z, out.thread_radius}});

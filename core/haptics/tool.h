@@ -43,6 +43,7 @@ struct ToolOutline {
     ToolSolid staying;                        ///< of an implant: all that stays, with its head
     std::vector<kerf_profile_point> profile;  ///< as the plugin gave it
     std::uint32_t cutting_first = 0, cutting_count = 0;
+    std::vector<kerf_gap> gaps;  ///< safe parts within what cuts
 
     [[nodiscard]] bool has_thread() const noexcept { return thread_radius > 0.0; }
     [[nodiscard]] bool is_implant() const noexcept { return stay_count > 0; }

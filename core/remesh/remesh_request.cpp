@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 #include <optional>
+#include <utility>
 
 #include "kerf/remesh_mesh.hpp"
 
@@ -37,10 +38,13 @@ RemeshResult failed(const char* why) {
 
 std::uint64_t request_bytes(const RemeshRequest& request) {
     const SurfaceMesh& mesh = request.base.mesh;
+    constexpr std::size_t most_parts = 1 + max_gaps;
     std::uint64_t bytes = 64 + mesh.vertices.size() * (sizeof(Vec3) + 1) +
-                          mesh.triangles.size() * (sizeof(Triangle) + 1) + request.cuts.size() * sizeof(kerf_cut);
+                          mesh.triangles.size() * (sizeof(Triangle) + 1) +
+                          most_parts * request.cuts.size() * sizeof(kerf_cut);
     for (const ToolSolid* solid : request.solids)
-        bytes += sizeof(kerf_cut_solid) + solid->outline().size() * sizeof(kerf_profile_point) + alignment;
+        bytes += most_parts * (sizeof(kerf_cut_solid) + alignment + 2 * sizeof(kerf_profile_point)) +
+                 solid->outline().size() * sizeof(kerf_profile_point);
     constexpr std::uint64_t most_parameters = 256;
     return bytes + most_parameters * sizeof(double) + 16 * alignment;
 }
@@ -65,17 +69,27 @@ bool pack(const RemeshRequest& request, const std::vector<double>& parameters, k
     in.base.tags = append(arena, request.base.tags.data(), request.base.tags.size());
     in.base.locked = append(arena, request.locked.data(), request.locked.size());
 
+    // A solid in several parts crosses as several solids, and its cuts as one of each.
     std::vector<kerf_cut_solid> solids;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> parts_of;  // of each: the first, how many
     bool has_room = true;
     for (const ToolSolid* solid : request.solids) {
-        const auto& profile = solid->outline();
-        const kerf_offset at = append(arena, profile.data(), profile.size());
-        has_room = has_room && (at != 0 || profile.empty());
-        solids.push_back({solid->is_prism() ? KERF_SOLID_PRISM : KERF_SOLID_REVOLUTION,
-                          static_cast<std::uint32_t>(profile.size()), at, solid->thickness(), solid->bore()});
+        const std::vector<ToolSolid> parts = solid->outline().empty() ? std::vector{*solid} : solid->each_part();
+        parts_of.emplace_back(static_cast<std::uint32_t>(solids.size()), static_cast<std::uint32_t>(parts.size()));
+        for (const ToolSolid& part : parts) {
+            const auto& profile = part.outline();
+            const kerf_offset at = append(arena, profile.data(), profile.size());
+            has_room = has_room && (at != 0 || profile.empty());
+            solids.push_back({part.is_prism() ? KERF_SOLID_PRISM : KERF_SOLID_REVOLUTION,
+                              static_cast<std::uint32_t>(profile.size()), at, part.thickness(), part.bore()});
+        }
     }
     std::vector<kerf_cut> cuts;
-    for (const CutStretch& cut : request.cuts) cuts.push_back({cut.from, cut.to, cut.solid, 0});
+    const std::pair<std::uint32_t, std::uint32_t> unknown{static_cast<std::uint32_t>(solids.size()), 1};
+    for (const CutStretch& cut : request.cuts) {
+        const auto& [first, parts] = cut.solid < parts_of.size() ? parts_of[cut.solid] : unknown;
+        for (std::uint32_t part = 0; part < parts; ++part) cuts.push_back({cut.from, cut.to, first + part, 0});
+    }
     in.solids = append(arena, solids.data(), solids.size());
     in.cuts = append(arena, cuts.data(), cuts.size());
     in.solid_count = static_cast<std::uint32_t>(solids.size());

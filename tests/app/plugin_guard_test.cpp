@@ -164,6 +164,8 @@ TEST(PluginGuard, NamesTheOutlineThatIsNoSolid) {
           {"has_a_bore_wider_than_itself",
            "`bore` is 2 mm, expected 0 mm, or more and less than 0 mm, the narrowest radius of what cuts."},
           {"has_a_negative_bore", "`bore` is -1 mm, expected 0 mm"},
+          {"has_too_many_gaps", "`gap_count` is 99, expected 0 … 3."},
+          {"has_a_gap_at_its_tip", "gap 0 reaches from point 0 to point 1, expected two of those between 0 and 2"},
           {"forward_outline", "point 2: `z` is 1 mm, expected less than -1 mm"},
           {"nan_outline", "point 1: `radius` is nan mm, expected 0 mm … 100 mm."},
           {"negative_outline", "point 1: `radius` is -1 mm, expected 0 mm … 100 mm."}}) {

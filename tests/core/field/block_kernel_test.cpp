@@ -276,6 +276,8 @@ TEST_F(BothKernels, MeasureTheSameDepths) {
     std::vector<ToolSolid> solids;
     for (const auto& outline : outlines) solids.emplace_back(outline);
     solids.push_back(test::blade_outline(20.0_mm, 5.0_mm, 4.0_mm, 2.0_mm));
+    solids.push_back(ToolSolid::parts({{0.0, 0.0}, {-1.0_mm, 3.0_mm}, {-9.0_mm, 3.0_mm}}, 0.0,
+                                      {{-2.0_mm, -3.0_mm}, {-5.0_mm, -7.0_mm}}));
     solids.push_back(ToolSolid::hollow({{0.0, 3.0_mm}, {-1.0_mm, 4.0_mm}, {-9.0_mm, 4.0_mm}}, 2.0_mm));
     std::size_t inside = 0;
     for (const ToolSolid& solid : solids) {
@@ -337,6 +339,7 @@ TEST_F(BothKernels, RaiseTheSameValues) {
         ToolSolid({{0.3_mm, 1.0_mm}, {-1.0_mm, 1.5_mm}}),                                               // a flat face
         test::blade_outline(10.0_mm, 3.0_mm, 1.0_mm, 1.0_mm),
         ToolSolid::hollow({{0.0, 2.0_mm}, {-6.0_mm, 2.0_mm}}, 1.0_mm),
+        ToolSolid::parts({{0.0, 2.0_mm}, {-6.0_mm, 2.0_mm}}, 0.5_mm, {{-1.0_mm, -2.0_mm}}),
     };
     constexpr double h = 0.25_mm, quantum = 4.0 * h / 32767.0, band = 2.0 * h;
     constexpr std::size_t layers = 3 * stored_edge * stored_edge;
@@ -433,7 +436,8 @@ TEST_F(BothKernels, FindTheSameDeepestSolid) {
     const ToolSolid solids[] = {test::drill_outline(1.6_mm, 59.0_deg, 3.0_mm),
                                 ToolSolid({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 0.5_mm}, {-3.0_mm, 1.0_mm}}),
                                 test::blade_outline(10.0_mm, 2.0_mm, 2.0_mm, 1.5_mm),
-                                ToolSolid::hollow({{0.0, 2.0_mm}, {-3.0_mm, 2.0_mm}}, 1.0_mm)};
+                                ToolSolid::hollow({{0.0, 2.0_mm}, {-3.0_mm, 2.0_mm}}, 1.0_mm),
+                                ToolSolid::parts({{0.0, 2.0_mm}, {-3.0_mm, 2.0_mm}}, 0.0, {{-1.0_mm, -1.5_mm}})};
     std::size_t found = 0, outside = 0;
     for (int n = 0; n < blocks; ++n) {
         const ToolSolid& solid = solids[static_cast<std::size_t>(n) % std::size(solids)];

@@ -38,10 +38,12 @@ double brute_distance(const Outline& o, Vec3 p) {
     }
     return r < width ? -nearest : nearest;
 }
-/// The same with a bore.
-double brute_distance(const Outline& o, double bore, Vec3 p) {
-    const double outer = brute_distance(o, p);
-    return bore > 0.0 ? std::max(outer, bore - std::hypot(p.x, p.y)) : outer;
+/// The same with a bore, and with gaps.
+double brute_distance(const Outline& o, double bore, const std::vector<ToolSolid::Gap>& gaps, Vec3 p) {
+    double off = brute_distance(o, p);
+    if (bore > 0.0) off = std::max(off, bore - std::hypot(p.x, p.y));
+    for (const ToolSolid::Gap& gap : gaps) off = std::max(off, std::min(gap.front - p.z, p.z - gap.back));
+    return off;
 }
 
 struct Wrong {
@@ -50,11 +52,12 @@ struct Wrong {
 };
 
 /// One stroke in steps of about two fifths of a voxel, as the loop makes them, against brute force.
-Wrong stroke(const Outline& outline, double bore, Vec3 axis, Vec3 along, double way, double turn) {
+Wrong stroke(const Outline& outline, double bore, const std::vector<ToolSolid::Gap>& gaps, Vec3 axis, Vec3 along,
+             double way, double turn) {
     constexpr double h = 0.3_mm;
     const Body body = test::block({-4.0_mm, -4.0_mm, -4.0_mm}, {4.0_mm, 4.0_mm, 4.0_mm}, h, {0.13, 0.71, 0.37});
     const Grid& g = body.grid();
-    const ToolSolid solid = bore > 0.0 ? ToolSolid::hollow(outline, bore) : ToolSolid(outline);
+    const ToolSolid solid = ToolSolid::parts(outline, bore, gaps);
     CutField cut(body, 512);
     const auto at = [&](double t) {
         const Pose straight = test::pointing((t - 0.5) * way * along, axis);
@@ -85,7 +88,7 @@ Wrong stroke(const Outline& outline, double bore, Vec3 axis, Vec3 along, double 
                 const Vec3 p = g.sample_position(i, j, k);
                 if (length(p) > 3.6_mm) continue;
                 double d = 1e300;
-                for (const Pose& pose : tool_from_body) d = std::min(d, brute_distance(outline, bore, pose * p));
+                for (const Pose& pose : tool_from_body) d = std::min(d, brute_distance(outline, bore, gaps, pose * p));
                 const bool is_gone = cut.sample(i, j, k) > 0;
                 const double error = between + 2.0 * g.quantum();
                 wrong.inside += d < 0.0;
@@ -119,6 +122,7 @@ struct Shape {
     const char* name;
     Outline outline;
     double bore = 0.0;
+    std::vector<ToolSolid::Gap> gaps{};
 };
 
 const Shape shapes[] = {
@@ -144,6 +148,17 @@ const Shape shapes[] = {
     {"needle", {{0.0, 0.0}, {-0.3_mm, 0.25_mm}, {-3.0_mm, 0.25_mm}}},
     {"trephine", {{0.0, 1.5_mm}, {-3.0_mm, 1.5_mm}}, 0.9_mm},
     {"tapered_trephine", {{0.0, 1.2_mm}, {-0.8_mm, 1.8_mm}, {-2.5_mm, 1.4_mm}}, 0.7_mm},
+    {"two_heads",
+     {{0.0, 0.0},
+      {-0.6_mm, 1.2_mm},
+      {-1.0_mm, 1.2_mm},
+      {-1.1_mm, 0.5_mm},
+      {-1.9_mm, 0.5_mm},
+      {-2.0_mm, 1.5_mm},
+      {-3.0_mm, 1.5_mm}},
+     0.0,
+     {{-1.0_mm, -2.0_mm}}},
+    {"three_rings", {{0.0, 1.5_mm}, {-3.0_mm, 1.5_mm}}, 0.6_mm, {{-0.6_mm, -1.2_mm}, {-1.8_mm, -2.4_mm}}},
     {"closed_behind", {{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 0.0}}},
     {"waist_of_nothing", {{0.0, 0.0}, {-0.7_mm, 1.2_mm}, {-1.4_mm, 0.0}, {-2.1_mm, 1.2_mm}, {-2.8_mm, 0.0}}},
 };
@@ -156,7 +171,7 @@ TEST(OutlineSweep, CutsExactlyWhatTheOutlineSweeps) {
                                           {side, 0.0},
                                           {normalized(axis + side), 0.3},
                                           {normalized(side - axis), 0.3}}) {
-            const Wrong wrong = stroke(shape.outline, shape.bore, axis, along, 1.5_mm, turn);
+            const Wrong wrong = stroke(shape.outline, shape.bore, shape.gaps, axis, along, 1.5_mm, turn);
             EXPECT_GT(wrong.inside, 10) << shape.name;
             EXPECT_EQ(wrong.missed, 0) << shape.name << ", deepest " << wrong.missed_depth * 1e3 << " mm of "
                                        << wrong.inside;

@@ -46,6 +46,23 @@ TEST(ToolSolid, APointLeavesATubeIntoItsBore) {
     EXPECT_NEAR(in.x, 1.0, 1e-12) << "away from the bore";
 }
 
+TEST(ToolSolid, IsNotWhereAGapIs) {
+    const ToolSolid heads = ToolSolid::parts({{0.0, 3.0_mm}, {-10.0_mm, 3.0_mm}}, 0.0, {{-4.0_mm, -6.0_mm}});
+    EXPECT_NEAR(heads.distance({0, 0, -5.0_mm}), 1.0_mm, 1e-15) << "between the heads";
+    EXPECT_NEAR(heads.distance({0, 0, -3.5_mm}), -0.5_mm, 1e-15) << "at the end of the first";
+    EXPECT_NEAR(heads.distance({0, 0, -6.2_mm}), -0.2_mm, 1e-15) << "at the front of the second";
+    EXPECT_NEAR(heads.travel_to_leave({0, 0, -2.0_mm}, {0, 0, -1}), 2.0_mm, 1e-12);
+    EXPECT_NEAR(heads.travel_to_leave({0, 0, -8.0_mm}, {0, 0, 1}), 2.0_mm, 1e-12);
+    EXPECT_FALSE(heads.is_convex());
+    const std::vector<ToolSolid> parts = heads.each_part();
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_EQ(parts[0].tip_z(), 0.0);
+    EXPECT_EQ(parts[0].end_z(), -4.0_mm);
+    EXPECT_EQ(parts[1].tip_z(), -6.0_mm);
+    EXPECT_EQ(parts[1].end_z(), -10.0_mm);
+    for (const ToolSolid& part : parts) EXPECT_EQ(part.largest_radius(), 3.0_mm);
+}
+
 TEST(ToolSolid, APointLeavesAlongTheAxisThroughTheCone) {
     // At radius 1 mm the cone's face is 1 mm behind the tip.
     EXPECT_NEAR(tool.travel_to_leave({1.0_mm, 0, -4.0_mm}, {0, 0, 1}), 3.0_mm, 1e-12);

@@ -292,7 +292,7 @@ TEST(Law, ReadsItsNeedsWhereTheyAreBound) {
     Asked asked;
     const std::uint32_t bound[] = {0, 0};
     const kerf_profile_point profile[] = {{0, 0}, {-1_mm, 4_mm}};
-    const kerf_solid outline{sizeof(kerf_solid), KERF_SOLID_REVOLUTION, profile, 2, 0, 0, 0.0};
+    const kerf_solid outline{sizeof(kerf_solid), KERF_SOLID_REVOLUTION, profile, 2, 0, 0, 0.0, 0, 0, {}};
     asked.in.bound = bound;
     asked.in.outline = &outline;
     ASSERT_EQ(spin.force->need_count, 2u);

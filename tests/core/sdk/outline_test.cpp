@@ -57,6 +57,25 @@ TEST(Outline, BeginsToCutWhereASafePartEnds) {
     EXPECT_EQ(Written(revolution({{0, 0}, {-2_mm, 1_mm}}).safe()).shape.cutting_count, 0u) << "it cuts nothing";
 }
 
+TEST(Outline, CutsInSeveralParts) {
+    const Written heads(revolution({{0, 0}, {-2_mm, 2_mm}})
+                            .cuts()
+                            .to(-3_mm, 1_mm)
+                            .to(-6_mm, 1_mm)
+                            .safe()
+                            .to(-8_mm, 3_mm)
+                            .cuts()
+                            .to(-20_mm, 1_mm));
+    EXPECT_EQ(heads.shape.cutting_first, 0u);
+    EXPECT_EQ(heads.shape.cutting_count, 5u);
+    ASSERT_EQ(heads.shape.gap_count, 1u);
+    EXPECT_EQ(heads.shape.gap[0].first, 1u);
+    EXPECT_EQ(heads.shape.gap[0].last, 3u);
+    const Written once(revolution({{0, 0}, {-2_mm, 2_mm}}).cuts().to(-6_mm, 1_mm).safe());
+    EXPECT_EQ(once.shape.gap_count, 0u) << "what is safe at the end is no gap";
+    EXPECT_EQ(once.shape.cutting_count, 2u);
+}
+
 TEST(Outline, WritesTheBoreOfAHollowTool) {
     EXPECT_EQ(Written(revolution({{0, 4_mm}, {-9_mm, 4_mm}}).cuts().hollow(3_mm)).shape.bore, 3_mm);
     EXPECT_EQ(Written(revolution({{0, 4_mm}, {-9_mm, 4_mm}}).cuts()).shape.bore, 0.0);

@@ -31,6 +31,7 @@ extern "C" {
 #define KERF_MAX_SIGNALS 16u  /* signals of one force component             */
 #define KERF_MAX_DRIVES 8u    /* drives of one tool                         */
 #define KERF_MAX_TISSUES 4u   /* materials that one sample can mix          */
+#define KERF_MAX_GAPS 3u      /* safe parts between parts of a tool that remove bone */
 #define KERF_MAX_ACTIONS 8u   /* actions of one commit                      */
 #define KERF_NOTE_BYTES 64u   /* what a resist hands on to its commit       */
 #define KERF_MAX_THREADS 16u  /* threads cut into the bone of a scene       */
@@ -126,6 +127,11 @@ typedef struct kerf_profile_point {
 
 enum { KERF_SOLID_REVOLUTION = 1, KERF_SOLID_PRISM = 2 };
 
+/* A part of an outline that removes no bone, from one point to a later one. */
+typedef struct kerf_gap {
+    uint32_t first, last;
+} kerf_gap;
+
 /* A tool's outline as the host holds it. */
 typedef struct kerf_solid {
     uint32_t size;
@@ -136,6 +142,9 @@ typedef struct kerf_solid {
         cutting_first; /* the points from this one on, `cutting_count` of them, bound the region that removes bone */
     uint32_t cutting_count;
     double bore; /* [m] radius of the bore through all that cuts; 0: it is no hollow tool */
+    uint32_t gap_count;
+    uint32_t reserved;
+    kerf_gap gap[KERF_MAX_GAPS]; /* within what cuts, from the tip backwards */
 } kerf_solid;
 
 /* What a tool writes into for the host: at most `capacity` points. The host sets all outputs to zero before. */
@@ -148,12 +157,16 @@ typedef struct kerf_tool_shape {
         cutting_count; /* out: the points that bound the region that removes bone; 0 for a tool that removes none */
     uint32_t cutting_first; /* out: the first of them; what is before it has a shape only, as a pilot or a safe end */
     uint32_t reserved;
-    double bore;    /* out, revolution: radius of a bore through all that cuts [m], less than each of its radii, as of a
-                       trephine; 0: none */
-    double grip_z;  /* out: where the hand holds the tool on its axis [m], < 0 */
-    uint32_t kind;  /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION before the call */
-    uint32_t hands; /* out: how many hold it; 0 means 1, 2 at most */
-    double kerf;    /* out, prism: thickness of what removes bone [m], > 0 */
+    double bore; /* out, revolution: radius of a bore through all that cuts [m], less than each of its radii, as of a
+                    trephine; 0: none */
+    kerf_gap
+        gap[KERF_MAX_GAPS]; /* out: safe parts within what cuts, from the tip backwards, as a neck between two heads */
+    uint32_t gap_count;     /* out */
+    uint32_t reserved2;
+    double grip_z;         /* out: where the hand holds the tool on its axis [m], < 0 */
+    uint32_t kind;         /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION before the call */
+    uint32_t hands;        /* out: how many hold it; 0 means 1, 2 at most */
+    double kerf;           /* out, prism: thickness of what removes bone [m], > 0 */
     double thickness;      /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
     double mass;           /* out: of the tool with its handpiece [kg]; 0: none */
     double centre_z;       /* out, with a mass: where its centre lies on the axis [m] */

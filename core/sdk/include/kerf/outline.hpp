@@ -40,14 +40,24 @@ public:
         return *this;
     }
     /// All that is listed so far removes bone while the law cuts; what follows does not. Never called: nothing does.
+    /// After `safe()` a further part cuts.
     constexpr Outline& cuts() noexcept {
         cutting_ = count_;
+        if (has_gap_) ++gaps_;
+        has_gap_ = false;
         return *this;
     }
     /// What is listed so far is safe: it removes no bone. The region that does begins at its last point, with a flat
-    /// front: a reamer behind its pilot, a file behind its tip, a saw with a safe end.
+    /// front: a reamer behind its pilot, a file behind its tip, a saw with a safe end. After `cuts()`, what is listed
+    /// since then is safe, and a further part that cuts begins: a second head behind a neck. At most KERF_MAX_GAPS
+    /// times.
     constexpr Outline& safe() noexcept {
-        safe_ = count_;
+        if (cutting_ == 0) {
+            safe_ = count_;
+        } else if (gaps_ < KERF_MAX_GAPS) {
+            gap_[gaps_] = {static_cast<std::uint32_t>(cutting_ - 1), static_cast<std::uint32_t>(count_ - 1)};
+            has_gap_ = true;
+        }
         return *this;
     }
     /// A bore of this radius [m] goes through all that removes bone: a trephine. What is in it stays.
@@ -113,6 +123,8 @@ public:
         out.cutting_first = static_cast<std::uint32_t>(first);
         out.cutting_count = static_cast<std::uint32_t>(cutting_ > first ? cutting_ - first : 0);
         out.bore = bore_;
+        std::copy_n(gap_.begin(), gaps_, out.gap);
+        out.gap_count = static_cast<std::uint32_t>(gaps_);
         out.grip_z = grip_z_;
         out.hands = hands_;
         out.tip_deflection = bending_.deflection;
@@ -138,6 +150,9 @@ private:
 
     std::array<kerf_profile_point, capacity> point_{};
     std::size_t count_ = 0, safe_ = 0, cutting_ = 0, stay_ = 0, threaded_ = 0;
+    std::array<kerf_gap, KERF_MAX_GAPS> gap_{};
+    std::size_t gaps_ = 0;
+    bool has_gap_ = false;  ///< one more, which the next cuts() ends
     std::uint32_t kind_ = KERF_SOLID_REVOLUTION, hands_ = 1;
     double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0, bore_ = 0.0;
     Thread thread_{};
