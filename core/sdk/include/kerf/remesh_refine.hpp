@@ -1,67 +1,142 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "kerf/remesh_mesh.hpp"
 
 namespace kerf::remeshing {
 
-/// Splits edges longer than `longest` [m] in their middle, until there is none for which `is_near(middle, length)`. Of
-/// a face with three such edges it makes four, with two three, with one two; new faces keep their tag. Vertices keep
-/// their numbers. Edges between two locked vertices stay whole, so that a locked border comes back.   [any]
+namespace detail {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  ///< two vertices, the smaller number first
+
+struct EdgeSplit {
+    double length = 0.0;  ///< [m]
+    bool is_wanted = false, is_locked = false;
+    std::uint32_t middle = 0;
+};
+
+/// The edges of one pass of split_long_edges.
+class EdgesToSplit {
+public:
+    EdgesToSplit(const Triangles& mesh, std::span<const std::uint8_t> locked) : mesh_(&mesh) {
+        const auto is_locked = [&](std::uint32_t v) { return v < locked.size() && locked[v] != 0; };
+        for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
+            std::array<EdgeSplit*, 3>& sides = faces_.emplace_back();
+            for (std::size_t side = 0; side < 3; ++side) {
+                const std::uint32_t a = mesh.triangles[3 * f + side], b = mesh.triangles[3 * f + (side + 1) % 3];
+                const auto [found, is_new] = all_.try_emplace({std::min(a, b), std::max(a, b)});
+                if (is_new) {
+                    found->second.length =
+                        length(mesh.vertices[found->first.second] - mesh.vertices[found->first.first]);
+                    found->second.is_locked = is_locked(a) && is_locked(b);
+                }
+                sides[side] = &found->second;
+            }
+        }
+    }
+
+    /// Of each face with an edge that `is_long` the longest edge is split too, and those of the face beyond: so the
+    /// angles of faces stay bounded, and splitting ends. Where that meets a locked edge, no edge of the face is split.
+    /// Returns whether any edge is.
+    template <class IsLong>
+    bool choose(const IsLong& is_long) {
+        for (auto& [edge, split] : all_)
+            split.is_wanted = is_long(0.5 * (mesh_->vertices[edge.first] + mesh_->vertices[edge.second]), split.length);
+        settle([](EdgeSplit& longest, const std::array<EdgeSplit*, 3>&) { return longest.is_wanted = true; });
+        for (auto& [edge, split] : all_) split.is_wanted = split.is_wanted && !split.is_locked;
+        settle([](EdgeSplit&, const std::array<EdgeSplit*, 3>& sides) {
+            for (EdgeSplit* side : sides) side->is_wanted = false;
+            return true;
+        });
+        return std::any_of(all_.begin(), all_.end(), [](const auto& one) { return one.second.is_wanted; });
+    }
+    /// Adds the middles of what is split to the vertices of a mesh.
+    void add_middles(std::vector<Vec3>& vertices) {
+        for (auto& [edge, split] : all_) {
+            if (!split.is_wanted) continue;
+            split.middle = static_cast<std::uint32_t>(vertices.size());
+            vertices.push_back(0.5 * (vertices[edge.first] + vertices[edge.second]));
+        }
+    }
+    [[nodiscard]] const std::array<EdgeSplit*, 3>& of_face(std::size_t face) const { return faces_[face]; }
+
+    /// The side of a face that is the longest; the first of equal ones.
+    [[nodiscard]] static std::size_t longest_of(const std::array<EdgeSplit*, 3>& sides) {
+        std::size_t longest = 0;
+        for (std::size_t side = 1; side < 3; ++side)
+            if (sides[side]->length > sides[longest]->length) longest = side;
+        return longest;
+    }
+
+private:
+    /// Calls `change` for faces with an edge that is split and a longest edge that is not, until there is none.
+    template <class Change>
+    void settle(const Change& change) {
+        for (bool has_changed = true; has_changed;) {
+            has_changed = false;
+            for (std::array<EdgeSplit*, 3>& sides : faces_) {
+                EdgeSplit& longest = *sides[longest_of(sides)];
+                const bool is_any = sides[0]->is_wanted || sides[1]->is_wanted || sides[2]->is_wanted;
+                if (is_any && !longest.is_wanted) has_changed = change(longest, sides);
+            }
+        }
+    }
+
+    const Triangles* mesh_;
+    std::map<Edge, EdgeSplit> all_;
+    std::vector<std::array<EdgeSplit*, 3>> faces_;
+};
+
+}  // namespace detail
+
+/// Splits edges longer than `longest` [m] for which `is_near(middle, length)` in their middle, until there is none, and
+/// the longest edges of their faces with them. Faces that are split keep their tag, vertices their number. Edges
+/// between two locked vertices stay whole, so that a locked border comes back; so do shorter edges of their faces.
+/// [any]
 /// @param locked   of each vertex: 1 for locked; may be empty
 template <class IsNear>
 void split_long_edges(Triangles& mesh, std::span<const std::uint8_t> locked, double longest, const IsNear& is_near) {
-    constexpr std::uint32_t whole = 0xffffffffu;
-    const auto is_locked = [&](std::uint32_t v) { return v < locked.size() && locked[v] != 0; };
-    for (bool has_split = true; has_split;) {
-        has_split = false;
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-        const auto middle_of = [&](std::uint32_t a, std::uint32_t b) {
-            const auto [found, is_first] = middles.try_emplace({std::min(a, b), std::max(a, b)}, whole);
-            if (!is_first || (is_locked(a) && is_locked(b))) return found->second;
-            const Vec3 from = mesh.vertices[found->first.first], to = mesh.vertices[found->first.second];
-            const double span = length(to - from);
-            if (!(span > longest) || !is_near(0.5 * (from + to), span)) return whole;
-            mesh.vertices.push_back(0.5 * (from + to));
-            return found->second = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
-        };
+    for (;;) {
+        detail::EdgesToSplit edges(mesh, locked);
+        if (!edges.choose([&](Vec3 middle, double span) { return span > longest && is_near(middle, span); })) return;
+        edges.add_middles(mesh.vertices);
         Triangles next;
         const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint8_t tag) {
             next.triangles.insert(next.triangles.end(), {a, b, c});
             next.tags.push_back(tag);
         };
         for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
-            std::array<std::uint32_t, 3> v{mesh.triangles[3 * f], mesh.triangles[3 * f + 1], mesh.triangles[3 * f + 2]};
-            std::array<std::uint32_t, 3> m{middle_of(v[0], v[1]), middle_of(v[1], v[2]), middle_of(v[2], v[0])};
-            const int count = (m[0] != whole) + (m[1] != whole) + (m[2] != whole);
-            has_split = has_split || count > 0;
-            // One split edge first, the whole one last.
-            for (int turn = 0; turn < 2 && (count == 1 ? m[0] == whole : count == 2 && m[2] != whole); ++turn) {
-                v = {v[1], v[2], v[0]};
-                m = {m[1], m[2], m[0]};
-            }
+            const auto& sides = edges.of_face(f);
             const std::uint8_t tag = mesh.tags[f];
-            if (count == 0) {
-                add(v[0], v[1], v[2], tag);
-            } else if (count == 1) {
-                add(v[0], m[0], v[2], tag);
-                add(m[0], v[1], v[2], tag);
-            } else if (count == 2) {
-                add(v[0], m[0], v[2], tag);
-                add(m[0], m[1], v[2], tag);
-                add(m[0], v[1], m[1], tag);
+            // From the longest side on, which is split if any is.
+            const std::size_t first = detail::EdgesToSplit::longest_of(sides);
+            const std::uint32_t a = mesh.triangles[3 * f + first], b = mesh.triangles[3 * f + (first + 1) % 3],
+                                c = mesh.triangles[3 * f + (first + 2) % 3];
+            const detail::EdgeSplit &ab = *sides[first], &bc = *sides[(first + 1) % 3], &ca = *sides[(first + 2) % 3];
+            if (!ab.is_wanted) {
+                add(a, b, c, tag);
+                continue;
+            }
+            if (bc.is_wanted) {
+                add(ab.middle, b, bc.middle, tag);
+                add(ab.middle, bc.middle, c, tag);
             } else {
-                add(v[0], m[0], m[2], tag);
-                add(m[0], v[1], m[1], tag);
-                add(m[2], m[1], v[2], tag);
-                add(m[0], m[1], m[2], tag);
+                add(ab.middle, b, c, tag);
+            }
+            if (ca.is_wanted) {
+                add(a, ab.middle, ca.middle, tag);
+                add(ab.middle, c, ca.middle, tag);
+            } else {
+                add(a, ab.middle, c, tag);
             }
         }
         mesh.triangles = std::move(next.triangles);
