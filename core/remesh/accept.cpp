@@ -2,8 +2,10 @@
 #include "core/remesh/accept.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <tuple>
 #include <vector>
 
@@ -93,6 +95,33 @@ std::string flaw_of_faces(const SurfaceMesh& mesh, const TaggedMesh& ring, const
            " of faces cross, the first at " + place_text(both.vertices[both.triangles[crossings.front()[0]][0]]);
 }
 
+/// How a border differs from what it was.
+std::string flaw_of_border(const std::vector<BorderEdge>& border, const std::vector<BorderEdge>& before) {
+    const auto is_less = [](const BorderEdge& a, const BorderEdge& b) {
+        return less(a.from, b.from) || (a.from == b.from && less(a.to, b.to));
+    };
+    std::vector<BorderEdge> more, gone;
+    std::set_difference(border.begin(), border.end(), before.begin(), before.end(), std::back_inserter(more), is_less);
+    std::set_difference(before.begin(), before.end(), border.begin(), border.end(), std::back_inserter(gone), is_less);
+    if (gone.empty())
+        return std::to_string(more.size()) + " open edges within its border, the first at " +
+               place_text(more.front().from);
+    return std::to_string(gone.size()) + (gone.size() == 1 ? " edge" : " edges") +
+           " of its border did not come back, the first at " + place_text(gone.front().from);
+}
+
+/// Finer than any tolerance needs, as when each call splits all faces: it would soon take minutes to check.
+std::string flaw_of_count(const RemeshRequest& request, const SurfaceMesh& mesh) {
+    const std::size_t before = request.base.mesh.triangles.size(), count = mesh.triangles.size();
+    constexpr std::size_t few = 50000;  // which are checked in a moment
+    if (count <= std::max(before, few)) return {};
+    const double most = area_of(mesh) / (request.tolerance * request.tolerance);
+    if (static_cast<double>(count) <= most) return {};
+    return "it has " + std::to_string(count) + " faces, before the cut " + std::to_string(before) + "; a surface to " +
+           std::to_string(std::lround(request.tolerance * 1e6)) + " um needs fewer than " +
+           std::to_string(std::llround(most));
+}
+
 /// The vertices of a mesh, sorted by position.
 std::vector<Vec3> sorted_vertices(const SurfaceMesh& mesh) {
     std::vector<Vec3> vertices = mesh.vertices;
@@ -104,6 +133,7 @@ std::vector<Vec3> sorted_vertices(const SurfaceMesh& mesh) {
 std::string flaw_of(const RemeshRequest& request, const TaggedMesh& result, const TaggedMesh* ring) {
     const SurfaceMesh& mesh = result.mesh;
     if (result.tags.size() != mesh.triangles.size()) return "not every face has a tag";
+    if (std::string flaw = flaw_of_count(request, mesh); !flaw.empty()) return flaw;
     std::vector<BorderEdge> border_before, border;
     if (std::string flaw = flaw_of_edges(request.base.mesh, half_edges_of(request.base.mesh), border_before);
         !flaw.empty())
@@ -117,7 +147,7 @@ std::string flaw_of(const RemeshRequest& request, const TaggedMesh& result, cons
     if (std::string flaw = flaw_of_edges(mesh, edges, border); !flaw.empty()) return flaw;
     if (border_before.empty() && !border.empty())
         return std::to_string(border.size()) + " open edges, the first at " + place_text(border.front().from);
-    if (border != border_before) return "its border is another one";
+    if (border != border_before) return flaw_of_border(border, border_before);
     if (ring != nullptr && has_edge_of(*ring, mesh, edges))
         return "an edge has two faces, and two more beyond the border";
     if (const auto pinched = pinched_vertices_of(mesh, edges); !pinched.empty())

@@ -144,11 +144,11 @@ std::string RemeshChild::end() {
 RemeshResult RemeshChild::lost(const std::string& why) {
     const std::string how = end();
     if (restarts_ >= most_restarts)
-        return failed(why + ": the process " + how + ". It is not started again after " +
-                      std::to_string(most_restarts) + " restarts.");
+        return failed(why + ": the process " + how + " and is not started again after " +
+                      std::to_string(most_restarts) + " restarts");
     ++restarts_;
     const std::string fault = spawn();
-    return failed(why + ": the process " + how + (fault.empty() ? " and was started again." : "; " + fault + "."));
+    return failed(why + ": the process " + how + (fault.empty() ? " and was started again" : "; " + fault));
 }
 
 RemeshResult RemeshChild::remesh(const RemeshRequest& request, std::chrono::milliseconds limit) {
@@ -178,14 +178,19 @@ RemeshResult RemeshChild::answer_of(const RemeshRequest& request, std::chrono::m
     Answer answer;
     const auto end = Clock::now() + limit;
     Received received = receive(socket_, answer, end);
-    if (received == Received::late) {
+    const bool is_cancelled = received == Received::late;
+    if (is_cancelled) {
         std::atomic_ref(*reinterpret_cast<std::uint32_t*>(arena.base + ask.in.cancel)).store(1);
         constexpr auto grace = std::chrono::milliseconds(200);
         received = receive(socket_, answer, Clock::now() + grace);
     }
-    if (received == Received::late) return lost("no answer within " + std::to_string(limit.count()) + " ms");
+    const std::string no_answer = "no answer within " + std::to_string(limit.count()) + " ms";
+    if (received == Received::late) return lost(no_answer);
     if (received == Received::closed || answer.number != ask.number) return lost("the answer was cut short");
-    return unpack(answer.status, answer.out, result_.arena());
+    RemeshResult result = unpack(answer.status, answer.out, result_.arena());
+    if (result.status == KERF_REMESH_CANCELLED)
+        result.message = is_cancelled ? no_answer : "it answers CANCELLED, and was not cancelled";
+    return result;
 }
 
 }  // namespace kerf

@@ -40,6 +40,17 @@ TEST(AcceptResult, RefusesAnOpenMesh) {
     open.triangles.pop_back();
     EXPECT_NE(flaw_of(open).find("open edges"), std::string::npos) << flaw_of(open);
 }
+TEST(AcceptResult, RefusesMoreFacesThanItsToleranceNeeds) {
+    RemeshRequest request = request_for(sphere(5.0_mm, 3));
+    request.tolerance = 0.1_mm;  // 31 000 faces on 3.1 cm²
+    EXPECT_EQ(flaw_of_result(request, tagged(sphere(5.0_mm, 6))), "") << "few enough to be checked in a moment";
+    const std::string flaw = flaw_of_result(request, tagged(sphere(5.0_mm, 7)));
+    EXPECT_NE(flaw.find("it has 131072 faces, before the cut 512; a surface to 100 um needs fewer than 314"),
+              std::string::npos)
+        << flaw;
+    request.base = tagged(sphere(5.0_mm, 7));
+    EXPECT_EQ(flaw_of_result(request, request.base), "") << "no more than before";
+}
 TEST(AcceptResult, RefusesAFaceTheOtherWayRound) {
     SurfaceMesh flipped = cube(9.0_mm);
     std::swap(flipped.triangles[3][0], flipped.triangles[3][1]);
@@ -107,7 +118,11 @@ TEST(AcceptResult, WantsBorderAndLockedVerticesBackBitForBit) {
     EXPECT_NE(flaw_of_result(request, tagged(moved)), "");
     SurfaceMesh smaller = patch;
     smaller.triangles.pop_back();
-    EXPECT_NE(flaw_of_result(request, tagged(smaller)).find("border"), std::string::npos);
+    EXPECT_NE(flaw_of_result(request, tagged(smaller)).find("border did not come back"), std::string::npos);
+    SurfaceMesh open = patch;
+    open.triangles.erase(open.triangles.begin());  // around the pole, which no edge of the border is near
+    EXPECT_NE(flaw_of_result(request, tagged(open)).find("3 open edges within its border"), std::string::npos)
+        << flaw_of_result(request, tagged(open));
 }
 
 TEST(AcceptResult, RefusesAnEdgeThatIsThereBeyondTheBorder) {
