@@ -107,7 +107,7 @@ std::size_t named_memory_count = 0;
 /// "in `resist` of `burring`", or where else.
 FixedText& add_call(FixedText& text) noexcept {
     const CallInProgress call = call_in_progress();
-    if (call.call == PluginCall::none) return text << "outside its four functions";
+    if (call.call == PluginCall::none) return text << "outside its functions";
     return text << "in `" << to_text(call.call) << "` of `"
                 << (call.component != nullptr ? name_of(call.component).component : "") << "`";
 }

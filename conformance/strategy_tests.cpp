@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "conformance/guarded_memory.h"
@@ -22,7 +23,9 @@
 #include "conformance/test_groups.h"
 #include "conformance/words.h"
 #include "core/plugin/plain_text.h"
+#include "core/plugin/plugin_call.h"
 #include "core/remesh/accept.h"
+#include "core/remesh/local_cutting.h"
 #include "core/remesh/remesh_child.h"
 #include "core/remesh/removal.h"
 
@@ -72,7 +75,7 @@ Call call(const kerf_component& strategy, const RemeshRequest& request, const st
     kerf_arena to{made.arena.data(), made.arena.size(), 64};
     made.out.size = sizeof made.out;
     void* const cache = strategy.remesher->cache_new != nullptr ? strategy.remesher->cache_new() : nullptr;
-    made.status = strategy.remesher->remesh(&in, &in_arena, &to, &made.out, cache);
+    made.status = call_remesh(strategy, in, in_arena, to, made.out, cache);
     if (strategy.remesher->cache_drop != nullptr && cache != nullptr) strategy.remesher->cache_drop(cache);
     made.result = unpack(made.status, made.out, to);
     return made;
@@ -114,6 +117,13 @@ void answers(Examination& exam) {
     });
 }
 
+std::string name_of(kerf_status status) {
+    return status == KERF_REMESH_UNCHANGED   ? "unchanged"
+           : status == KERF_REMESH_CANCELLED ? "cancelled"
+           : status == KERF_REMESH_REFUSED   ? "refused"
+                                             : "status " + std::to_string(status);
+}
+
 void refuses_in_words(Examination& exam) {
     on_each_scene(exam, [&](const RemeshScene& scene, const RemeshTask&, const Call& made) {
         if (made.status != KERF_REMESH_DECLINED && made.status != KERF_REMESH_REFUSED) return;
@@ -133,7 +143,7 @@ void cuts_a_scene(Examination& exam) {
         cut += made.status == KERF_OK;
         if (!scene.is_in_air() && made.status != KERF_OK)
             reasons += (reasons.empty() ? "" : "; ") + scene.name + ": " +
-                       (made.result.message.empty() ? "status " + std::to_string(made.status) : made.result.message);
+                       (made.result.message.empty() ? name_of(made.status) : made.result.message);
     });
     if (cut == 0) return exam.fail("It cuts none of the kit's scenes. " + reasons + ".");
     exam.note("cuts " + std::to_string(cut) + " of " + std::to_string(remesh_scenes().size() - 1) + " scenes");
@@ -230,7 +240,7 @@ void reads_only_its_request(Examination& exam) {
     kerf_arena to{room.data(), room.size(), 64};
     kerf_remesh_out out{};
     out.size = sizeof out;
-    static_cast<void>(strategy.remesher->remesh(&in, &from, &to, &out, nullptr));
+    static_cast<void>(call_remesh(strategy, in, from, to, out, nullptr));
 }
 
 void keeps_within_its_arena(Examination& exam) {
@@ -247,7 +257,7 @@ void keeps_within_its_arena(Examination& exam) {
         kerf_arena to{guarded, room, 64};
         kerf_remesh_out out{};
         out.size = sizeof out;
-        const kerf_status status = strategy.remesher->remesh(&in, &from, &to, &out, nullptr);
+        const kerf_status status = call_remesh(strategy, in, from, to, out, nullptr);
         if (status == KERF_OK && unpack(status, out, to).status == KERF_OK) continue;  // it is that small
         if (status == KERF_OK)
             return exam.fail("With an arena of " + std::to_string(room) +
@@ -269,7 +279,7 @@ void gives_way(Examination& exam) {
     kerf_arena to{room.data(), room.size(), 64};
     kerf_remesh_out out{};
     out.size = sizeof out;
-    const kerf_status status = strategy.remesher->remesh(&in, &from, &to, &out, nullptr);
+    const kerf_status status = call_remesh(strategy, in, from, to, out, nullptr);
     if (!is_known(status))
         exam.fail("A request that is cancelled gives " + std::to_string(status) +
                   ", expected KERF_REMESH_CANCELLED, or any answer soon.");
@@ -316,6 +326,83 @@ void removes_the_volume(Examination& exam) {
     exam.note("off by " + number(100.0 * worst) + " % at most");
 }
 
+/// The surface of a slab that a strategy cuts step by step, as a run has it.
+class SteppedSurface {
+public:
+    SteppedSurface(const kerf_component& strategy, const RemeshScene& scene)
+        : strategy_(&strategy),
+          is_whole_(strategy.remesher->scope == KERF_REMESH_WHOLE),
+          request_(task_of(scene, KERF_REMESH_WHOLE, default_tolerance).request),
+          patches_(request_.base, {&scene.solid}, default_tolerance,
+                   {{{strategy.id, [this](const RemeshRequest& request) { return answer_to(request); },
+                      tolerance_of(strategy, defaults_of(strategy))}}}) {}
+
+    /// Returns whether the strategy made the cut; `why` if not.
+    [[nodiscard]] bool cut(const CutStretch& stretch, std::string& why) {
+        if (!is_whole_) return patches_.cut(stretch, why);
+        request_.cuts = {stretch};
+        constexpr std::uint64_t most_seeds = 5;  // as in a run
+        for (request_.nudge_seed = 0; request_.nudge_seed < most_seeds; ++request_.nudge_seed) {
+            RemeshResult result = answer_to(request_);
+            why = result.message;
+            if (result.status == KERF_REMESH_UNCHANGED) return true;
+            if (result.status == KERF_REMESH_DECLINED) return false;
+            if (result.status == KERF_OK) why = flaw_of_result(request_, result.mesh);
+            if (result.status == KERF_OK && why.empty())
+                why = flaw_of_removal(request_, result.mesh, allowed_of(*strategy_));
+            if (result.status != KERF_OK || !why.empty()) continue;
+            removed_ += volume_between(result.mesh.mesh, request_.base.mesh);
+            request_.base = std::move(result.mesh);
+            return true;
+        }
+        return false;
+    }
+    [[nodiscard]] double removed() const { return is_whole_ ? removed_ : patches_.removed(); }  ///< [m³]
+    [[nodiscard]] bool is_declined() const { return is_declined_; }
+
+private:
+    RemeshResult answer_to(const RemeshRequest& request) {
+        RemeshResult result = call(*strategy_, request, defaults_of(*strategy_)).result;
+        is_declined_ = is_declined_ || result.status == KERF_REMESH_DECLINED;
+        return result;
+    }
+
+    const kerf_component* strategy_;
+    bool is_whole_, is_declined_ = false;
+    RemeshRequest request_;
+    LocalCutting patches_;
+    double removed_ = 0.0;
+};
+
+void goes_on(Examination& exam) {
+    const kerf_component& strategy = *exam.subject->strategy;
+    const int steps = strategy.remesher->scope == KERF_REMESH_WHOLE ? 4 : 24;
+    const std::string in_steps = "in " + std::to_string(steps) + " steps";
+    int cut = 0;
+    for (const RemeshScene& scene : remesh_scenes()) {
+        if (scene.is_in_air()) continue;
+        SteppedSurface surface(strategy, scene);
+        const Vec3 way = scene.cut.to.position - scene.cut.from.position;
+        const auto pose_at = [&](int step) {
+            return Pose{scene.cut.from.position + (static_cast<double>(step) / steps) * way, scene.cut.from.rotation};
+        };
+        std::string why;
+        for (int step = 0; step < steps && !surface.is_declined(); ++step)
+            if (!surface.cut({pose_at(step), pose_at(step + 1), 0}, why) && !surface.is_declined())
+                return exam.fail(on(scene) + in_steps + ", it fails on step " + std::to_string(step + 1) +
+                                 ", on the surface that it has left: " + why + ".");
+        if (surface.is_declined()) continue;
+        ++cut;
+        const double allowed = tolerance_of(strategy, defaults_of(strategy)) * scene.walls + 1e-13;
+        if (std::abs(surface.removed() - scene.volume) > allowed)
+            return exam.fail(on(scene) + in_steps + ", it removes " + number(1e9 * surface.removed()) +
+                             " mm3, expected " + number(1e9 * scene.volume) + " mm3 within " + number(1e9 * allowed) +
+                             " mm3: its tolerance on all walls.");
+    }
+    if (cut == 0) return exam.skip("it declines a step of each scene");
+    exam.note(std::to_string(cut) + (cut == 1 ? " scene " : " scenes ") + in_steps);
+}
+
 constexpr Test tests[] = {
     {"remesh.status", 3, Scope::strategy, "It answers with a status of the boundary, and a mesh in its arena.",
      &answers, "describe.tables", 20},
@@ -340,6 +427,8 @@ constexpr Test tests[] = {
      "remesh.sound", 30},
     {"remesh.volume", 4, Scope::strategy, "The volumes that it removes are those of formulas.", &removes_the_volume,
      "remesh.sound", 30},
+    {"remesh.steps", 4, Scope::strategy, "It cuts in steps, each on the surface that the ones before it have left.",
+     &goes_on, "remesh.volume", 60},
 };
 
 }  // namespace

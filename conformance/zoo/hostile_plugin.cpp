@@ -163,6 +163,7 @@ kerf_signal signals[2];
 kerf_event events[2];
 kerf_tool tool;
 kerf_force force;
+const char* strategies[] = {"example.burring.groove", "example.burring.groove"};
 kerf_component components[3];
 constexpr kerf_feature feature{
     .id = "size", .help = "A longer one.", .kind = KERF_FEATURE_EFFECT, .param = 0, .off = 1e-3};
@@ -232,6 +233,11 @@ void fill_tool() {
     tool.drives = is("null_drives") ? nullptr : drives;
     tool.drive_count = std::size(drives);
     tool.shape = is("null_shape") ? nullptr : &shape;
+    if (is("names_a_strategy_twice") || is("names_a_strategy_it_lacks")) {
+        tool.strategies = strategies;
+        tool.strategy_count = is("names_a_strategy_twice") ? 2 : 1;
+        if (is("names_a_strategy_it_lacks")) strategies[0] = "test.hostile.grove";
+    }
 }
 
 void fill_force() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The example's strategy with one fault, `kerf_how`, which each library brings along; "strategy_saint" has none. Each
 // test of a strategy has an animal here that fails it first.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -73,6 +74,10 @@ kerf_status remesh(const kerf_remesh_in* in, const kerf_arena* from, kerf_arena*
     }
     if (status != KERF_OK) return status;
     if (is("turns_a_face_over")) flip_a_face(*out, *to);
+    if (is("stumbles_over_its_walls")) {
+        const auto tags = remeshing::array<std::uint8_t>(*from, in->base.tags, in->base.triangle_count);
+        if (std::find(tags.begin(), tags.end(), KERF_FACE_WALL) != tags.end()) flip_a_face(*out, *to);
+    }
     if (is("counts_its_calls")) vertices_of(*out, *to)[3 * out->result.vertex_count - 1] += 1e-12 * ++calls;
     if (is("breaks_when_it_is_fine") && tolerance <= sound.params[0].min) flip_a_face(*out, *to);
     if (is("leaves_bone")) make_shallow(*in, *from, *out, *to, 0.3e-3);

@@ -137,6 +137,7 @@ std::string fault_of_bore(const kerf_tool_shape& shape) {
     for (std::uint32_t i = 0; i < shape.cutting_count; ++i)
         narrowest = std::min(narrowest, shape.profile[shape.cutting_first + i].radius);
     if (shape.bore > 0.0 && shape.bore < narrowest) return {};
+    if (narrowest == 0.0) return "`bore` is " + in_mm(shape.bore) + ", expected 0 mm: what cuts comes to a point.";
     return "`bore` is " + in_mm(shape.bore) + ", expected 0 mm, or more and less than " + in_mm(narrowest) +
            ", the narrowest radius of what cuts. Make the tool wider or the bore narrower.";
 }
@@ -179,7 +180,9 @@ std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacit
         return "`cutting_count` is " + std::to_string(shape.cutting_count) +
                (shape.cutting_first > 0 ? " from point " + std::to_string(shape.cutting_first) + " on" : "") +
                ", expected " + (shape.cutting_first > 0 ? "" : "0, or ") + "2 … " + std::to_string(behind) +
-               (shape.cutting_first > 0 ? ": what cuts has two points at least. List some after `safe()`." : ".");
+               (shape.cutting_first > 0
+                    ? ": what cuts has two points at least. List them between `safe()` and `cuts()`."
+                    : ".");
     if (shape.reserved != 0 || shape.reserved2 != 0)
         return "`reserved` is " + std::to_string(shape.reserved) + ", expected 0.";
     for (std::uint32_t i = 0; i < shape.profile_count; ++i) {

@@ -269,6 +269,10 @@ std::string fault_of_strategies(const kerf_tool& tool) {
         if (std::strchr(tool.strategies[i], '.') == nullptr)
             return name + got("id", quoted_plain(tool.strategies[i]), "its plugin's id before it, and a dot",
                               "Write it in full, as `example.burring.groove`.");
+        for (std::uint32_t j = 0; j < i; ++j)
+            if (std::strcmp(tool.strategies[i], tool.strategies[j]) == 0)
+                return name + got("id", "`" + std::string(tool.strategies[i]) + "` again", "each strategy once",
+                                  "Remove one of them.");
     }
     return {};
 }
@@ -326,6 +330,23 @@ std::string fault_of_own_tools(const kerf_force& force, const kerf_entry& entry)
                 return c.kind == KERF_KIND_TOOL && c.id != nullptr && std::string_view(c.id) == id;
             }))
             return name + got("id", "`" + std::string(id) + "`", "the id of a tool of this plugin", "List the tool.");
+    }
+    return {};
+}
+
+/// What a tool names of its own plugin must be there. Other plugins may be installed or not.
+std::string fault_of_own_strategies(const kerf_tool& tool, const kerf_entry& entry) {
+    const std::string own = std::string(entry.plugin_id) + ".";
+    for (std::uint32_t i = 0; i < tool.strategy_count; ++i) {
+        const std::string_view id = tool.strategies[i];
+        if (!id.starts_with(own) || id.find('.', own.size()) != std::string_view::npos) continue;
+        const auto* const end = entry.components + entry.component_count;
+        if (std::none_of(entry.components, end, [&](const kerf_component& c) {
+                return c.kind == KERF_KIND_REMESHER && c.id != nullptr && id.substr(own.size()) == c.id;
+            }))
+            return "strategy " + std::to_string(i) + ": " +
+                   got("id", "`" + std::string(id) + "`", "the id of a strategy of this plugin",
+                       "List the strategy among the plugin's components.");
     }
     return {};
 }
@@ -409,6 +430,9 @@ std::string fault_of_components(const kerf_entry& entry) {
             return std::string("component `") + c.id + "`: " + fault;
         if (c.kind == KERF_KIND_FORCE)
             if (std::string fault = fault_of_own_tools(*c.force, entry); !fault.empty())
+                return std::string("component `") + c.id + "`: " + fault;
+        if (c.kind == KERF_KIND_TOOL)
+            if (std::string fault = fault_of_own_strategies(*c.tool, entry); !fault.empty())
                 return std::string("component `") + c.id + "`: " + fault;
         for (std::uint32_t j = 0; j < i; ++j)
             if (c.kind == entry.components[j].kind && std::strcmp(c.id, entry.components[j].id) == 0)

@@ -76,6 +76,8 @@ const char* to_text(PluginCall call) noexcept {
             return "resist";
         case PluginCall::commit:
             return "commit";
+        case PluginCall::remesh:
+            return "remesh";
         default:
             return "";
     }
@@ -113,6 +115,16 @@ kerf_status call_commit(const kerf_component& law, const kerf_tick_in& in, const
     const CallNote note(PluginCall::commit, law);
     try {
         return law.force->commit(&in, &advance, state, &out);
+    } catch (...) {
+        end_by_exception();
+    }
+}
+
+kerf_status call_remesh(const kerf_component& strategy, const kerf_remesh_in& in, const kerf_arena& from,
+                        kerf_arena& to, kerf_remesh_out& out, void* cache) noexcept {
+    const CallNote note(PluginCall::remesh, strategy);
+    try {
+        return strategy.remesher->remesh(&in, &from, &to, &out, cache);
     } catch (...) {
         end_by_exception();
     }

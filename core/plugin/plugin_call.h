@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "kerf/abi.h"
+#include "kerf/remesh.h"
 
 /// Every call into a plugin goes through here, so that a crash, an exit or a loop in it can be named.
 namespace kerf {
 
-enum class PluginCall : std::uint32_t { none, shape, begin, resist, commit };
+enum class PluginCall : std::uint32_t { none, shape, begin, resist, commit, remesh };
 [[nodiscard]] const char* to_text(PluginCall call) noexcept;  // [any]
 
 /// Calls a tool's `shape`.   [main]
@@ -23,6 +24,10 @@ void call_begin(const kerf_component& law, const kerf_tick_in& in, void* state) 
                                       kerf_law& out) noexcept;
 [[nodiscard]] kerf_status call_commit(const kerf_component& law, const kerf_tick_in& in, const kerf_advance& advance,
                                       void* state, kerf_commit_out& out) noexcept;
+
+/// Calls a strategy's `remesh`.   [worker]
+[[nodiscard]] kerf_status call_remesh(const kerf_component& strategy, const kerf_remesh_in& in, const kerf_arena& from,
+                                      kerf_arena& to, kerf_remesh_out& out, void* cache) noexcept;
 
 /// The call that is going on. Kerf calls plugins on one thread at a time.
 struct CallInProgress {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/plugin/plugin_call.h"
+
 namespace kerf {
 
 std::unique_ptr<RemeshModule> RemeshModule::open(const std::string& path, std::string& error) {
@@ -35,7 +37,7 @@ RemeshResult remesh_here(const kerf_component& strategy, const RemeshRequest& re
         full.message = "the request does not fit its arena";
         return full;
     }
-    const kerf_status status = strategy.remesher->remesh(&in, &in_arena, &out_arena, &out, cache);
+    const kerf_status status = call_remesh(strategy, in, in_arena, out_arena, out, cache);
     return unpack(status, out, out_arena);
 }
 

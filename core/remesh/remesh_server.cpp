@@ -12,6 +12,7 @@
 #include <iterator>
 
 #include "core/plugin/check_tables.h"
+#include "core/plugin/plugin_call.h"
 #include "core/remesh/remesh_channel.h"
 #include "core/remesh/remesh_module.h"
 #include "core/remesh/shared_memory.h"
@@ -93,7 +94,7 @@ int serve_remeshing(const std::string& module_path, const std::string& strategy,
             from.used = ask.request_used;
             to.used = 64;  // an offset of 0 means none
             before();
-            answer.status = remesher->remesh(&ask.in, &from, &to, &answer.out, cache);
+            answer.status = call_remesh(*component, ask.in, from, to, answer.out, cache);
             after();
         } else {
             copy_text(answer.out.message, "the shared memory cannot be mapped");

@@ -42,6 +42,7 @@ int level_of(const std::string& test) {
            : test.starts_with("shape.")                                 ? 2
            : test.starts_with("physics.")                               ? 4
            : test == "remesh.removal" || test == "remesh.volume"        ? 4
+           : test == "remesh.steps"                                     ? 4
                                                                         : 3;
 }
 
@@ -176,10 +177,11 @@ const std::vector<Animal>& zoo() {
         {"breaks_when_it_is_fine", "remesh.range", "tolerance"},
         {"writes_to_its_request", "remesh.reads", "which is the host's"},
         {"overruns_its_arena", "remesh.arena", "beyond the end of the result's arena"},
-        {"ignores_that_it_is_cancelled", "remesh.cancel", "did not return"},
+        {"ignores_that_it_is_cancelled", "remesh.cancel", "did not return from its work in `remesh` of `groove`"},
         {"leaves_another_rounding", "remesh.process", "rounding mode"},
         {"leaves_bone", "remesh.removal", "bone is left in the path"},
         {"is_a_little_shallow", "remesh.volume", "expected"},
+        {"stumbles_over_its_walls", "remesh.steps", "on the surface that it has left"},
     };
     return animals;
 }
