@@ -278,7 +278,7 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(chart, "-o,--out", line.out, "FOLDER",
                "Folder for chart.csv, chart.html and the pictures; default: out/chart", not_empty(out_help));
 
-    add("list", "List the tools and force laws of all plugins");
+    add("list", "List the tools, force laws and remeshing strategies of all plugins");
 
     CLI::App* check = add("check", "Test plugins for conformance: tables, geometry, laws, real time, physics");
     check->add_option("PLUGIN", line.files, "Shared libraries of plugins")

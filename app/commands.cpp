@@ -54,8 +54,10 @@ std::string text_of(const ExactRow& exact) {
         return "  " + (exact.why_not.starts_with(none) ? "" : std::string(none) + ": ") + exact.why_not + "\n";
     std::size_t triangles = 0;
     for (const ExactRow::Piece& piece : exact.pieces) triangles += piece.triangles;
-    return formatted("  exact surface: %zu %s, %zu triangles, digest %s\n", exact.pieces.size(),
-                     exact.pieces.size() == 1 ? "body" : "bodies", triangles, hex16(exact.digest).c_str());
+    std::string text = formatted("  exact surface: %zu %s, %zu triangles, digest %s\n", exact.pieces.size(),
+                                 exact.pieces.size() == 1 ? "body" : "bodies", triangles, hex16(exact.digest).c_str());
+    for (const std::string& note : exact.notes) text += "    " + note + "\n";
+    return text;
 }
 
 /// Two digits behind the point, or two that count.

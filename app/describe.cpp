@@ -32,6 +32,11 @@ std::string shown(double value, const std::string& unit) {
     return quantity_text(value, unit.empty() || parse_unit(unit) ? unit : "(SI)");
 }
 
+/// Whether a user means a component: a strategy by the last words of its id, as a procedure does.
+bool names(const ComponentInfo& component, const std::string& wanted) {
+    return component.kind == KERF_KIND_REMESHER ? component.is_meant_by(wanted) : full_id(component) == wanted;
+}
+
 std::string padded(std::string text, std::size_t width) {
     text.resize(std::max(width, text.size()), ' ');
     return text;
@@ -94,7 +99,7 @@ std::optional<std::string> description_of(const PluginRegistry& plugins, const s
         const std::string& id = plugin.id;
         std::string components;
         for (const ComponentInfo& component : plugins.catalog())
-            if (component.plugin == id && (wanted.empty() || wanted == id || wanted == full_id(component)))
+            if (component.plugin == id && (wanted.empty() || wanted == id || names(component, wanted)))
                 components += "\n" + about(component);
         if (!components.empty()) text += (text.empty() ? "" : "\n") + about(plugin) + components;
     }

@@ -63,9 +63,19 @@ std::string surface_text(const std::vector<StrategyCost>& costs, double accuracy
                           has_reference ? (rounded(cost.farthest * 1e3, 4) + " mm").c_str() : "-", cost.triangles,
                           cost.seconds);
     }
+    if (!has_reference && costs.size() > 1)
+        text += "  without `" + exact.strategy + "`, the most accurate, there is nothing to compare with\n";
     if (chosen == nullptr) return text;
     return text + "  the fastest within " + rounded(100.0 * accuracy, 1) +
            " % of the volume: `remeshing: " + chosen->strategy + "`; `farthest` is the largest distance at its edges\n";
+}
+
+/// Those that suit a tool, the one that the procedure names first, the most accurate last.
+std::vector<std::string> strategies_for(const Instrument& instrument, const ComponentInfo& tool) {
+    std::vector<std::string> all = tool.strategies;
+    if (!instrument.remeshing.empty() && std::find(all.begin(), all.end(), instrument.remeshing) == all.end())
+        all.insert(all.begin(), instrument.remeshing);
+    return all;
 }
 
 std::string write_plan(const std::string& folder, const std::string& text, const std::string& csv) {
@@ -126,7 +136,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         outcome.is_kept = outcome.is_kept && found->keeps_accuracy && found->keeps(procedure.budget);
         plans.push_back(*found);
         add("\n" + plan::plan_text(task, *found));
-        const auto costs = compare_strategies(scene, s, depth, host, task.tool.strategies, show_work);
+        const auto costs = compare_strategies(scene, s, depth, host, strategies_for(*instrument, task.tool), show_work);
         show_work("");
         add(surface_text(costs, procedure.accuracy.volume));
     }

@@ -142,8 +142,10 @@ public:
         instrument.hands = hands == "one" ? 1 : hands == "two" ? 2 : 0;
         if (const Node* guide = map.find("guide")) instrument.guide = read_guide(*guide);
         const Node* remeshing = map.find("remeshing");
+        const int errors = report_.errors();
         const ComponentInfo* strategy = remeshing != nullptr ? read_remeshing(*remeshing, tool, instrument) : nullptr;
-        if (const Node* set = map.find("remeshing_parameters")) read_remeshing_parameters(*set, strategy, instrument);
+        if (const Node* set = map.find("remeshing_parameters"); set != nullptr && report_.errors() == errors)
+            read_remeshing_parameters(*set, strategy, instrument);
         const Node* parameters = map.find("parameters");
         const Node* drives = map.find("drives");
         if (parameters) read_parameters(*parameters, tool, force, instrument);
@@ -203,8 +205,7 @@ private:
             for (const ComponentInfo* one : meant) owners.push_back(one->full_id());
             report_.error(Code::unknown_strategy, node.span,
                           "The strategy `" + excerpt(word, 40) + "` has " + std::to_string(owners.size()) +
-                              " owners: expected one of " + listed(owners) + ". Write its full id.",
-                          owners.front());
+                              " owners: expected one of " + listed(owners) + ". Write its full id.");
             return nullptr;
         }
         // The tool's own plugin names it, so it exists, and only its module is missing: the run does without it.
@@ -214,12 +215,23 @@ private:
                     instrument.remeshing = suited;
                     return nullptr;
                 }
+        // Neither does a run need a full id of a plugin that is not there, unless it looks like another one.
+        if (std::count(word.begin(), word.end(), '.') > 1 && is_of_no_plugin(word.substr(0, word.rfind('.'))) &&
+            suggestion(word, known).empty()) {
+            instrument.remeshing = word;
+            return nullptr;
+        }
         const std::string closest_one = closest(word, known, report_);
         report_.error(Code::unknown_strategy, node.span,
                       "The strategy `" + excerpt(word, 60) + "` is unknown: expected " + listed(known) + "." +
                           or_choose(closest_one, "Write one of these, or install the plugin that has it."),
                       closest_one);
         return nullptr;
+    }
+
+    [[nodiscard]] bool is_of_no_plugin(const std::string& id) const {
+        return std::none_of(catalog_.begin(), catalog_.end(),
+                            [&](const ComponentInfo& one) { return one.plugin == id; });
     }
 
     /// @param strategy   null: it is unknown or not installed, and no parameter is refused

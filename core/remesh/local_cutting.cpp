@@ -34,19 +34,15 @@ LocalCutting::Attempt LocalCutting::attempt(const NamedStrategy& strategy, const
         surface_.replace(patch, result.mesh);
         return Attempt::done;
     }
-    if (result.status != KERF_REMESH_DECLINED) {
-        ++refusals_;
-        Refusals& of_this = refused_[strategy.id];
-        if (of_this.count++ == 0) of_this.first = why;
-    }
-    if (result.status == KERF_REMESH_CANCELLED) why = "the strategy did not end within its time";
+    const bool is_declined = result.status == KERF_REMESH_DECLINED;
+    if (!is_declined) ++refusals_;
+    (is_declined ? declined_ : refused_)[strategy.id].add(why);
     return result.status == KERF_REMESH_CANCELLED || result.status == KERF_REMESH_DECLINED ? Attempt::ended
                                                                                            : Attempt::refused;
 }
 
-bool LocalCutting::cut(const CutStretch& stretch) {
-    const Box box = swept_box(*solids_[stretch.solid], stretch);
-    const SurfacePatch patch = surface_.patch_in(box);
+bool LocalCutting::cut(const CutStretch& stretch, std::string& why) {
+    const SurfacePatch patch = surface_.patch_in(swept_box(*solids_[stretch.solid], stretch));
     if (patch.faces.empty()) return true;
     RemeshRequest request;
     request.base = patch.mesh;
@@ -55,7 +51,6 @@ bool LocalCutting::cut(const CutStretch& stretch) {
     request.solids = {solids_[stretch.solid]};
     request.mode = KERF_REMESH_COMMIT;
     request.tolerance = tolerance_;
-    std::string why;
     const std::vector<NamedStrategy>& strategies = strategies_[stretch.solid];
     for (std::size_t s = 0; s < strategies.size(); ++s) {
         const bool is_last = s + 1 == strategies.size();
@@ -69,7 +64,13 @@ bool LocalCutting::cut(const CutStretch& stretch) {
         ++handed_over_;
         why_handed_over_ = why;
     }
-    stale_.push_back({box, std::move(why)});
+    return false;
+}
+
+bool LocalCutting::cut(const CutStretch& stretch) {
+    std::string why;
+    if (cut(stretch, why)) return true;
+    stale_.push_back({swept_box(*solids_[stretch.solid], stretch), std::move(why)});
     return false;
 }
 
@@ -83,6 +84,7 @@ void LocalCutting::go_back(const Moment& moment) {
     refusals_ = moment.refusals;
     handed_over_ = moment.handed_over;
     refused_ = moment.refused;
+    declined_ = moment.declined;
     stale_ = moment.stale;
 }
 

@@ -24,15 +24,20 @@ struct NamedStrategy {
     double tolerance = 0.0;  ///< [m] that it states; 0: that of the request
 };
 
-/// Results of one strategy that the host refused.
-struct Refusals {
+/// What one strategy did not cut: how often, and why the first time.
+struct NotCut {
     int count = 0;
-    std::string first;  ///< why the first one was refused
+    std::string first;
+
+    void add(const std::string& why) {
+        if (count++ == 0) first = why;
+    }
 };
+using NotCutBy = std::map<std::string, NotCut>;  ///< by the strategy's id
 
 /// Cuts a surface one stretch after the other, each in the patch that it meets. A strategy that declines a stretch, or
 /// whose first result is refused, is replaced by the next one for this stretch. Of the last one a refused result is
-/// requested again with another nudge; after `most_refusals` the stretch is left out and its box is stale.   [worker]
+/// requested again with another nudge, `most_refusals` times.   [worker]
 class LocalCutting {
 public:
     static constexpr int most_refusals = 6;
@@ -45,7 +50,9 @@ public:
     LocalCutting(const TaggedMesh& mesh, std::vector<const ToolSolid*> solids, double tolerance, AskStrategy ask,
                  AskStrategy otherwise = {});
 
-    /// Removes what a tool sweeps on a stretch. Returns whether the surface is what it should be there.
+    /// Removes what a tool sweeps on a stretch. Returns whether the surface is what it should be there; `why` if not.
+    [[nodiscard]] bool cut(const CutStretch& stretch, std::string& why);
+    /// The same. Where it fails, the box of the stretch is stale.
     bool cut(const CutStretch& stretch);
     /// Takes another mesh, made by a strategy of another kind.
     void replace(const TaggedMesh& mesh) { surface_ = GrowingSurface(mesh); }
@@ -55,8 +62,9 @@ public:
     [[nodiscard]] const GrowingSurface& surface() const noexcept { return surface_; }
     [[nodiscard]] double removed() const noexcept { return removed_; }  ///< [m³]
     [[nodiscard]] int refusals() const noexcept { return refusals_; }
-    /// Of each strategy that had a result refused, by its id.
-    [[nodiscard]] const std::map<std::string, Refusals>& refused() const noexcept { return refused_; }
+    /// Of each strategy that failed or had a result refused.
+    [[nodiscard]] const NotCutBy& refused() const noexcept { return refused_; }
+    [[nodiscard]] const NotCutBy& declined() const noexcept { return declined_; }
     /// Stretches that a strategy did not cut and a later one got.
     [[nodiscard]] int handed_over() const noexcept { return handed_over_; }
     [[nodiscard]] const std::string& why_handed_over() const noexcept { return why_handed_over_; }  ///< the last one
@@ -72,10 +80,12 @@ public:
         GrowingSurface::Moment surface;
         double removed = 0.0;  ///< [m³]
         int refusals = 0, handed_over = 0;
-        std::map<std::string, Refusals> refused;
+        NotCutBy refused, declined;
         std::vector<Stale> stale;
     };
-    [[nodiscard]] Moment moment() { return {surface_.moment(), removed_, refusals_, handed_over_, refused_, stale_}; }
+    [[nodiscard]] Moment moment() {
+        return {surface_.moment(), removed_, refusals_, handed_over_, refused_, declined_, stale_};
+    }
     /// Makes everything what it was.
     void go_back(const Moment& moment);
 
@@ -92,7 +102,7 @@ private:
     double removed_ = 0.0;
     int refusals_ = 0, handed_over_ = 0;
     std::string why_handed_over_;
-    std::map<std::string, Refusals> refused_;
+    NotCutBy refused_, declined_;
     std::vector<Stale> stale_;
 };
 

@@ -30,8 +30,11 @@ std::string how_to_install(const std::string& plugin) {
     return "Install the package `" + package + "`. In a build tree, build the target `" + target + "`.";
 }
 
-std::string why_missing(const std::string& full_id) {
+std::string why_missing(const ComponentCatalog& catalog, const std::string& full_id) {
     const std::string plugin = plugin_of(full_id);
+    if (std::any_of(catalog.begin(), catalog.end(), [&](const ComponentInfo& c) { return c.plugin == plugin; }))
+        return "the plugin `" + plugin + "` has no remeshing strategy `" + full_id.substr(plugin.size() + 1) +
+               "`; `kerf list` shows what there is.";
     return "the remeshing strategy `" + full_id + "` is not installed: no folder of plugins has `" + plugin + "`. " +
            how_to_install(plugin);
 }
@@ -72,7 +75,7 @@ std::unique_ptr<RemeshChild> start_strategy(const StrategyHost& host, const std:
                                             const std::vector<ParameterSetting>& set, std::string& error) {
     const ComponentInfo* strategy = find_strategy(*host.catalog, full_id);
     if (strategy == nullptr) {
-        error = why_missing(full_id);
+        error = why_missing(*host.catalog, full_id);
         return nullptr;
     }
     RemeshProgram program{host.program, strategy->module, strategy->id};
@@ -109,11 +112,6 @@ std::string ExactStrategies::start_chain(const Instrument& instrument, const std
     Chain chain{instrument.id, {}, {}};
     std::string first_error;
     for (const std::string& id : ids) {
-        // One that cuts patches cannot replace one that cuts whole meshes.
-        const ComponentInfo* info = find_strategy(*host_.catalog, id);
-        if (info != nullptr && !chain.strategies.empty() &&
-            info->scope != running_[chain.strategies.front()].child->scope())
-            continue;
         std::string error;
         const std::size_t one = start_one(id, id == wanted ? set : std::vector<ParameterSetting>{}, error);
         if (one != not_started) {

@@ -111,6 +111,7 @@ void ExactSurfaces::follow(const ExactState& state) {
 ExactSurface ExactSurfaces::finish(const ExactState& state) {
     follow(state);
     ExactSurface made;
+    double by_tolerance = 0.0;  // [m³]
     made.notes = tools_.notes;
     for (const Bone& one : bones_) {
         const std::vector<ExactBody> bodies = bodies_of(state, *one.field);
@@ -132,7 +133,8 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
             ExactPiece piece = piece_of(bodies[n], std::move(meshes[n]));
             made.removed -= piece.volume;
             made.field_removed -= piece.field_volume;
-            made.allowed += (0.15 * one.field->grid().spacing + stated_tolerance(tools_)) * wall_area_of(piece);
+            made.allowed += 0.15 * one.field->grid().spacing * wall_area_of(piece);
+            by_tolerance += stated_tolerance(tools_) * wall_area_of(piece);
             if (piece.mesh.mesh.triangles.empty() && piece.field_volume > 0.0 && made.error.empty())
                 made.error =
                     "body " + std::to_string(piece.body) +
@@ -150,10 +152,12 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
     }
     std::sort(made.pieces.begin(), made.pieces.end(),
               [](const ExactPiece& a, const ExactPiece& b) { return a.body < b.body; });
+    // A tolerance is for edges: however large, it must not hide that bone was left.
+    made.allowed += std::min(by_tolerance, scene_->procedure.accuracy.volume * std::abs(made.field_removed));
     if (made.error.empty() && std::abs(made.removed - made.field_removed) > made.allowed)
         made.error = "the mesh lost " + text_of(made.removed) + " and the field " + text_of(made.field_removed) +
                      ", which differ by more than the " + text_of(made.allowed) +
-                     " that the field's grid and the strategies' tolerance explain.";
+                     " that the field's grid, the strategies' tolerance and `accuracy: volume` explain.";
     made.digest = digest_of(made.pieces);
     return made;
 }

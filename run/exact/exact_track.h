@@ -47,6 +47,7 @@ public:
         CutHistory done;
         StretchJoiner joiner;
         std::vector<CutRecord> waiting;
+        std::vector<CutStretch> left_over;
         SweptBefore swept;
         std::size_t records = 0, stretches = 0;
     };
@@ -58,20 +59,28 @@ public:
 private:
     void commit(const std::optional<CutStretch>& stretch);
     void commit_waiting();
+    void commit_left_over();
+    /// Cuts along all stretches of a request with the first strategy for whole meshes that can. Returns whether one
+    /// did.
+    [[nodiscard]] bool cut_whole(RemeshRequest request, std::size_t solid, std::string& why);
     [[nodiscard]] std::optional<TaggedMesh> cut_whole(const RemeshRequest& request, const ExactStrategy& strategy,
                                                       std::string& why);
+    [[nodiscard]] RemeshRequest whole_request() const;
+    /// Marks as stale what no strategy has cut.
+    void give_up(const CutStretch& stretch, const std::string& why);
 
     const ExactTools* tools_;
     double apart_;
     CutHistory done_;
     LocalCutting cutting_;
-    StretchJoiner joiner_;            ///< what a strategy for patches cuts next
-    std::vector<CutRecord> waiting_;  ///< what a strategy for whole meshes cuts next
+    StretchJoiner joiner_;               ///< what a strategy for patches cuts next
+    std::vector<CutRecord> waiting_;     ///< what a strategy for whole meshes cuts next
+    std::vector<CutStretch> left_over_;  ///< what no strategy for patches cut, until one for whole meshes does
     SweptBefore swept_;
     std::size_t records_ = 0, stretches_ = 0;
     int refusals_ = 0, handed_over_ = 0;
-    bool is_checked_ = true;  ///< as a whole, since the last patch
-    std::vector<std::string> notes_;
+    bool is_checked_ = true;       ///< as a whole, since the last patch
+    NotCutBy refused_, declined_;  ///< by strategies for whole meshes
 };
 
 }  // namespace kerf

@@ -277,6 +277,56 @@ TEST(ExactFollower, AMissingStrategyIsReplacedByTheNextThatSuitsTheTool) {
         << strategies.notes()[0];
 }
 
+/// The surface of the leg by some of its strategies.
+/// @param tolerance   [m] of the first; 0: its default
+ExactSurface leg_cut_by(const std::vector<std::string>& words, double tolerance = 0.0) {
+    Scene scene = leg_with(words.front());
+    if (tolerance > 0.0)
+        for (Instrument& one : scene.procedure.instruments) one.remeshing_parameters = {{"tolerance", tolerance}};
+    ExactStrategies strategies(host());
+    EXPECT_EQ(strategies.start(scene.procedure), "");
+    ExactTools tools = strategies.tools(scene);
+    for (auto& of_solid : tools.strategies)
+        std::erase_if(of_solid, [&](const ExactStrategy& one) {
+            return std::none_of(words.begin(), words.end(),
+                                [&](const std::string& word) { return one.id == full_id(word); });
+        });
+    RunRequest request;
+    request.rehearsal = "expert";
+    RunOutcome outcome;
+    const auto run = Run::create(scene, test::plugins(), request, outcome);
+    if (run == nullptr) throw std::runtime_error(outcome.error);
+    while (run->step()) {
+    }
+    return exact_surface(scene, run->simulation(), std::move(tools));
+}
+
+TEST(ExactFollower, AStrategyForWholeMeshesCutsWhatOneForPatchesDeclines) {
+    const ExactSurface made = leg_cut_by({"displace", "exact"}), exact = plain_run("exact").afterwards;
+    EXPECT_EQ(made.error, "");
+    EXPECT_GE(made.handed_over, 1);
+    EXPECT_NEAR(made.removed, exact.removed, 1e-3 * exact.removed);
+    ASSERT_FALSE(made.notes.empty());
+    EXPECT_NE(made.notes.back().find("`kerf.burring.displace` declined"), std::string::npos) << made.notes.back();
+}
+
+TEST(ExactFollower, OneForPatchesCutsWhatOneForWholeMeshesDoesNot) {
+    const ExactSurface made = leg_cut_by({"stays_as_it_was", "local"}), exact = plain_run("exact").afterwards;
+    EXPECT_EQ(made.error, "");
+    EXPECT_NEAR(made.removed, exact.removed, 1e-3 * exact.removed);
+}
+
+TEST(ExactFollower, ALargeToleranceHidesNoBoneThatIsLeft) {
+    const ExactSurface fine = plain_run("local").afterwards, coarse = leg_cut_by({"local"}, 0.1e-3);
+    double walls = 0.0;
+    for (const ExactPiece& piece : coarse.pieces)
+        for (const auto& [tissue, area] : piece.wall_areas) walls += area;
+    const double accuracy = leg().procedure.accuracy.volume * coarse.field_removed;
+    EXPECT_GT(0.08e-3 * walls, 2.0 * accuracy) << "on all walls it would hide more than the procedure bears";
+    EXPECT_GT(coarse.allowed, fine.allowed);
+    EXPECT_LE(coarse.allowed, fine.allowed + 1.1 * accuracy);
+}
+
 class ExactAnimals : public testing::TestWithParam<const char*> {
 protected:
     /// Cuts the leg by an animal, and perhaps by what replaces it.

@@ -83,6 +83,46 @@ TEST(ReadProcedure, GivesSiValuesInDeclaredOrder) {
     EXPECT_EQ(procedure->instruments[0].drives, (std::vector<double>{1000.0_rpm}));
 }
 
+TEST(ReadProcedure, FindsAStrategyByTheLastWordsOfItsId) {
+    ComponentCatalog catalog = drilling_catalog();
+    ComponentInfo groove;
+    groove.kind = KERF_KIND_REMESHER;
+    groove.plugin = "example.chisel";
+    groove.id = "groove";
+    catalog.push_back(groove);
+    const auto read_with = [&](const std::string& remeshing, Diagnostics& diagnostics) {
+        const std::string text = replaced(
+            faultless, "    tool: twist_drill\n",
+            "    tool: twist_drill\n    remeshing: " + remeshing + "\n    remeshing_parameters: {depth: 1 mm}\n");
+        return read_procedure_text("folder/hole.yaml", text, catalog, diagnostics);
+    };
+    for (const char* word : {"groove", "chisel.groove", "example.chisel.groove"}) {
+        Diagnostics diagnostics;
+        EXPECT_FALSE(read_with(word, diagnostics)) << "it has no parameter `depth`";
+        ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
+        EXPECT_NE(to_text(diagnostics).find("example.chisel.groove has none"), std::string::npos);
+    }
+    {  // what is not installed is replaced at run time
+        Diagnostics diagnostics;
+        const auto procedure = read_with("example.lathe.ring", diagnostics);
+        ASSERT_TRUE(procedure) << to_text(diagnostics);
+        EXPECT_EQ(procedure->instruments[0].remeshing, "example.lathe.ring");
+    }
+    for (const char* word : {"example.chisel.grove", "example.chizel.groove", "example.chisel.ring", "ring"}) {
+        Diagnostics diagnostics;
+        EXPECT_FALSE(read_with(word, diagnostics)) << word;
+        ASSERT_EQ(diagnostics.size(), 1u) << "its parameters are no second error: " << to_text(diagnostics);
+        EXPECT_EQ(diagnostics[0].code, code_text(Code::unknown_strategy)) << word;
+    }
+    groove.plugin = "example.gouge";
+    catalog.push_back(groove);
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_with("groove", diagnostics));
+    EXPECT_NE(to_text(diagnostics).find("2 owners: expected one of `example.chisel.groove` or `example.gouge.groove`"),
+              std::string::npos)
+        << to_text(diagnostics);
+}
+
 TEST(ReadProcedure, GivesGoalsLimitsAndRehearsals) {
     Diagnostics diagnostics;
     const std::optional<Procedure> procedure = read(faultless, diagnostics);

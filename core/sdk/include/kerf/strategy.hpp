@@ -124,6 +124,8 @@ struct ComponentTable<Strategy> {
             return value_of<Strategy>(params).remesh(RemeshJob(*in, *from)).write(*to, *out);
         } catch (const std::exception& e) {
             return remeshing::refuse(KERF_REMESH_REFUSED, *out, e.what());
+        } catch (...) {
+            return remeshing::refuse(KERF_REMESH_REFUSED, *out, "it threw something that is no std::exception");
         }
     }
     static constexpr Remeshes how = stated_in<Strategy>(Remeshes{});
