@@ -11,9 +11,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 #include <vector>
 
+#include "bench/empty_law.h"
+#include "core/plugin/loader.h"
 #include "core/plugin/plugin_call.h"
 
 namespace {
@@ -23,43 +26,50 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begun) { return std::chrono::duration<double>(Clock::now() - begun).count(); }
 
-/// An empty law, behind pointers that no compiler sees through.
-[[gnu::noinline]] void begin(const kerf_tick_in*, void*) {}
-[[gnu::noinline]] kerf_status resist(const kerf_tick_in*, const void*, kerf_law* law) {
-    law->count = 0;
-    return KERF_OK;
-}
-[[gnu::noinline]] kerf_status commit(const kerf_tick_in*, const kerf_advance*, void*, kerf_commit_out* out) {
-    out->action_count = 0;
-    return KERF_OK;
-}
-
-/// [ns] of one `resist` and one `commit`, the median of 21 blocks.
-double crossing() {
-    kerf_force force{};
-    force.size = sizeof force;
-    force.begin = &begin;
-    force.resist = &resist;
-    force.commit = &commit;
-    kerf_component component{};
-    component.force = &force;
-    const kerf_component* volatile law = &component;
-    kerf_law answer{};
-    kerf_commit_out out{};
-    const kerf_tick_in in{};
-    const kerf_advance advance{};
-    constexpr int calls = 1000000;
+/// [ns] of a call, block by block.
+struct CallTimes {
     std::vector<double> blocks;
-    for (int block = 0; block < 21; ++block) {
-        const auto begun = Clock::now();
-        for (int i = 0; i < calls; ++i) {
-            static_cast<void>(call_resist(*law, in, nullptr, answer));
-            static_cast<void>(call_commit(*law, in, advance, nullptr, out));
-        }
-        blocks.push_back(1e9 * seconds_since(begun) / calls);
+    [[nodiscard]] double at(double share) {
+        std::sort(blocks.begin(), blocks.end());
+        return blocks[std::min(blocks.size() - 1,
+                               static_cast<std::size_t>(share * static_cast<double>(blocks.size())))];
     }
-    std::nth_element(blocks.begin(), blocks.begin() + 10, blocks.end());
-    return blocks[10];
+};
+
+/// An empty `resist` through the host's call into a library, and the same function called within this program. Blocks
+/// of the two alternate, so that both have the same machine.
+void print_crossing() {
+    PluginRegistry plugins;
+    plugins.scan({KERF_BUILD_DIR "/bench/plugins"});
+    const kerf_component* const loaded = plugins.find("bench.empty", KERF_KIND_FORCE, "empty");
+    if (loaded == nullptr) {
+        std::puts("the library of the empty law cannot be loaded");
+        return;
+    }
+    using Own = PluginTables<bench::Pin, bench::EmptyLaw>;
+    const auto* const own = std::find_if(std::begin(Own::components), std::end(Own::components),
+                                         [](const kerf_component& c) { return c.kind == KERF_KIND_FORCE; });
+    const kerf_component* volatile through_host = loaded;
+    kerf_status (*volatile within)(const kerf_tick_in*, const void*, kerf_law*) = own->force->resist;
+    kerf_law answer{};
+    kerf_tick_in in{};
+    in.size = sizeof in;
+    constexpr int blocks = 20000, calls = 100;
+    CallTimes host, inside;
+    for (int block = 0; block < blocks; ++block) {
+        const auto begun = Clock::now();
+        for (int i = 0; i < calls; ++i) static_cast<void>(call_resist(*through_host, in, nullptr, answer));
+        const auto middle = Clock::now();
+        for (int i = 0; i < calls; ++i) static_cast<void>(within(&in, nullptr, &answer));
+        const auto end = Clock::now();
+        host.blocks.push_back(1e9 * std::chrono::duration<double>(middle - begun).count() / calls);
+        inside.blocks.push_back(1e9 * std::chrono::duration<double>(end - middle).count() / calls);
+    }
+    std::printf(
+        "an empty resist         median    p99.9, ns\n  through the host    %7.1f   %7.1f\n  in one library      "
+        "%7.1f   %7.1f\n  ratio               %7.2f   %7.2f\n",
+        host.at(0.5), host.at(0.999), inside.at(0.5), inside.at(0.999), host.at(0.5) / inside.at(0.5),
+        host.at(0.999) / inside.at(0.999));
 }
 
 /// Prints what `kerf check` prints last, and how long it took.
@@ -78,7 +88,7 @@ bool check(const std::string& plugin, const std::string& options, const std::str
 
 int main(int argc, char** argv) {
     std::puts("For training and research; not for diagnosis, planning or deciding treatment.");
-    std::printf("one resist and one commit of an empty law: %.1f ns\n", crossing());
+    print_crossing();
     const bool with_procedures = argc > 1 && std::string(argv[1]) == "procedures";
     for (const char* plugin : {"drilling", "sawing"}) {
         check(plugin, "--level 3", "levels 1 to 3");

@@ -100,7 +100,10 @@ double ToolRig::half_length() const noexcept {
 }
 
 Pose ToolRig::fed_to(double depth, double tilt, double aside) const noexcept {
-    if (!is_fed_sideways()) return at_depth(depth, tilt, {aside, 0, 0});
+    if (!is_fed_sideways()) {
+        const double turn = settings_.is_running ? depth * turn_of_feed(setup_, outline_) : 0.0;
+        return at_depth(depth, tilt, {aside, 0, 0}) * Pose{{}, quat_from_rotation_vector({0, 0, turn})};
+    }
     // Its x into the bone, its shaft along the block's y, its cutting part in the middle.
     const Quat lying = quat_from_rotation_vector({0, tilt, 0}) * Quat{0.5, -0.5, 0.5, 0.5};
     const double middle = 0.5 * (outline_.cutting.tip_z() + outline_.cutting.end_z());

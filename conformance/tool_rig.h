@@ -19,11 +19,12 @@ struct RigSettings {
     double spacing = 0.25e-3;        ///< [m]
     Quat turn{1, 0, 0, 0};           ///< of bone and tool together against the grid
     double period = Simulation::dt;  ///< [s]
-    bool is_running = true;          ///< its drives at their defaults; else at rest
+    bool is_running = true;          ///< its drives at their defaults, or turned as it is fed; else at rest
 };
 
 /// A tool with its law in a block of bone, in a simulation of the host. The tool is fed as it declares: along its axis
-/// with its tip in front; or across its axis, lying on the face with its x into the bone.   [main]
+/// with its tip in front, turning if it is fed so; or across its axis, lying on the face with its x into the bone.
+/// [main]
 class ToolRig {
 public:
     /// The subject must outlive it.

@@ -14,7 +14,10 @@ bool is_fed_sideways(const Tool& tool) { return tool.setup.tool->tool->feed == K
 Pose planned_pose(const Scene& scene, std::size_t step, double depth) {
     const Pose tip_first = scene.frames[step].pose_at({.depth = depth});
     const Tool& tool = scene.tool(step);
-    if (!is_fed_sideways(tool)) return tip_first;
+    if (!is_fed_sideways(tool)) {
+        const double turn = depth * turn_of_feed(tool.setup, tool.outline);
+        return turn != 0.0 ? tip_first * Pose{{}, quat_from_rotation_vector({0, 0, turn})} : tip_first;
+    }
     const auto& cutting = tool.outline.cutting.outline();
     const auto widest = std::max_element(cutting.begin(), cutting.end(),
                                          [](const auto& a, const auto& b) { return a.radius < b.radius; });

@@ -122,7 +122,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         task.force = info_of(plugins, *instrument, KERF_KIND_FORCE);
         task.gains = scene.gains;
         task.way = {planned_pose(scene, s, -in_air_before_entry), planned_direction(scene, s),
-                    in_air_before_entry + depth, step.feed};
+                    in_air_before_entry + depth, step.feed, turn_of_feed(scene.tool(s).setup, scene.tool(s).outline)};
         task.spacing = procedure.spacing;
         task.coarsest = coarsest_spacing(scene.tool(s).outline.cutting);
         task.accuracy = procedure.accuracy;

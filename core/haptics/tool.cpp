@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -316,6 +317,11 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     if (out.is_implant()) out.staying = ToolSolid({points, points + out.stay_count});
     out.whole = ToolSolid({points, points + shape.profile_count});
     return true;
+}
+
+double turn_of_feed(const ToolSetup& setup, const ToolOutline& outline) noexcept {
+    if (setup.tool->tool->feed != KERF_FEED_TURN) return 0.0;
+    return 2.0 * std::numbers::pi / (outline.has_thread() ? outline.thread_lead : 1e-3);
 }
 
 }  // namespace kerf

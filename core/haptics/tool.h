@@ -53,6 +53,10 @@ struct ToolOutline {
 /// Asks the plugin; on failure `error` says why.   [main]
 [[nodiscard]] bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error);
 
+/// How far a tool that declares KERF_FEED_TURN turns about its axis for each metre of its feed [rad/m]: once for each
+/// lead of its thread; without one, once for each millimetre. 0: it is not fed by turning.   [any]
+[[nodiscard]] double turn_of_feed(const ToolSetup& setup, const ToolOutline& outline) noexcept;
+
 /// One of the tools at hand.
 struct Tool {
     ToolSetup setup;

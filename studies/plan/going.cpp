@@ -15,7 +15,9 @@ namespace {
 
 constexpr int run_up = 600;  // [ticks] a motor is given to come to its speed
 
-Pose at(const Way& way, double gone) { return way.start * Pose{gone * way.direction, {1, 0, 0, 0}}; }
+Pose at(const Way& way, double gone) {
+    return way.start * Pose{gone * way.direction, quat_from_rotation_vector({0, 0, gone * way.turn})};
+}
 
 int ticks_of(const Way& way) { return static_cast<int>(std::ceil(way.length / (way.feed * Simulation::dt))); }
 

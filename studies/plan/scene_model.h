@@ -23,6 +23,7 @@ struct Way {
     Vec3 direction{0, 0, 1};       ///< of the feed, tool frame
     double length = 0.0;           ///< [m]
     double feed = 1e-3;            ///< [m/s]
+    double turn = 0.0;             ///< [rad/m] about the shaft
 };
 
 /// Something that may be left out: parameters of tool or force set aside, or a part of what is known of the bone.
