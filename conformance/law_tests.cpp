@@ -65,7 +65,8 @@ void is_silent_in_air(Examination& exam) {
             for (std::size_t i = 0; i < 6; ++i)
                 if (!(std::abs(force[i]) <= silent))
                     exam.fail(std::string("In air it makes a ") + (i < 3 ? "force" : "torque") + " of " +
-                              number(force[i]) + (i < 3 ? " N" : " N·m") + " on the tool, " + law.where() + ".");
+                              number(force[i]) + (i < 3 ? " N" : " N·m") + " on the tool, " + law.where() +
+                              ", expected none.");
         }
         return !exam.has_failed();
     });
