@@ -113,7 +113,7 @@ public:
         ExactTools tools = strategies_->tools(*scene_);
         tools.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
         tools.is_cancelled = [&] { return interruption_->has_come(); };
-        made = exact_surface(*scene_, simulation, std::move(tools));
+        made = exact_surface(simulation, std::move(tools));
         return {};
     }
 

@@ -125,7 +125,7 @@ Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehears
     if (is_replay()) simulation_.replay_adoptions(request_.adoptions);
     before_.begin(simulation_.present());
     if (request_.strategies != nullptr && request_.strategies->are_any())
-        exact_ = std::make_unique<ExactFollower>(*scene_, request_.strategies->tools(*scene_));
+        exact_ = std::make_unique<ExactFollower>(request_.strategies->tools(*scene_));
     lead();
 }
 

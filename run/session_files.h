@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "core/session/output_folder.h"
 #include "core/session/recorder.h"
-#include "core/session/write_file.h"
 #include "run/run_observer.h"
 #include "run/run_procedure.h"
 

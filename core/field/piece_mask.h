@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/field/piece_finder.h"
+#include "core/field/brick_bits.h"
+#include "core/field/grid.h"
+#include "core/field/sample_set.h"
 
 namespace kerf {
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/field/box.h"
 #include "core/procedure/anatomy.h"
 
 /// Distances to the implicit solids that phantoms and zones are made of.
@@ -22,14 +23,6 @@ namespace kerf {
 /// To a phantom: parts united and subtracted in their order.
 [[nodiscard]] double distance_to(const PhantomSource& phantom, Vec3 point) noexcept;
 
-struct Box {
-    Vec3 low{}, high{};
-};
-/// Whether two boxes have a point in common.   [any] pure.
-[[nodiscard]] inline bool meet(const Box& a, const Box& b) noexcept {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-           a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
 [[nodiscard]] Box bounds_of(const Solid& solid) noexcept;
 /// Of the union of solids; for none `low` is above `high`.
 [[nodiscard]] Box bounds_of(const std::vector<Solid>& solids) noexcept;

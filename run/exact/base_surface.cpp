@@ -6,12 +6,12 @@
 
 namespace kerf {
 
-std::optional<SurfaceMesh> base_surface(const Scene& scene, const Body& bone, std::vector<std::string>& notes,
+std::optional<SurfaceMesh> base_surface(const Anatomy* own, const Body& bone, std::vector<std::string>& notes,
                                         std::string& error) {
     std::string flaw;
-    if (&bone == &scene.body && scene.anatomy.mesh && !scene.fragment) {
+    if (own != nullptr) {
         Diagnostics ignored;  // it was read when the scene was made
-        if (const auto read = make_mesh_bone(scene.anatomy, ignored)) {
+        if (const auto read = make_mesh_bone(*own, ignored)) {
             SurfaceMesh surface = whole_surface_of(*read);
             remove_flat_faces(surface);
             flaw = flaw_of_base(surface);

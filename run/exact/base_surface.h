@@ -5,15 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "core/field/body.h"
 #include "core/import/surface/surface_mesh.h"
-#include "run/scene.h"
+#include "core/procedure/anatomy.h"
 
 namespace kerf {
 
-/// Returns the surface that exact cuts of a bone begin with: the anatomy's own one, or the field's where the anatomy
-/// has none or one with a flaw. Nothing: the reason is in `error`, for people.   [any]
-/// @param notes   which one it is, for people
-[[nodiscard]] std::optional<SurfaceMesh> base_surface(const Scene& scene, const Body& bone,
+/// Returns the surface that exact cuts of a bone begin with: that of its anatomy, or the field's where it has none, or
+/// one with a flaw. Nothing: the reason is in `error`, for people.   [any]
+/// @param own     anatomy whose `mesh:` is the surface of this bone; null: there is none
+/// @param notes   which surface it is, for people
+[[nodiscard]] std::optional<SurfaceMesh> base_surface(const Anatomy* own, const Body& bone,
                                                       std::vector<std::string>& notes, std::string& error);
 
 }  // namespace kerf

@@ -9,6 +9,7 @@
 #include "core/field/removed_volume.h"
 #include "core/import/surface/triangle_tree.h"
 #include "run/exact/base_surface.h"
+#include "run/exact/exact_track.h"
 #include "run/planned_feed.h"
 
 namespace kerf {
@@ -73,7 +74,8 @@ std::vector<StrategyCost> compare_strategies(const Scene& scene, std::size_t ste
 
     std::vector<std::string> notes;
     std::string flaw;
-    const auto base = base_surface(scene, scene.body, notes, flaw);
+    const auto base =
+        base_surface(scene.fragment || !scene.anatomy.mesh ? nullptr : &scene.anatomy, scene.body, notes, flaw);
     TaggedMesh bone;
     if (base) bone = tagged(*base);
     for (const std::string& strategy : strategies) {

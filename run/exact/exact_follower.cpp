@@ -17,15 +17,15 @@ ExactTools with_reports(ExactTools tools, std::function<void(double, const std::
 
 }  // namespace
 
-ExactFollower::ExactFollower(const Scene& scene, ExactTools tools)
-    : surfaces_(scene, with_reports(
-                           std::move(tools),
-                           [this](double fraction, const std::string& what) {
-                               const std::lock_guard lock(mutex_);
-                               fraction_ = fraction;
-                               doing_ = what;
-                           },
-                           [this] { return is_cancelled_.load(); })),
+ExactFollower::ExactFollower(ExactTools tools)
+    : surfaces_(with_reports(
+          std::move(tools),
+          [this](double fraction, const std::string& what) {
+              const std::lock_guard lock(mutex_);
+              fraction_ = fraction;
+              doing_ = what;
+          },
+          [this] { return is_cancelled_.load(); })),
       thread_([this] { work(); }) {}
 
 ExactFollower::~ExactFollower() {

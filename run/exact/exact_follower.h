@@ -32,8 +32,8 @@ struct ExactView {
 /// give the same surface, however late it is.
 class ExactFollower {
 public:
-    /// The scene and what the tools point to must outlive it.   [main]
-    ExactFollower(const Scene& scene, ExactTools tools);
+    /// What the tools point to must outlive it.   [main]
+    explicit ExactFollower(ExactTools tools);
     ~ExactFollower();
     ExactFollower(const ExactFollower&) = delete;
     ExactFollower& operator=(const ExactFollower&) = delete;

@@ -166,6 +166,20 @@ std::string ExactStrategies::start(const Procedure& procedure, const std::string
     return {};
 }
 
+ExactTools exact_tools(const Scene& scene) {
+    ExactTools tools;
+    for (const Tool& tool : scene.tools) tools.solids.push_back(&tool.outline.cutting);
+    for (const Tool& tool : scene.tools) tools.solids.push_back(&tool.outline.crest);
+    tools.strategies.resize(tools.solids.size());
+    tools.why_no_more.resize(tools.solids.size());
+    if (scene.anatomy.mesh && !scene.fragment) {
+        tools.meshed = &scene.body;
+        tools.anatomy = &scene.anatomy;
+    }
+    tools.volume_accuracy = scene.procedure.accuracy.volume;
+    return tools;
+}
+
 ExactTools ExactStrategies::tools(const Scene& scene) const {
     ExactTools tools = exact_tools(scene);
     for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {

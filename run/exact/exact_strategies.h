@@ -9,7 +9,8 @@
 #include "core/plugin/component_info.h"
 #include "core/procedure/procedure.h"
 #include "core/remesh/remesh_child.h"
-#include "run/exact/exact_surface.h"
+#include "run/exact/exact_tools.h"
+#include "run/scene.h"
 
 namespace kerf {
 
@@ -26,6 +27,10 @@ struct StrategyHost {
 /// @param set   parameters that differ from their defaults
 [[nodiscard]] std::unique_ptr<RemeshChild> start_strategy(const StrategyHost& host, const std::string& full_id,
                                                           const std::vector<ParameterSetting>& set, std::string& error);
+
+/// Returns the cutting solids of a scene, as records number them, without strategies. The scene must outlive them.
+/// [any]
+[[nodiscard]] ExactTools exact_tools(const Scene& scene);
 
 /// The strategies that the instruments of a procedure leave exact surfaces with, each in a process of its own. Where
 /// the one that an instrument wants is not installed, or declines a cut, the next of those that suit its tool replaces

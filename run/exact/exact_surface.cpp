@@ -78,23 +78,15 @@ ExactState exact_state(const Simulation& simulation, bool with_cuts) {
     return state;
 }
 
-ExactTools exact_tools(const Scene& scene) {
-    ExactTools tools;
-    for (const Tool& tool : scene.tools) tools.solids.push_back(&tool.outline.cutting);
-    for (const Tool& tool : scene.tools) tools.solids.push_back(&tool.outline.crest);
-    tools.strategies.resize(tools.solids.size());
-    tools.why_no_more.resize(tools.solids.size());
-    return tools;
-}
-
-ExactSurfaces::ExactSurfaces(const Scene& scene, ExactTools tools) : scene_(&scene), tools_(std::move(tools)) {}
+ExactSurfaces::ExactSurfaces(ExactTools tools) : tools_(std::move(tools)) {}
 
 ExactSurfaces::Bone& ExactSurfaces::bone(const Body& field) {
     const auto known = std::find_if(bones_.begin(), bones_.end(), [&](const Bone& one) { return one.field == &field; });
     if (known != bones_.end()) return *known;
     tools_.report(0.0, "reading the uncut surface");
     Bone& made = bones_.emplace_back(Bone{&field, nullptr, {}, {}});
-    if (auto base = base_surface(*scene_, field, made.notes, made.error))
+    const Anatomy* own = &field == tools_.meshed ? tools_.anatomy : nullptr;
+    if (auto base = base_surface(own, field, made.notes, made.error))
         made.surface = std::make_unique<ExactBone>(field, tagged(std::move(*base)), tools_);
     return made;
 }
@@ -153,7 +145,7 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
     std::sort(made.pieces.begin(), made.pieces.end(),
               [](const ExactPiece& a, const ExactPiece& b) { return a.body < b.body; });
     // A tolerance is for edges: however large, it must not hide that bone was left.
-    made.allowed += std::min(by_tolerance, scene_->procedure.accuracy.volume * std::abs(made.field_removed));
+    made.allowed += std::min(by_tolerance, tools_.volume_accuracy * std::abs(made.field_removed));
     if (made.error.empty() && std::abs(made.removed - made.field_removed) > made.allowed)
         made.error = "the mesh lost " + text_of(made.removed) + " and the field " + text_of(made.field_removed) +
                      ", which differ by more than the " + text_of(made.allowed) +
@@ -170,8 +162,8 @@ std::vector<std::pair<std::size_t, LocalCutting::Moment>> ExactSurfaces::shown()
     return all;
 }
 
-ExactSurface exact_surface(const Scene& scene, const Simulation& simulation, ExactTools tools) {
-    return ExactSurfaces(scene, std::move(tools)).finish(exact_state(simulation, true));
+ExactSurface exact_surface(const Simulation& simulation, ExactTools tools) {
+    return ExactSurfaces(std::move(tools)).finish(exact_state(simulation, true));
 }
 
 }  // namespace kerf

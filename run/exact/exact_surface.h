@@ -9,7 +9,6 @@
 
 #include "core/haptics/simulation.h"
 #include "run/exact/exact_bone.h"
-#include "run/scene.h"
 
 namespace kerf {
 
@@ -49,15 +48,11 @@ struct ExactState {
 /// @param with_cuts   and copies of their cuts
 [[nodiscard]] ExactState exact_state(const Simulation& simulation, bool with_cuts);
 
-/// Returns the cutting solids of a scene, as records number them, without strategies.   [any]
-[[nodiscard]] ExactTools exact_tools(const Scene& scene);
-
 /// The exact surfaces of all bone of a run: the anatomy's own surface, or the field's where the anatomy has none, cut
 /// by all that the log holds of each body.   [worker]
 class ExactSurfaces {
 public:
-    /// The scene must outlive it.
-    ExactSurfaces(const Scene& scene, ExactTools tools);
+    explicit ExactSurfaces(ExactTools tools);
 
     /// Follows the bodies to where they are now. Pre: with their cuts unless they are the same as at the last call.
     void follow(const ExactState& state);
@@ -76,12 +71,11 @@ private:
     };
     [[nodiscard]] Bone& bone(const Body& field);
 
-    const Scene* scene_;
     ExactTools tools_;
     std::vector<Bone> bones_;
 };
 
 /// Makes the exact surface of what a run has left.   [main]
-[[nodiscard]] ExactSurface exact_surface(const Scene& scene, const Simulation& simulation, ExactTools tools);
+[[nodiscard]] ExactSurface exact_surface(const Simulation& simulation, ExactTools tools);
 
 }  // namespace kerf

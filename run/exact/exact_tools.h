@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/field/body.h"
 #include "core/field/tool_solid.h"
+#include "core/procedure/anatomy.h"
 #include "core/remesh/remesh_child.h"
 
 namespace kerf {
@@ -27,8 +29,12 @@ struct ExactTools {
     std::vector<std::vector<ExactStrategy>> strategies;
     std::vector<std::string> why_no_more;  ///< of each solid: why one more could not be started; part of a sentence
     std::vector<std::string> notes{};      ///< for people; part of the results
-    double tolerance = 20e-6;              ///< [m] that a straight stretch may be off the recorded path
-    double window = 2e-3;                  ///< [m] the longest stretch that is cut into a patch
+    /// The bone that has a surface of its own in this anatomy; null: exact cuts begin with the surfaces of fields.
+    const Body* meshed = nullptr;
+    const Anatomy* anatomy = nullptr;
+    double volume_accuracy = 0.0;  ///< [–] of the procedure: difference of removed volumes that is allowed
+    double tolerance = 20e-6;      ///< [m] that a straight stretch may be off the recorded path
+    double window = 2e-3;          ///< [m] the longest stretch that is cut into a patch
     std::chrono::milliseconds limit = std::chrono::minutes(5);         ///< for a whole mesh
     std::chrono::milliseconds patch_limit = std::chrono::seconds(20);  ///< for a patch
     std::function<void(double fraction, const std::string& what)> progress{};

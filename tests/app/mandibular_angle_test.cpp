@@ -240,7 +240,7 @@ TEST(RealMandible, IsReducedAsASurface) {
     const test::TemporaryFolder folder;
     std::vector<std::string> notes;
     std::string error;
-    const auto surface = base_surface(real_jaw(), real_jaw().body, notes, error);
+    const auto surface = base_surface(nullptr, real_jaw().body, notes, error);
     ASSERT_TRUE(surface) << error;
     std::ofstream out(folder / "jaw.obj");
     for (const Vec3 v : surface->vertices) out << "v " << 1e3 * v.x << ' ' << 1e3 * v.y << ' ' << 1e3 * v.z << '\n';

@@ -73,7 +73,7 @@ Scene leg_with(const std::string& strategy, const std::string& instrument = "saw
 struct Afterwards final : RunObserver {
     Afterwards(const Scene& of, const ExactStrategies& with) : scene(&of), strategies(&with) {}
     std::string on_result(const RunSummary& /*summary*/, const Simulation& simulation) override {
-        made = exact_surface(*scene, simulation, strategies->tools(*scene));
+        made = exact_surface(simulation, strategies->tools(*scene));
         return {};
     }
     const Scene* scene;
@@ -298,7 +298,7 @@ ExactSurface leg_cut_by(const std::vector<std::string>& words, double tolerance 
     if (run == nullptr) throw std::runtime_error(outcome.error);
     while (run->step()) {
     }
-    return exact_surface(scene, run->simulation(), std::move(tools));
+    return exact_surface(run->simulation(), std::move(tools));
 }
 
 TEST(ExactFollower, AStrategyForWholeMeshesCutsWhatOneForPatchesDeclines) {
@@ -338,7 +338,7 @@ protected:
         for (auto& of_solid : tools.strategies)
             if (!is_replaced && of_solid.size() > 1) of_solid.resize(1);
         if (!is_replaced) tools.limit = 100ms;
-        ExactFollower follower(scene, std::move(tools));
+        ExactFollower follower(std::move(tools));
         RunRequest request;
         request.rehearsal = "expert";
         RunOutcome outcome;

@@ -33,9 +33,9 @@
 
 #include "core/session/content_hash.h"
 #include "core/session/drawn_run.h"
+#include "core/session/output_folder.h"
 #include "core/session/read_run.h"
 #include "core/session/read_session.h"
-#include "core/session/write_file.h"
 #include "synthetic_run.h"
 #include "tests/support/loop_guard.h"
 #include "tests/support/plain_session.h"
