@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/import/import_report.h"
-#include "core/import/landmark_checks.h"
-#include "core/import/make_body.h"
+#include "bone/import/landmark_checks.h"
+#include "bone/import/make_body.h"
+#include "bone/report/import_report.h"
 
 namespace kerf {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/procedure/read_map.h"
-#include "core/session/recorder.h"
+#include "documents/yaml/read_map.h"
+#include "session/recorder.h"
 
 namespace kerf {
 

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/procedure/quantity.h"
-#include "core/procedure/read_map.h"
-#include "core/procedure/source.h"
-#include "core/session/recorder.h"
+#include "documents/yaml/read_map.h"
 #include "kerf/remesh.h"
+#include "session/recorder.h"
+#include "text/quantity.h"
+#include "text/source.h"
 
 namespace kerf {
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/procedure/printable_lines.h"
-#include "core/session/recorder.h"
+#include "session/recorder.h"
+#include "text/printable_lines.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/procedure/source.h"
+#include "text/source.h"
 
 /// What `kerf validate` found, in the form that was asked for.
 namespace kerf {

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "app/progress.h"
-#include "core/import/image/scan.h"
-#include "core/import/image/write_nrrd.h"
-#include "core/import/import_report.h"
-#include "core/import/mesh_body.h"
-#include "core/procedure/printable.h"
-#include "core/session/recorder.h"
-#include "core/session/stl.h"
-#include "core/session/write_file.h"
+#include "bone/image/scan.h"
+#include "bone/image/write_nrrd.h"
+#include "bone/import/mesh_body.h"
+#include "bone/report/import_report.h"
+#include "bone/surface/write_stl.h"
+#include "session/recorder.h"
+#include "text/printable.h"
+#include "text/write_file.h"
 
 namespace kerf {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/procedure/source.h"
+#include "text/source.h"
 
 namespace kerf {
 

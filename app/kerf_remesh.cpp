@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "app/request_memory.h"
-#include "core/remesh/remesh_channel.h"
-#include "core/remesh/remesh_server.h"
+#include "bone/remesh/remesh_channel.h"
+#include "bone/remesh/remesh_server.h"
 
 int main(int argc, char** argv) {
     if (argc != 3 || fcntl(kerf::remesh_channel::socket_fd, F_GETFD) < 0) {

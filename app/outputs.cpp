@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/session/write_file.h"
+#include "text/write_file.h"
 
 namespace kerf {
 

@@ -12,7 +12,7 @@
 #include <cstring>
 
 #include "core/plugin/plugin_call.h"
-#include "core/session/recorder.h"
+#include "session/recorder.h"
 
 namespace kerf {
 

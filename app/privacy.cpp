@@ -21,10 +21,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/import/image/dicom_elements.h"
-#include "core/import/image/packed_bytes.h"
-#include "core/session/packed_column.h"
-#include "core/session/recorder.h"
+#include "bone/image/dicom_elements.h"
+#include "bone/image/packed_bytes.h"
+#include "session/packed_column.h"
+#include "session/recorder.h"
 
 namespace kerf {
 namespace {

@@ -8,7 +8,7 @@
 #include <exception>
 #include <system_error>
 
-#include "core/procedure/printable.h"
+#include "text/printable.h"
 
 namespace kerf {
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "core/procedure/procedure.h"
-#include "core/session/read_session.h"
+#include "documents/procedure.h"
 #include "run/run_procedure.h"
+#include "session/read_session.h"
 
 /// Feeding a recorded session to a run.
 namespace kerf {

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "core/procedure/printable_lines.h"
+#include "text/printable_lines.h"
 
 namespace kerf {
 

@@ -10,7 +10,7 @@
 /// command a terminal, and what does not arrive is an error.
 namespace kerf {
 
-/// Prints to stdout, with hidden characters escaped (core/procedure/printable.h).   [main]
+/// Prints to stdout, with hidden characters escaped (text/printable.h).   [main]
 void print(std::string_view text);
 
 /// Prints to stderr, likewise.   [main]

@@ -26,10 +26,10 @@
 #include <thread>
 #include <vector>
 
-#include "core/field/block_kernel.h"
-#include "core/haptics/surface_worker.h"
-#include "core/remesh/local_cutting.h"
-#include "core/remesh/remesh_child.h"
+#include "bone/remesh/local_cutting.h"
+#include "bone/remesh/remesh_child.h"
+#include "core/field/grid/kernel/block_kernel.h"
+#include "core/haptics/scene/surface_worker.h"
 #include "studies/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/saw_rig.h"

@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/field/block_kernel.h"
+#include "core/field/grid/kernel/block_kernel.h"
 #include "studies/times.h"
 #include "tests/support/burr_rig.h"
 #include "tests/support/drilled_block.h"

@@ -18,10 +18,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/import/ct_body.h"
-#include "core/import/make_body.h"
-#include "core/procedure/read_anatomy.h"
-#include "core/procedure/step_monitor.h"
+#include "bone/import/ct_body.h"
+#include "bone/import/make_body.h"
+#include "documents/read_anatomy.h"
+#include "run/verdict/step_monitor.h"
 #include "studies/chart/drill/reference.h"
 #include "tests/support/drill_rig.h"
 

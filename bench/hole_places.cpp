@@ -20,12 +20,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/session/write_file.h"
 #include "kerf/units.hpp"
 #include "run/run_procedure.h"
 #include "run/scene.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
+#include "text/write_file.h"
 
 namespace {
 

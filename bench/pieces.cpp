@@ -15,7 +15,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/field/piece_finder.h"
+#include "core/field/pieces/piece_finder.h"
 #include "studies/times.h"
 #include "tests/support/whole_volume.h"
 

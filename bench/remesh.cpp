@@ -29,10 +29,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/import/surface/edges.h"
-#include "core/remesh/accept.h"
-#include "core/remesh/local_cutting.h"
-#include "core/remesh/remesh_module.h"
+#include "bone/remesh/accept.h"
+#include "bone/remesh/local_cutting.h"
+#include "bone/remesh/remesh_module.h"
+#include "bone/surface/edges.h"
 #include "studies/chart/surfaces/burr_on_slab.h"
 #include "studies/chart/surfaces/groove_surfaces.h"
 #include "studies/times.h"

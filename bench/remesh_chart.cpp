@@ -17,12 +17,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/bone_surface.h"
-#include "core/field/removed_volume.h"
-#include "core/import/surface/mesh_distances.h"
-#include "core/remesh/local_cutting.h"
-#include "core/remesh/remesh_module.h"
-#include "core/session/recorder.h"
+#include "bone/remesh/local_cutting.h"
+#include "bone/remesh/remesh_module.h"
+#include "bone/surface/mesh_distances.h"
+#include "core/field/cut/removed_volume.h"
+#include "core/field/surface/bone_surface.h"
+#include "session/recorder.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
 #include "studies/times.h"

@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/field/block_kernel.h"
+#include "core/field/grid/kernel/block_kernel.h"
 #include "studies/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/saw_rig.h"

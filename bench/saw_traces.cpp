@@ -18,11 +18,11 @@
 #include <vector>
 
 #include "bench/as_printed/hsieh_2006.h"
-#include "core/session/write_file.h"
 #include "plugins/sawing/saw_force.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
 #include "tests/support/saw_rig.h"
+#include "text/write_file.h"
 
 namespace {
 

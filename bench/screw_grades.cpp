@@ -13,12 +13,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/session/write_file.h"
 #include "kerf/units.hpp"
-#include "run/cut_results.h"
-#include "run/screw_grade.h"
+#include "run/verdict/cut_results.h"
+#include "run/verdict/screw_grade.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
+#include "text/write_file.h"
 
 namespace {
 

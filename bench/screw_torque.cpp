@@ -18,11 +18,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/session/write_file.h"
 #include "studies/drawing/plot.h"
 #include "studies/times.h"
 #include "tests/plugins/implant/weidling.h"
 #include "tests/support/turned_screw.h"
+#include "text/write_file.h"
 
 namespace {
 

@@ -29,8 +29,8 @@
 #include "bench/flying_edges.h"
 #endif
 
-#include "core/field/bone_surface.h"
-#include "core/field/patch_table.h"
+#include "core/field/surface/bone_surface.h"
+#include "core/field/surface/patch_table.h"
 #include "studies/times.h"
 #include "tests/support/block.h"
 #include "tests/support/with_kernel.h"

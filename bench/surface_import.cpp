@@ -23,10 +23,10 @@
 #include <tbb/global_control.h>
 #endif
 
-#include "core/field/level_set.h"
-#include "core/import/bone_distances.h"
-#include "core/import/surface/read_surface.h"
-#include "core/import/surface/repair.h"
+#include "bone/import/bone_distances.h"
+#include "bone/surface/read_surface.h"
+#include "bone/surface/repair.h"
+#include "core/field/grid/level_set.h"
 #include "kerf/units.hpp"
 #include "studies/times.h"
 

@@ -21,7 +21,7 @@
 
 #include "bench/dense_field.h"
 #include "bench/plain_papers.h"
-#include "core/field/block_kernel.h"
+#include "core/field/grid/kernel/block_kernel.h"
 #include "studies/times.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/drilled_block.h"

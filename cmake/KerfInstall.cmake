@@ -9,7 +9,7 @@
 #     share/doc/kerf           the documentation
 #   component sdk
 #     include/kerf             the headers of core/sdk: target kerf::sdk, which needs nothing
-#     include/kerf-run         the headers of core, run and devices
+#     include/kerf-run         the headers of core, the rooms on it, run and devices
 #     lib/kerf-run/*.a         these as libraries, by run/CMakeLists.txt: target kerf::run
 #     lib/cmake/kerf           find_package(kerf): kerf::sdk, kerf::program, kerf_add_plugin(); COMPONENTS run: kerf::run
 #     share/kerf/examples      plugins and a program to begin with, each a project of its own

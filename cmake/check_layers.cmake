@@ -2,17 +2,26 @@
 # cmake -D ROOT=<source tree> -P check_layers.cmake
 #
 # Who may know whom (docs/overview.md):
-#   core/<layer>    kerf/…, core/<its own layer or an earlier one>/…, third parties; core/sdk only kerf/… and std
+#   core/…          kerf/…, its own layer or an earlier one, std and the C library; core/sdk only kerf/… and std
+#   text, documents, session, bone/…   the same, and third parties
 #   plugins/<name>  kerf/…, its own folder, std; CGAL in plugins/remesh_cgal/booleans.cpp, OpenMesh in plugins/burring/displace
 #   devices/<name>  the same; so does bench/as_printed, which is a plugin that only charts and tests find
-#   run/…           kerf/…, core/…, devices/…, run/…, third parties; plugins it finds at run time
-#   conformance/…   kerf/…, core/…, conformance/…, studies/drawing/…, third parties; plugins it is given at run time
-#   studies/…       kerf/…, core/…, devices/…, studies/…, third parties; plugins it finds at run time
-# and core names no plugin: neither its id, nor its module, nor its folder. Nor do core, run and app name a remeshing
+#   run/…           kerf/…, the layers, devices/…, run/…, third parties; plugins it finds at run time
+#   conformance/…   kerf/…, the layers, conformance/…, studies/drawing/…, third parties; plugins it is given at run time
+#   studies/…       kerf/…, the layers, devices/…, studies/…, third parties; plugins it finds at run time
+# and no layer names a plugin: neither its id, nor its module, nor its folder. Nor do layers, run and app name a remeshing
 # strategy of a plugin. Comments may, as examples.
 cmake_minimum_required(VERSION 3.25)
 
-set(layers sdk field plugin haptics procedure session import remesh measure)   # each may include itself and those before it
+# Each may include itself and those before it.
+set(layers
+  core/sdk core/field core/field/grid core/field/cut core/field/surface core/field/pieces core/plugin
+  core/haptics core/haptics/law core/haptics/loop core/haptics/scene core/haptics/watch
+  text documents session
+  bone/report bone/image bone/surface bone/import bone/measure bone/remesh bone/exact)
+set(nested core/field/grid/kernel documents/yaml session/report)   # parts of the layer above them, without an order
+set(rooms core text documents session bone)
+set(c_library dlfcn.h elf.h emmintrin.h fcntl.h immintrin.h poll.h pthread.h semaphore.h unistd.h x86intrin.h)
 set(std_c_headers assert.h ctype.h errno.h fenv.h float.h inttypes.h limits.h locale.h math.h setjmp.h signal.h
     stdalign.h stdarg.h stdatomic.h stdbool.h stddef.h stdint.h stdio.h stdlib.h string.h tgmath.h time.h uchar.h
     wchar.h wctype.h)
@@ -72,33 +81,51 @@ function(folders_in parent out)
   set(${out} "${folders}" PARENT_SCOPE)
 endfunction()
 
-function(check_core_include file content directive layer rank)
+# The layer that a path lies in: the longest of their names that begins it.
+function(layer_of path out)
+  set(found "")
+  foreach(layer IN LISTS layers)
+    string(LENGTH "${layer}" length)
+    string(LENGTH "${found}" longest)
+    string(FIND "${path}" "${layer}/" at)
+    if(at EQUAL 0 AND length GREATER longest)
+      set(found "${layer}")
+    endif()
+  endforeach()
+  set(${out} "${found}" PARENT_SCOPE)
+endfunction()
+
+function(check_layer_include file content directive layer)
   split_include("${directive}" path is_angled)
   is_std("${path}" is_std)
-  list(SUBLIST layers 0 ${rank} allowed_layers)
-  list(APPEND allowed_layers ${layer})
-  list(JOIN allowed_layers ", core/" allowed)
-  set(allowed "kerf/… and core/${allowed}")
-  set(what "core/${layer} must not include \"${path}\"")
+  list(FIND layers ${layer} rank)
+  set(allowed "kerf/…, ${layer} and the layers before it in cmake/check_layers.cmake")
+  set(what "${layer} must not include \"${path}\"")
+  string(REGEX MATCH "^[^/]+" room "${path}")
 
   if(path MATCHES "^kerf/" OR (is_angled AND is_std))
     return()
   elseif(path MATCHES "(^|/)\\.\\./")
     set(what "${what}: a path through \"..\" hides which layer it reaches")
     set(allowed "${allowed}, written from the root of the tree")
-  elseif(path MATCHES "^core/([^/]+)/")
-    if(CMAKE_MATCH_1 IN_LIST allowed_layers)
+  elseif(room IN_LIST rooms)
+    layer_of("${path}" other)
+    list(FIND layers "${other}" other_rank)
+    if(NOT other STREQUAL "" AND other_rank LESS_EQUAL rank)
       return()
-    elseif(CMAKE_MATCH_1 IN_LIST layers)
-      set(what "${what}: core/${CMAKE_MATCH_1} is a later layer")
+    elseif(NOT other STREQUAL "")
+      set(what "${what}: ${other} is a later layer")
     else()
-      set(what "${what}: core/${CMAKE_MATCH_1} is no layer")
+      set(what "${what}: it lies in no layer")
     endif()
   elseif(path MATCHES "^(plugins|devices|run|app|tests|bench|examples|conformance|studies)/")
-    set(what "${what}: core knows nothing outside core")
-  elseif(layer STREQUAL "sdk")
+    set(what "${what}: ${layer} knows nothing of what uses it")
+  elseif(layer STREQUAL "core/sdk")
     set(what "${what}: the sdk needs nothing but a compiler")
     set(allowed "kerf/… and the standard library")
+  elseif(layer MATCHES "^core/" AND is_angled AND NOT (path IN_LIST c_library OR path MATCHES "^(sys|linux)/"))
+    set(what "${what}: core needs no third-party library")
+    set(allowed "kerf/…, core, the standard library and the C library")
   else()
     return()   # a third party, or a file beside this one
   endif()
@@ -106,15 +133,15 @@ function(check_core_include file content directive layer rank)
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 
-# What would tie core to one plugin or device, outside comments.
-function(check_core_names file content pattern comment)
+# What would tie a layer to one plugin or device, outside comments.
+function(check_names file content pattern comment)
   string(REGEX MATCHALL "\n[^\n]*(${pattern})[^\n]*" lines "${content}")
   foreach(line IN LISTS lines)
     string(REGEX REPLACE "${comment}" "" code "${line}")
     if(code MATCHES "^\n[ \t]*#[ \t]*include" OR NOT "${code} " MATCHES "(${pattern})[^A-Za-z0-9_]")
       continue()
     endif()
-    report("${file}" "${content}" "${line}" "core must not name \"${CMAKE_MATCH_1}\""
+    report("${file}" "${content}" "${line}" "a layer must not name \"${CMAKE_MATCH_1}\""
       "nothing of a plugin or device; core finds them at run time, and procedures name them")
   endforeach()
   set(violations ${violations} PARENT_SCOPE)
@@ -143,17 +170,17 @@ function(check_plugin_include file content directive folder)
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 
-# `folder` may include core, devices and itself.
+# `folder` may include the layers, devices and itself.
 function(check_library_include file content directive folder others)
   split_include("${directive}" path is_angled)
   if(path MATCHES "(^|/)\\.\\./" OR path MATCHES "^(${others})/")
     report("${file}" "${content}" "${directive}" "${folder} must not include \"${path}\""
-      "kerf/…, core/…, devices/… and ${folder}/…, written from the root of the tree")
+      "kerf/…, the layers, devices/… and ${folder}/…, written from the root of the tree")
     set(violations ${violations} PARENT_SCOPE)
   endif()
 endfunction()
 
-# ---- core --------------------------------------------------------------------------------------------------------
+# ---- layers ------------------------------------------------------------------------------------------------------
 
 folders_in(plugins plugins)
 folders_in(devices devices)
@@ -166,34 +193,37 @@ foreach(name IN LISTS devices)
 endforeach()
 list(JOIN names "|" names)
 
-folders_in(core folders)
-foreach(layer IN LISTS folders)
-  list(FIND layers "${layer}" rank)
-  file(GLOB_RECURSE sources "${ROOT}/core/${layer}/*.h" "${ROOT}/core/${layer}/*.hpp" "${ROOT}/core/${layer}/*.cpp")
-  if(rank EQUAL -1)
-    if(sources)
-      list(JOIN layers ", " known)
-      message(NOTICE "core/${layer}: this folder is no layer. Allowed: ${known} (in this order; cmake/check_layers.cmake).")
-      math(EXPR violations "${violations} + 1")
-    endif()
+set(sources)
+foreach(room IN LISTS rooms)
+  file(GLOB_RECURSE of_room "${ROOT}/${room}/*.h" "${ROOT}/${room}/*.hpp" "${ROOT}/${room}/*.cpp")
+  list(APPEND sources ${of_room})
+endforeach()
+foreach(file IN LISTS sources)
+  file(RELATIVE_PATH path "${ROOT}" "${file}")
+  get_filename_component(folder "${path}" DIRECTORY)
+  layer_of("${path}" layer)
+  if(NOT (folder STREQUAL layer OR folder IN_LIST nested OR folder STREQUAL "core/sdk/include/kerf"))
+    list(JOIN layers ", " known)
+    message(NOTICE "${folder}: this folder is no layer. Allowed: ${known} (in this order; cmake/check_layers.cmake).")
+    math(EXPR violations "${violations} + 1")
     continue()
   endif()
-  foreach(file IN LISTS sources)
-    read("${file}" content)
-    find_includes("${content}" includes)
-    foreach(directive IN LISTS includes)
-      check_core_include("${file}" "${content}" "${directive}" ${layer} ${rank})
-    endforeach()
-    if(names)
-      check_core_names("${file}" "${content}" "${names}" "(//|/\\*|\n[ \t]*\\*).*")
-    endif()
+  read("${file}" content)
+  find_includes("${content}" includes)
+  foreach(directive IN LISTS includes)
+    check_layer_include("${file}" "${content}" "${directive}" ${layer})
   endforeach()
+  if(names)
+    check_names("${file}" "${content}" "${names}" "(//|/\\*|\n[ \t]*\\*).*")
+  endif()
 endforeach()
 if(names)
-  file(GLOB_RECURSE lists "${ROOT}/core/CMakeLists.txt")
-  foreach(file IN LISTS lists)
-    read("${file}" content)
-    check_core_names("${file}" "${content}" "${names}" "#.*")
+  foreach(room IN LISTS rooms)
+    file(GLOB_RECURSE lists "${ROOT}/${room}/CMakeLists.txt")
+    foreach(file IN LISTS lists)
+      read("${file}" content)
+      check_names("${file}" "${content}" "${names}" "#.*")
+    endforeach()
   endforeach()
 endif()
 
@@ -215,7 +245,7 @@ if(EXISTS "${ROOT}/plugins/remesh_cgal" AND NOT strategies)
   message(FATAL_ERROR "layers: found no strategy in plugins. Correct how cmake/check_layers.cmake finds them.")
 endif()
 list(JOIN strategies "|" strategies)
-foreach(folder core/plugin core/procedure core/session core/remesh run app)   # core/import reads words of other formats
+foreach(folder core/plugin text documents session bone/remesh bone/exact run app)   # bone/image reads words of other formats
   file(GLOB_RECURSE sources "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cpp")
   foreach(file IN LISTS sources)
     read("${file}" content)

@@ -12,7 +12,7 @@
 #include "conformance/child_program.h"
 #include "conformance/words.h"
 #include "core/plugin/plain_text.h"
-#include "core/session/write_file.h"
+#include "text/write_file.h"
 
 namespace kerf::conformance {
 

@@ -9,7 +9,7 @@
 #include "conformance/law_walk.h"
 #include "conformance/parameter_sets.h"
 #include "conformance/test_groups.h"
-#include "core/haptics/channel.h"
+#include "core/haptics/law/channel.h"
 #include "kerf/units.hpp"
 
 namespace kerf::conformance {

@@ -14,9 +14,9 @@
 #include "conformance/guarded_memory.h"
 #include "conformance/plane_bone.h"
 #include "conformance/subject.h"
-#include "conformance/watch/watch.h"
 #include "conformance/words.h"
-#include "core/haptics/channel.h"
+#include "core/haptics/law/channel.h"
+#include "core/haptics/watch/watch.h"
 
 namespace kerf::conformance {
 

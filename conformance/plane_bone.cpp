@@ -25,7 +25,7 @@ double PlaneBone::distance_at(Vec3 point_in_tool, Vec3* normal_in_tool) const no
 }
 
 void PlaneBone::sample(const Vec3* points, std::uint32_t count, kerf_bone_sample* out) noexcept {
-    const double ramp = 0.25 * settings_.voxel;  // as in core/field/body.h
+    const double ramp = 0.25 * settings_.voxel;  // as in core/field/grid/body.h
     for (std::uint32_t i = 0; i < count; ++i) {
         kerf_bone_sample& s = out[i] = kerf_bone_sample{};
         s.engagement = std::clamp(0.5 - distance_at(points[i], nullptr) / ramp, 0.0, 1.0);

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/haptics/body_threads.h"
+#include "core/haptics/law/body_threads.h"
 #include "kerf/abi.h"
 #include "kerf/math.hpp"
 

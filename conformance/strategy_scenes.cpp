@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
-#include "core/remesh/growing_surface.h"
-#include "core/remesh/swept_before.h"
+#include "bone/remesh/growing_surface.h"
+#include "bone/remesh/swept_before.h"
 #include "kerf/units.hpp"
 
 namespace kerf::conformance {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/remesh/remesh_request.h"
+#include "bone/remesh/remesh_request.h"
 
 namespace kerf::conformance {
 

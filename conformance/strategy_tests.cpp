@@ -15,6 +15,10 @@
 #include <utility>
 #include <vector>
 
+#include "bone/remesh/accept.h"
+#include "bone/remesh/local_cutting.h"
+#include "bone/remesh/remesh_child.h"
+#include "bone/remesh/removal.h"
 #include "conformance/guarded_memory.h"
 #include "conformance/parameter_sets.h"
 #include "conformance/process_state.h"
@@ -24,10 +28,6 @@
 #include "conformance/words.h"
 #include "core/plugin/plain_text.h"
 #include "core/plugin/plugin_call.h"
-#include "core/remesh/accept.h"
-#include "core/remesh/local_cutting.h"
-#include "core/remesh/remesh_child.h"
-#include "core/remesh/removal.h"
 
 namespace kerf::conformance {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "conformance/test.h"
-#include "core/haptics/tool.h"
+#include "core/haptics/law/tool.h"
 #include "core/plugin/loader.h"
 
 namespace kerf::conformance {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "conformance/subject.h"
-#include "core/haptics/simulation.h"
+#include "core/haptics/scene/simulation.h"
 
 namespace kerf::conformance {
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/field/bone_surface.h"
-#include "core/procedure/fracture.h"
-#include "core/procedure/solids.h"
+#include "core/field/surface/bone_surface.h"
+#include "documents/fracture.h"
+#include "documents/solids.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/bone_scene.h"
+#include "core/haptics/scene/bone_scene.h"
 #include "run/scene.h"
 
 namespace kerf {

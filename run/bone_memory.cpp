@@ -7,11 +7,11 @@
 #include <functional>
 #include <vector>
 
-#include "core/import/fields_memory.h"
-#include "core/procedure/document.h"
-#include "core/procedure/quantity.h"
-#include "core/procedure/read_procedure.h"
-#include "core/procedure/solids.h"
+#include "bone/import/fields_memory.h"
+#include "documents/read_procedure.h"
+#include "documents/solids.h"
+#include "documents/yaml/document.h"
+#include "text/quantity.h"
 
 namespace kerf {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/import/fields_memory.h"
-#include "core/procedure/anatomy.h"
-#include "core/procedure/procedure.h"
-#include "core/procedure/source.h"
+#include "bone/import/fields_memory.h"
+#include "documents/anatomy.h"
+#include "documents/procedure.h"
+#include "text/source.h"
 
 /// How much memory a phantom's fields will take, before any of it is asked for.
 namespace kerf {
@@ -15,7 +15,7 @@ namespace kerf {
 [[nodiscard]] double bone_memory(const Anatomy& anatomy, double spacing);
 
 /// Refuses a spacing at which the phantom would take more than `most_bone_memory`, and says which one would do. Bone
-/// of a scan or a surface is left to what makes it (core/import/make_body.h): its border is not known before it is
+/// of a scan or a surface is left to what makes it (bone/import/make_body.h): its border is not known before it is
 /// read.   [main]
 void check_bone_memory(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics);
 

@@ -7,17 +7,17 @@
 #include <system_error>
 #include <utility>
 
-#include "core/import/data_file.h"
-#include "core/import/markups.h"
-#include "core/procedure/document.h"
-#include "core/procedure/printable.h"
-#include "core/procedure/read_anatomy.h"
-#include "core/procedure/read_map.h"
+#include "bone/import/data_file.h"
+#include "bone/import/markups.h"
+#include "documents/read_anatomy.h"
+#include "documents/yaml/document.h"
+#include "documents/yaml/read_map.h"
 #include "run/bone_memory.h"
 #include "run/plate.h"
 #include "run/run_checks.h"
 #include "run/shipped.h"
 #include "run/thread_checks.h"
+#include "text/printable.h"
 
 namespace kerf {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/device_record.h"
-#include "core/haptics/simulation.h"
+#include "core/haptics/loop/device_record.h"
+#include "core/haptics/scene/simulation.h"
 #include "core/plugin/loader.h"
-#include "core/procedure/anatomy.h"
-#include "core/procedure/read_procedure.h"
+#include "documents/anatomy.h"
+#include "documents/read_procedure.h"
 
 /// A procedure with its anatomy, with all checks that need no bone: in milliseconds.
 namespace kerf {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/procedure/hand_input.h"
+#include "documents/hand_input.h"
 #include "run/scene.h"
 
 namespace kerf {

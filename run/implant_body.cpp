@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/field/tool_solid.h"
+#include "core/field/cut/tool_solid.h"
 #include "kerf/exact_math.hpp"
 #include "kerf/units.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "core/field/body.h"
-#include "core/haptics/tool.h"
+#include "core/field/grid/body.h"
+#include "core/haptics/law/tool.h"
 
 namespace kerf {
 

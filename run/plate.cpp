@@ -5,11 +5,11 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/procedure/document.h"
-#include "core/procedure/quantity.h"
-#include "core/procedure/read_procedure.h"
-#include "core/procedure/solids.h"
-#include "core/procedure/waypoint_nodes.h"
+#include "documents/read_procedure.h"
+#include "documents/solids.h"
+#include "documents/waypoint_nodes.h"
+#include "documents/yaml/document.h"
+#include "text/quantity.h"
 
 namespace kerf {
 

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "core/field/body.h"
-#include "core/field/cut_field.h"
-#include "core/haptics/simulation.h"
-#include "core/haptics/tool.h"
-#include "core/procedure/anatomy.h"
-#include "core/procedure/implant_plan.h"
-#include "core/procedure/procedure.h"
-#include "core/procedure/step_monitor.h"
+#include "core/field/cut/cut_field.h"
+#include "core/field/grid/body.h"
+#include "core/haptics/law/tool.h"
+#include "core/haptics/scene/simulation.h"
+#include "documents/anatomy.h"
+#include "documents/implant_plan.h"
+#include "documents/procedure.h"
+#include "run/verdict/step_monitor.h"
 
 /// Plates: how they lie on bone, and the steps that follow their holes.
 namespace kerf {

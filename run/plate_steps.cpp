@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/import/make_body.h"
+#include "bone/import/make_body.h"
 
 namespace kerf {
 

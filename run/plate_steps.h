@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "core/haptics/simulation.h"
-#include "core/procedure/step_monitor.h"
+#include "core/haptics/scene/simulation.h"
 #include "run/scene.h"
+#include "run/verdict/step_monitor.h"
 
 namespace kerf {
 

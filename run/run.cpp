@@ -7,16 +7,16 @@
 #include <span>
 #include <utility>
 
-#include "core/field/removed_volume.h"
-#include "core/procedure/quantity.h"
+#include "bone/exact/exact_follower.h"
+#include "core/field/cut/removed_volume.h"
 #include "run/belongings.h"
 #include "run/exact/exact_files.h"
-#include "run/exact/exact_follower.h"
 #include "run/exact/exact_strategies.h"
-#include "run/measure_bone.h"
 #include "run/plate_steps.h"
-#include "run/run_metrics.h"
 #include "run/tick_row.h"
+#include "run/verdict/measure_bone.h"
+#include "run/verdict/run_metrics.h"
+#include "text/quantity.h"
 
 namespace kerf {
 

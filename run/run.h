@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/haptics/simulation.h"
-#include "core/session/content_hash.h"
+#include "core/haptics/scene/simulation.h"
 #include "devices/simulated_hand/simulated_hand.h"
-#include "run/cut_results.h"
 #include "run/hand_inputs.h"
 #include "run/run_procedure.h"
 #include "run/session_files.h"
 #include "run/signal_table.h"
+#include "run/verdict/cut_results.h"
+#include "session/content_hash.h"
 
 namespace kerf {
 

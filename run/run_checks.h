@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "core/field/body.h"
-#include "core/field/region.h"
-#include "core/field/tool_solid.h"
-#include "core/haptics/device_record.h"
-#include "core/procedure/procedure.h"
-#include "core/procedure/source.h"
-#include "core/procedure/step_monitor.h"
+#include "core/field/cut/tool_solid.h"
+#include "core/field/grid/body.h"
+#include "core/field/grid/region.h"
+#include "core/haptics/loop/device_record.h"
+#include "documents/procedure.h"
+#include "run/verdict/step_monitor.h"
+#include "text/source.h"
 
 /// What a procedure asks of a run, each complaint at its place in the document.
 namespace kerf {

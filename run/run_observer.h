@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "core/field/cut_log.h"
-#include "core/session/recording.h"
+#include "core/field/cut/cut_log.h"
 #include "run/run_result.h"
+#include "session/recording.h"
 
 namespace kerf {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/run_procedure.h"
 
-#include "core/procedure/read_map.h"
+#include "documents/yaml/read_map.h"
 #include "run/run.h"
 
 namespace kerf {

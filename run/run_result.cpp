@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/plugin/unit.h"
-#include "core/procedure/quantity.h"
-#include "core/procedure/telling_digits.h"
+#include "text/quantity.h"
+#include "text/telling_digits.h"
 
 namespace kerf {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/session/recording.h"
 #include "run/scene.h"
+#include "session/recording.h"
 
 namespace kerf {
 

@@ -8,18 +8,18 @@
 #include <numbers>
 #include <utility>
 
+#include "bone/import/break_bone.h"
+#include "bone/import/fit_landmarks.h"
+#include "bone/import/make_body.h"
 #include "core/field/fnv1a.h"
-#include "core/haptics/work_force.h"
-#include "core/import/break_bone.h"
-#include "core/import/fit_landmarks.h"
-#include "core/import/make_body.h"
-#include "core/procedure/document.h"
-#include "core/procedure/fracture.h"
-#include "core/procedure/read_procedure.h"
+#include "core/haptics/loop/work_force.h"
+#include "documents/fracture.h"
+#include "documents/read_procedure.h"
+#include "documents/yaml/document.h"
 #include "run/implant_body.h"
-#include "run/measure_bone.h"
 #include "run/run_checks.h"
 #include "run/thread_checks.h"
+#include "run/verdict/measure_bone.h"
 
 namespace kerf {
 

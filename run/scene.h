@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "core/field/body.h"
-#include "core/haptics/simulation.h"
-#include "core/import/import_report.h"
+#include "bone/report/import_report.h"
+#include "core/field/grid/body.h"
+#include "core/haptics/scene/simulation.h"
 #include "core/plugin/loader.h"
-#include "core/procedure/anatomy.h"
-#include "core/procedure/procedure.h"
-#include "core/procedure/step_monitor.h"
 #include "devices/simulated_hand/simulated_hand.h"
+#include "documents/anatomy.h"
+#include "documents/procedure.h"
 #include "run/documents.h"
 #include "run/plate.h"
+#include "run/verdict/step_monitor.h"
 
 /// Documents and plugins, put together into what a run needs.
 namespace kerf {

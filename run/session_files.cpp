@@ -3,13 +3,13 @@
 
 #include <utility>
 
-#include "core/field/bone_surface.h"
-#include "core/session/envelope.h"
-#include "core/session/read_run.h"
-#include "core/session/report.h"
-#include "core/session/stl.h"
-#include "core/session/summary.h"
+#include "bone/surface/write_stl.h"
+#include "core/field/surface/bone_surface.h"
 #include "run/exact/exact_files.h"
+#include "session/envelope.h"
+#include "session/report/read_run.h"
+#include "session/report/report.h"
+#include "session/summary.h"
 
 namespace kerf {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "core/session/output_folder.h"
-#include "core/session/recorder.h"
 #include "run/run_observer.h"
 #include "run/run_procedure.h"
+#include "session/output_folder.h"
+#include "session/recorder.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/procedure/quantity.h"
+#include "text/quantity.h"
 
 namespace kerf {
 

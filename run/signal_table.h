@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/haptics/simulation.h"
-#include "core/session/recorder.h"
+#include "core/haptics/scene/simulation.h"
+#include "session/recorder.h"
 
 namespace kerf {
 

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <string>
 
-#include "core/procedure/document.h"
-#include "core/procedure/quantity.h"
-#include "core/procedure/read_map.h"
-#include "core/procedure/read_procedure.h"
-#include "core/procedure/waypoint_nodes.h"
+#include "documents/read_procedure.h"
+#include "documents/waypoint_nodes.h"
+#include "documents/yaml/document.h"
+#include "documents/yaml/read_map.h"
+#include "text/quantity.h"
 
 namespace kerf {
 

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/field/body.h"
-#include "core/haptics/tool.h"
-#include "core/procedure/procedure.h"
-#include "core/procedure/source.h"
-#include "core/procedure/step_monitor.h"
+#include "core/field/grid/body.h"
+#include "core/haptics/law/tool.h"
+#include "documents/procedure.h"
+#include "run/verdict/step_monitor.h"
+#include "text/source.h"
 
 /// What a procedure asks of screws and taps, each complaint at its place in the document.
 namespace kerf {

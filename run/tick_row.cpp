@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/procedure/quantity.h"
+#include "text/quantity.h"
 
 namespace kerf {
 

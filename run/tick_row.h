@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <string>
 
-#include "core/haptics/simulation.h"
-#include "core/procedure/step_monitor.h"
-#include "core/session/recording.h"
+#include "core/haptics/scene/simulation.h"
 #include "run/scene.h"
 #include "run/signal_table.h"
+#include "run/verdict/step_monitor.h"
+#include "session/recording.h"
 
 /// What a tick left, as the record keeps it.
 namespace kerf {

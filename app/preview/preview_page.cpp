@@ -10,10 +10,10 @@
 #include "app/anatomy_text.h"
 #include "app/preview/png.h"
 #include "app/preview/view.h"
-#include "core/import/import_report.h"
-#include "core/procedure/solids.h"
-#include "core/session/recorder.h"
-#include "core/session/report_data.h"
+#include "bone/report/import_report.h"
+#include "documents/solids.h"
+#include "session/recorder.h"
+#include "session/report/report_data.h"
 
 namespace kerf {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/field/body.h"
-#include "core/procedure/solids.h"
+#include "core/field/grid/body.h"
+#include "documents/solids.h"
 
 namespace kerf {
 namespace {

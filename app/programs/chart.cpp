@@ -9,8 +9,8 @@
 #include "app/program.h"
 #include "app/programs/printed_laws.h"
 #include "app/standard_streams.h"
-#include "core/session/recorder.h"
 #include "run/exact/exact_strategies.h"
+#include "session/recorder.h"
 #include "studies/chart/chart_files.h"
 
 namespace kerf {

@@ -13,8 +13,8 @@
 #include "conformance/acceptance.h"
 #include "conformance/check.h"
 #include "conformance/report.h"
-#include "core/session/recorder.h"
-#include "core/session/write_file.h"
+#include "session/recorder.h"
+#include "text/write_file.h"
 
 namespace kerf {
 

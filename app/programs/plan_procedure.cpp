@@ -9,13 +9,13 @@
 
 #include "app/progress.h"
 #include "app/standard_streams.h"
-#include "core/import/make_body.h"
-#include "core/session/recorder.h"
-#include "core/session/write_file.h"
+#include "bone/import/make_body.h"
 #include "run/exact/compare_strategies.h"
 #include "run/planned_feed.h"
 #include "run/run_checks.h"
+#include "session/recorder.h"
 #include "studies/plan/plan_text.h"
+#include "text/write_file.h"
 
 namespace kerf {
 

@@ -7,7 +7,7 @@
 #include "app/program.h"
 #include "app/programs/printed_laws.h"
 #include "app/standard_streams.h"
-#include "core/session/recorder.h"
+#include "session/recorder.h"
 #include "studies/stability/atlas.h"
 #include "studies/stability/suite.h"
 

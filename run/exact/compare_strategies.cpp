@@ -5,11 +5,11 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/field/bone_surface.h"
-#include "core/field/removed_volume.h"
-#include "core/import/surface/triangle_tree.h"
-#include "run/exact/base_surface.h"
-#include "run/exact/exact_track.h"
+#include "bone/exact/base_surface.h"
+#include "bone/exact/exact_track.h"
+#include "bone/surface/triangle_tree.h"
+#include "core/field/cut/removed_volume.h"
+#include "core/field/surface/bone_surface.h"
 #include "run/planned_feed.h"
 
 namespace kerf {

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/field/present_bone.h"
-#include "core/procedure/quantity.h"
-#include "core/session/stl.h"
-#include "core/session/write_file.h"
+#include "bone/surface/write_stl.h"
+#include "core/field/pieces/present_bone.h"
+#include "text/quantity.h"
+#include "text/write_file.h"
 
 namespace kerf {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "core/session/recording.h"
+#include "bone/exact/exact_surface.h"
 #include "run/exact/exact_strategies.h"
-#include "run/exact/exact_surface.h"
+#include "session/recording.h"
 
 namespace kerf {
 

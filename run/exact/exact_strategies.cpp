@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/session/content_hash.h"
 #include "kerf/units.hpp"
+#include "session/content_hash.h"
 
 namespace kerf {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "bone/exact/exact_tools.h"
+#include "bone/remesh/remesh_child.h"
 #include "core/plugin/component_info.h"
-#include "core/procedure/procedure.h"
-#include "core/remesh/remesh_child.h"
-#include "run/exact/exact_tools.h"
+#include "documents/procedure.h"
 #include "run/scene.h"
 
 namespace kerf {

@@ -7,13 +7,13 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/session/recorder.h"
-#include "core/session/report_data.h"
-#include "core/session/report_page.h"
-#include "core/session/write_file.h"
+#include "session/recorder.h"
+#include "session/report/report_data.h"
+#include "session/report/report_page.h"
 #include "studies/chart/physics/published_files.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
+#include "text/write_file.h"
 
 namespace kerf::chart {
 

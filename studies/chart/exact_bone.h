@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/field/body.h"
+#include "core/field/grid/body.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {

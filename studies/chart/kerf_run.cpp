@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/haptics/work_force.h"
+#include "core/haptics/loop/work_force.h"
 #include "kerf/assert.hpp"
 #include "studies/stability/tool_under_test.h"
 #include "studies/times.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "core/haptics/tool.h"
+#include "core/haptics/law/tool.h"
 #include "core/plugin/loader.h"
 
 /// Tools and laws by their names. For training and research; not for diagnosis, planning or deciding treatment.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/simulation.h"
+#include "core/haptics/scene/simulation.h"
 #include "studies/chart/setting.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/tool.h"
+#include "core/haptics/law/tool.h"
 #include "studies/chart/exact_bone.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/haptics/channel.h"
+#include "core/haptics/law/channel.h"
 #include "core/plugin/plugin_call.h"
 #include "studies/times.h"
 

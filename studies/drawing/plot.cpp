@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/session/report_data.h"
+#include "session/report/report_data.h"
 #include "studies/drawing/svg.h"
 
 namespace kerf::drawing {

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/session/report_data.h"
+#include "session/report/report_data.h"
 
 namespace kerf::drawing {
 

@@ -9,8 +9,8 @@
 #include <iterator>
 #include <utility>
 
-#include "core/procedure/plain_numbers.h"
 #include "studies/rms.h"
+#include "text/plain_numbers.h"
 
 namespace kerf::plan {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/procedure/procedure.h"
+#include "documents/procedure.h"
 #include "studies/plan/going.h"
 
 /// The least that a step needs. For training and research; not for diagnosis, planning or deciding treatment.

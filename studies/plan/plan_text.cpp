@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdio>
 
-#include "core/procedure/plain_numbers.h"
-#include "core/procedure/quantity.h"
-#include "core/session/recorder.h"
+#include "session/recorder.h"
+#include "text/plain_numbers.h"
+#include "text/quantity.h"
 
 namespace kerf::plan {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/simulation.h"
+#include "core/haptics/scene/simulation.h"
 #include "core/plugin/component_info.h"
 
 /// What a step could be modelled with: the bone at any spacing, and the tool with its features. For training and

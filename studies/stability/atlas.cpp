@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
-#include "core/session/recorder.h"
-#include "core/session/write_file.h"
+#include "session/recorder.h"
 #include "studies/drawing/svg.h"
+#include "text/write_file.h"
 
 namespace kerf::stability {
 

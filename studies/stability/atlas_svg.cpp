@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/session/recorder.h"
-#include "core/session/report_data.h"
+#include "session/recorder.h"
+#include "session/report/report_data.h"
 #include "studies/drawing/svg.h"
 #include "studies/stability/atlas.h"
 

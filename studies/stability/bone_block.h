@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/field/body.h"
+#include "core/field/grid/body.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::stability {

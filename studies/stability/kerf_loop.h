@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/haptics/simulation.h"
+#include "core/haptics/scene/simulation.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::stability {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/work_force.h"
+#include "core/haptics/loop/work_force.h"
 #include "studies/rms.h"
 #include "studies/stability/bone_block.h"
 #include "studies/stability/led_tool.h"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/haptics/device_record.h"
+#include "core/haptics/loop/device_record.h"
 #include "studies/stability/test_hand.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/haptics/tool.h"
+#include "core/haptics/law/tool.h"
 #include "studies/stability/bone_block.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.

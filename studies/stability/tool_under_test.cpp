@@ -8,7 +8,7 @@
 #include <cstring>
 #include <vector>
 
-#include "core/haptics/work_force.h"
+#include "core/haptics/loop/work_force.h"
 
 namespace kerf::stability {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/haptics/simulation.h"
+#include "core/haptics/scene/simulation.h"
 #include "core/plugin/loader.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.

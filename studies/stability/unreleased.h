@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/coupling.h"
+#include "core/haptics/loop/coupling.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::stability {

@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "core/import/surface/edges.h"
-#include "core/import/surface/read_surface.h"
-#include "core/import/surface/repair.h"
-#include "core/session/output_folder.h"
-#include "core/session/read_session.h"
-#include "core/session/recorder.h"
+#include "bone/surface/edges.h"
+#include "bone/surface/read_surface.h"
+#include "bone/surface/repair.h"
 #include "kerf/units.hpp"
+#include "session/output_folder.h"
+#include "session/read_session.h"
+#include "session/recorder.h"
 #include "tests/support/operation.h"
 #include "tests/support/temporary_folder.h"
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "core/procedure/quantity.h"
 #include "tests/support/drill_rig.h"
+#include "text/quantity.h"
 
 namespace kerf {
 namespace {

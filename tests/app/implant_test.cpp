@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/session/recorder.h"
+#include "session/recorder.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"

@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "core/session/summary.h"
+#include "bone/exact/base_surface.h"
 #include "kerf/units.hpp"
-#include "run/exact/base_surface.h"
+#include "session/summary.h"
 #include "tests/support/operation.h"
 #include "tests/support/temporary_folder.h"
 

@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/session/recorder.h"
-#include "core/session/report_data.h"
+#include "session/recorder.h"
+#include "session/report/report_data.h"
 #include "tests/support/dicom_writer.h"
 #include "tests/support/temporary_folder.h"
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/procedure/printable_lines.h"
 #include "tests/support/plain_session.h"
 #include "tests/support/program.h"
+#include "text/printable_lines.h"
 
 namespace kerf {
 namespace {

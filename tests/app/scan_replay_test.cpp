@@ -9,11 +9,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/procedure/read_anatomy.h"
-#include "core/procedure/solids.h"
-#include "core/session/content_hash.h"
-#include "core/session/recorder.h"
+#include "documents/read_anatomy.h"
+#include "documents/solids.h"
 #include "run/scene.h"
+#include "session/content_hash.h"
+#include "session/recorder.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 

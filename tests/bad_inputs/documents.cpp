@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/session/recorder.h"
+#include "session/recorder.h"
 #include "tests/bad_inputs/input.h"
 #include "tests/support/plain_session.h"
 #include "tests/support/temporary_folder.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tests/bad_inputs/input.h"
-#include "tests/core/import/surface/shapes.h"
+#include "tests/bone/surface/shapes.h"
 #include "tests/support/dicom_writer.h"
 
 namespace kerf::test {

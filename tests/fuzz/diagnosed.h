@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/procedure/source.h"
 #include "tests/fuzz/fuzz_target.h"
+#include "text/source.h"
 
 namespace kerf::fuzz {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One DICOM file, from its elements to its voxels. The codecs of compressed pixels are left out: they are not ours, and
-// run in a process that may crash (core/import/image/dicom_codec.h).
-#include "core/import/image/dicom_elements.h"
+// run in a process that may crash (bone/image/dicom_codec.h).
+#include "bone/image/dicom_elements.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/import/image/dicom_file.h"
+#include "bone/image/dicom_file.h"
 #include "tests/fuzz/scratch_file.h"
 
 bool kerf::fuzz::reads(std::string_view input) {

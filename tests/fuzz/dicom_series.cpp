@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files of one folder, one behind the other: two bytes of length, the higher one first, then so many of the file.
-#include "core/import/image/dicom_series.h"
+#include "bone/image/dicom_series.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/import/image/dicom_file.h"
+#include "bone/image/dicom_file.h"
 #include "tests/fuzz/diagnosed.h"
 #include "tests/fuzz/scratch_file.h"
 

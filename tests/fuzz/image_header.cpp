@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/import/image/image_file.h"
-#include "core/import/image/scan.h"
+#include "bone/image/image_file.h"
+#include "bone/image/scan.h"
 #include "tests/fuzz/diagnosed.h"
 #include "tests/fuzz/scratch_file.h"
 

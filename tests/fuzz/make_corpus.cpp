@@ -17,11 +17,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/procedure/shapes.h"
-#include "core/session/content_hash.h"
-#include "core/session/record_checksum.h"
-#include "core/session/recorder.h"
-#include "tests/core/procedure/every_key.h"
+#include "documents/shapes.h"
+#include "session/content_hash.h"
+#include "session/record_checksum.h"
+#include "session/recorder.h"
+#include "tests/documents/every_key.h"
 #include "tests/support/dicom_writer.h"
 #include "tests/support/plain_session.h"
 #include "tests/support/temporary_folder.h"

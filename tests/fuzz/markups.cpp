@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The first byte says of which format the others are: c .fcsv, else .mrk.json.
-#include "core/import/markups.h"
+#include "bone/import/markups.h"
 
 #include <cmath>
 #include <string>

@@ -2,9 +2,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/session/read_run.h"
-#include "core/session/read_session.h"
-#include "core/session/report.h"
+#include "session/read_session.h"
+#include "session/report/read_run.h"
+#include "session/report/report.h"
 #include "tests/fuzz/scratch_file.h"
 
 bool kerf::fuzz::reads(std::string_view input) {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/import/surface/read_surface.h"
+#include "bone/surface/read_surface.h"
 #include "tests/fuzz/fuzz_target.h"
 
 bool kerf::fuzz::reads(std::string_view input) {

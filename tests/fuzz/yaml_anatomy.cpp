@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/procedure/read_anatomy.h"
+#include "documents/read_anatomy.h"
 #include "tests/fuzz/diagnosed.h"
 
 bool kerf::fuzz::reads(std::string_view input) {

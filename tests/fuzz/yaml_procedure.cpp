@@ -2,8 +2,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/procedure/read_procedure.h"
-#include "tests/core/procedure/catalog.h"
+#include "documents/read_procedure.h"
+#include "tests/documents/catalog.h"
 #include "tests/fuzz/diagnosed.h"
 
 bool kerf::fuzz::reads(std::string_view input) {

@@ -19,12 +19,12 @@
 #include <vector>
 
 #include "app/findings.h"
-#include "core/procedure/codes.h"
 #include "run/documents.h"
 #include "run/scene.h"
 #include "tests/golden/odd_files.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
+#include "text/codes.h"
 
 namespace kerf {
 namespace {
@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(Codes, Golden, testing::ValuesIn(all_numbers()),
 TEST(Codes, AllThatTheSourceHoldsAreExplainedAndNoOthers) {
     // Given every code that stands in the source, as text or in the list of codes
     std::set<int> written;
-    for (const char* folder : {"/core", "/app"})
+    for (const char* folder : {"/core", "/text", "/documents", "/session", "/bone", "/run", "/app"})
         for (const auto& entry : fs::recursive_directory_iterator(std::string(KERF_SOURCE_DIR) + folder)) {
             const std::string name = entry.path().filename().string();
             if (!entry.is_regular_file() || name == "codes.cpp") continue;
@@ -176,7 +176,7 @@ TEST(Codes, AllThatTheSourceHoldsAreExplainedAndNoOthers) {
     // Then the catalogue has them, and has no other
     std::set<int> explained;
     for (const CodeEntry& entry : all_codes()) explained.insert(entry.number);
-    EXPECT_EQ(written, explained) << "add an entry to core/procedure/codes.cpp, and tests/golden/E….yaml";
+    EXPECT_EQ(written, explained) << "add an entry to text/codes.cpp, and tests/golden/E….yaml";
     EXPECT_EQ(explained.size(), all_codes().size()) << "a number stands there twice";
     EXPECT_TRUE(std::is_sorted(all_codes().begin(), all_codes().end(),
                                [](const auto& a, const auto& b) { return a.number < b.number; }));

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/import/image/read_image.h"
-#include "core/import/make_body.h"
-#include "core/procedure/read_procedure.h"
+#include "bone/image/read_image.h"
+#include "bone/import/make_body.h"
+#include "documents/read_procedure.h"
 #include "run/exact/exact_strategies.h"
 #include "run/run_checks.h"
 #include "tests/support/dicom_writer.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "core/procedure/source.h"
+#include "text/source.h"
 
 /// Inputs for golden files that are no text: made when they are needed.
 namespace kerf::test {

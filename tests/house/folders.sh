@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # folders.sh [ROOT]: compares the tables of folders in the documents with the tree, both ways. Exit status 1 if they differ.
 #
-#   docs/overview.md     each folder of the root has a row, and instead of core each folder of core. The rows of core have
-#                        the order of the layers in cmake/check_layers.cmake; the line "inside core:" above has the reverse
+#   docs/overview.md     each folder of the root has a row; core and bone have one for each of their folders. The rows of
+#                        layers have the order of cmake/check_layers.cmake; the lines "inside core:" and "inside bone:"
+#                        have the reverse
 #   examples/README.md   each folder of examples has a row
 #
 # A folder counts if it holds a file, unless its name begins with a dot or .gitignore lists it.
@@ -57,17 +58,29 @@ compare() {   # PAGE PREFIX NAME…
     done
 }
 
-mapfile -t wanted < <(folders_in . | grep -vxF core; folders_in core | sed 's,^,core/,')
+# The layers of cmake/check_layers.cmake, without the folders inside one: core/field, but not core/field/cut.
+layers=$(awk '/^set\(layers/ { inside = 1 } inside { print } inside && /\)/ { exit }' cmake/check_layers.cmake |
+    grep -oE '[a-z_]+(/[a-z_]+)*' | grep -vxE 'set|layers' | grep -vE '/.*/' | grep -vxF core/haptics/watch | paste -s -d ' ')
+mapfile -t rooms < <(tr ' ' '\n' <<<"$layers" | sed 's,/.*,,' | sort -u)
+mapfile -t split < <(tr ' ' '\n' <<<"$layers" | grep / | sed 's,/.*,,' | sort -u)   # rooms of several layers
+is_split() { printf '%s\n' "${split[@]}" | grep -qxF -e "$1"; }
+mapfile -t wanted < <(folders_in . | while read -r folder; do
+    if is_split "$folder"; then folders_in "$folder" | sed "s,^,$folder/,"; else printf '%s\n' "$folder"; fi
+done)
 compare docs/overview.md '' "${wanted[@]}"
 folders=${#rows[@]}
 
-layers=$(sed -nE 's/^set\(layers ([^)]*)\).*/\1/p' cmake/check_layers.cmake)
-shown=$(printf '%s\n' "${rows[@]}" | sed -n 's,^core/,,p' | paste -s -d ' ')
+shown=$(printf '%s\n' "${rows[@]}" | while read -r row; do
+    if printf '%s\n' "${rooms[@]}" | grep -qxF -e "${row%%/*}"; then printf '%s\n' "$row"; fi
+done | paste -s -d ' ')
 [[ $shown == "$layers" ]] ||
-    complain "docs/overview.md: the rows of core are $shown; cmake/check_layers.cmake has the order $layers. Use that order."
-drawn=$(sed -n 's/^inside core: //p' docs/overview.md | tr -s ' ─►' '\n' | grep -E '^[a-z]+$' | tac | paste -s -d ' ')
-[[ $drawn == "$layers" ]] ||
-    complain "docs/overview.md: the line \"inside core:\" has, from its end, $drawn; cmake/check_layers.cmake has $layers. Draw these."
+    complain "docs/overview.md: the rows of the layers are $shown; cmake/check_layers.cmake has the order $layers. Use that order."
+for room in "${split[@]}"; do
+    drawn=$(sed -n "s,^inside $room: *,,p" docs/overview.md | tr -s ' ─►' '\n' | grep -E '^[a-z]+$' | tac | paste -s -d ' ')
+    expected=$(tr ' ' '\n' <<<"$layers" | sed -n "s|^$room/||p" | paste -s -d ' ')
+    [[ $drawn == "$expected" ]] ||
+        complain "docs/overview.md: the line \"inside $room:\" has, from its end, $drawn; cmake/check_layers.cmake has $expected. Draw these."
+done
 
 mapfile -t wanted < <(folders_in examples)
 compare examples/README.md examples/ "${wanted[@]}"

@@ -4,7 +4,7 @@
 # missing.
 #
 #   [text](path#heading)   the file and the heading exist; addresses on the web are not followed
-#   `core/field/grid.h`    a path of the repository, in back quotes, exists
+#   `core/field/grid/grid.h`    a path of the repository, in back quotes, exists
 #   | file | … |           each name in back quotes in the first column of such a table is a file beside the page
 #   | … | function | file | …   in such a table, each function is named in a file of its row
 #   --gtest_filter='A.*'   some test has such a name; the same for: filter `A*`

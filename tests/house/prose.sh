@@ -5,7 +5,7 @@
 #   prose.sh [ROOT]                        checks docs, messages and public headers; exit status 1 if there is a finding
 #   prose.sh --words [--limit N] FILE …    prints the mean number of words a sentence; 1 if a file is above N
 #
-# Checked: Markdown files; string literals of core, run, app, plugins, studies and devices; all text of the public headers.
+# Checked: Markdown files; string literals of all product rooms; all text of the public headers.
 # A file in prose-allowed.txt is exempt. It must have a finding: then the list only gets shorter.
 # Needs bash, awk, find and sort alone: a bare Debian has no more.
 set -euo pipefail
@@ -117,9 +117,9 @@ all_findings() {
         conformance tests bench procedures)
     mapfile -t headers < <(files '*.h*' core/sdk/include)
     mapfile -t sources < <({
-        files '*.cpp' core run app plugins studies devices
-        files '*.h' core run app plugins studies devices
-        files '*.hpp' core run app plugins studies devices
+        files '*.cpp' core text documents session bone run app plugins studies devices
+        files '*.h' core text documents session bone run app plugins studies devices
+        files '*.hpp' core text documents session bone run app plugins studies devices
     } | grep -v '^core/sdk/include/')
     find_words text "${markdown[@]}" "${headers[@]}"
     find_words strings "${sources[@]}"

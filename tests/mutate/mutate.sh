@@ -9,7 +9,7 @@ usage() {
     cat <<'TEXT'
 usage: ./dev mutate FILE [--limit N] [--seed S] [--line L] [--tests REGEX] [--list]
 
-  FILE           a source of core, plugins, devices, app or studies, for example core/haptics/solve.cpp
+  FILE           a source of the product, for example core/haptics/law/solve.cpp
   --limit N      stop after N faults that compile (40); 0: all of them
   --seed S       another choice of faults (1); the same seed makes the same choice
   --line L       only the faults on this line
@@ -54,7 +54,7 @@ given=$file
 [[ -f $file ]] || file=$root/$file
 [[ -f $file ]] || fail "$given: there is no such file"
 file=$(realpath --relative-to="$root" -- "$file")
-[[ $file =~ ^(core|plugins|devices|app|studies)/.*\.(cpp|h|hpp)$ ]] || fail "$given: must be a C++ source of the product"
+[[ $file =~ ^(core|text|documents|session|bone|run|plugins|devices|app|studies)/.*\.(cpp|h|hpp)$ ]] || fail "$given: must be a C++ source of the product"
 readonly file limit seed only_line wanted_programs
 
 # ---- the faults --------------------------------------------------------------------------------------------------
@@ -132,6 +132,7 @@ ninja -C "$build" build.ninja >"$work/configure.log" 2>&1 || fail "configuring f
 inputs_of() { ninja -C "$build" -t inputs "bin/$1" 2>/dev/null || true; }
 
 mirrored=tests/${file%.*}_test.cpp
+[[ -e $mirrored ]] || mirrored=tests/$(dirname -- "$(dirname -- "$file")")/$(basename -- "${file%.*}")_test.cpp   # of a folder inside a layer
 # A program knows a source that it is made of, and a header when it is made of a source of the same folder.
 knows() {   # INPUTS
     case $file in

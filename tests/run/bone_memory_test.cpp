@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "core/import/make_body.h"
-#include "core/procedure/read_anatomy.h"
+#include "bone/import/make_body.h"
+#include "documents/read_anatomy.h"
 #include "kerf/units.hpp"
 
 namespace kerf {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "app/replay.h"
-#include "core/session/content_hash.h"
-#include "core/session/read_session.h"
+#include "session/content_hash.h"
+#include "session/read_session.h"
 #include "tests/support/operation.h"
 #include "tests/support/temporary_folder.h"
 

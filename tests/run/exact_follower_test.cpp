@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The exact surface that a run makes while it goes on: the same as afterwards, and never in its way.
-#include "run/exact/exact_follower.h"
+#include "bone/exact/exact_follower.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/remesh/accept.h"
+#include "bone/remesh/accept.h"
 #include "run/exact/exact_strategies.h"
 #include "run/run.h"
 #include "tests/support/drill_rig.h"

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "core/session/summary.h"
 #include "kerf/units.hpp"
 #include "run/scene.h"
+#include "session/summary.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"

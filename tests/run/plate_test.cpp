@@ -16,12 +16,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/removed_volume.h"
-#include "core/procedure/solids.h"
-#include "core/session/read_session.h"
-#include "run/cut_results.h"
+#include "core/field/cut/removed_volume.h"
+#include "documents/solids.h"
 #include "run/documents.h"
 #include "run/run.h"
+#include "run/verdict/cut_results.h"
+#include "session/read_session.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/session/read_session.h"
+#include "session/read_session.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"

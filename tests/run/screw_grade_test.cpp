@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "run/screw_grade.h"
+#include "run/verdict/screw_grade.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "core/field/drilled_hole.h"
-#include "core/import/make_body.h"
+#include "bone/import/make_body.h"
+#include "bone/measure/drilled_hole.h"
 #include "kerf/units.hpp"
 #include "tests/support/mesh_checks.h"
 

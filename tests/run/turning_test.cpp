@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/session/drawn_run.h"
-#include "core/session/read_session.h"
-#include "core/session/recorder.h"
 #include "run/run.h"
+#include "session/read_session.h"
+#include "session/recorder.h"
+#include "session/report/drawn_run.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"

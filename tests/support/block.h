@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/field/body.h"
-#include "core/field/tool_solid.h"
+#include "core/field/cut/tool_solid.h"
+#include "core/field/grid/body.h"
 #include "kerf/units.hpp"
 
 /// Small bones and tools whose answers can be worked out by hand.

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/simulation.h"
+#include "core/haptics/scene/simulation.h"
 #include "core/plugin/loader.h"
 #include "tests/support/rig.h"
 

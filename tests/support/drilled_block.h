@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/field/bone_view.h"
+#include "core/field/cut/bone_view.h"
 #include "tests/support/block.h"
 
 /// A block with a shell, and a drill on its way down, a little oblique and wobbling: committed cut, pending records and

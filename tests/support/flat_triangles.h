@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "core/import/surface/surface_mesh.h"
+#include "bone/surface/surface_mesh.h"
 #include "kerf/remesh_mesh.hpp"
 
 namespace kerf::test {

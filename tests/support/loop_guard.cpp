@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "conformance/watch/watch.h"
+#include "core/haptics/watch/watch.h"
 
 kerf::test::Forbidden kerf::test::forbidden_here() noexcept {
     using Kind = conformance::Forbidden;

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/body.h"
-#include "core/import/surface/surface_mesh.h"
+#include "bone/surface/surface_mesh.h"
+#include "core/field/grid/body.h"
 #include "kerf/units.hpp"
 
 /// Half a mandible out of two prisms, whose angles are known because it is made with them.

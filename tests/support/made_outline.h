@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/haptics/tool.h"
+#include "core/haptics/law/tool.h"
 
 namespace kerf::test {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/mesh.h"
+#include "core/field/surface/mesh.h"
 
 /// What is asked of any mesh.
 namespace kerf::test {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/haptics/simulation.h"
+#include "core/haptics/scene/simulation.h"
 #include "kerf/plugin.hpp"
 #include "kerf/units.hpp"
 #include "tests/support/block.h"

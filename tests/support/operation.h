@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/procedure/read_procedure.h"
+#include "documents/read_procedure.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/recorded_operation.h"
 #include "tests/support/watched_run.h"

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "core/session/content_hash.h"
-#include "core/session/record_checksum.h"
-#include "core/session/recorded_rows.h"
-#include "core/session/recorder.h"
-#include "core/session/session_tables.h"
+#include "session/content_hash.h"
+#include "session/record_checksum.h"
+#include "session/recorded_rows.h"
+#include "session/recorder.h"
+#include "session/session_tables.h"
 
 namespace kerf::test {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/haptics/simulation.h"
+#include "core/haptics/scene/simulation.h"
 #include "kerf/plugin.hpp"
 
 /// A blunt probe with the smallest law there is: its tip touches. It can be told to go wrong.

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "core/procedure/procedure.h"
-#include "core/session/read_run.h"
-#include "core/session/recorded_rows.h"
-#include "core/session/session_file.h"
-#include "core/session/session_tables.h"
+#include "documents/procedure.h"
+#include "session/recorded_rows.h"
+#include "session/report/read_run.h"
+#include "session/session_file.h"
+#include "session/session_tables.h"
 #include "tests/support/recorded_folder.h"
 #include "tests/support/watched_run.h"
 

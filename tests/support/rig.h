@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/haptics/simulation.h"
+#include "core/haptics/scene/simulation.h"
 #include "tests/support/block.h"
 #include "tests/support/made_outline.h"
 

@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "core/import/surface/surface_mesh.h"
-#include "core/remesh/cut_path.h"
+#include "bone/remesh/cut_path.h"
+#include "bone/surface/surface_mesh.h"
 #include "kerf/units.hpp"
 
 /// A bone of any number of triangles, and a blade's ways through it.

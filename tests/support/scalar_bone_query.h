@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/field/bone_view.h"
+#include "core/field/cut/bone_view.h"
 
 /// What `BoneView` answers, point by point and straight down: the reference for the batch kernel.
 namespace kerf::test {

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "core/field/cut_field.h"
+#include "core/field/cut/cut_field.h"
 
 namespace kerf::test {
 

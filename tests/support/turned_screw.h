@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/haptics/coupling.h"
+#include "core/haptics/loop/coupling.h"
 #include "tests/support/drill_rig.h"
 
 /// The screw of the implant plugin as the host loads it: its parts are found by name. The bone is a block with a pilot

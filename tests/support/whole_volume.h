@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/field/cut_field.h"
+#include "core/field/cut/cut_field.h"
 
 /// Pieces of bone found the plain ways, by looking at the whole volume. What the fast way is held against.
 namespace kerf::test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/field/block_kernel.h"
+#include "core/field/grid/kernel/block_kernel.h"
 
 namespace kerf::test {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/field/removed_volume.h"
+#include "core/field/cut/removed_volume.h"
 #include "kerf/units.hpp"
 #include "studies/times.h"
 

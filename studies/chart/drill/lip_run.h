@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/field/cut_log.h"
+#include "core/field/cut/cut_log.h"
 #include "studies/chart/drill/method.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.

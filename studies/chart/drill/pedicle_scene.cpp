@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "core/procedure/read_anatomy.h"
-#include "core/procedure/solids.h"
+#include "documents/read_anatomy.h"
+#include "documents/solids.h"
 #include "kerf/assert.hpp"
 #include "kerf/units.hpp"
 #include "studies/chart/drill/scene.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/coupling.h"
+#include "core/haptics/loop/coupling.h"
 #include "kerf/units.hpp"
 #include "studies/chart/drill/measure.h"
 #include "studies/chart/drill/reference.h"

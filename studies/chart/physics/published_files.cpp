@@ -8,9 +8,9 @@
 #include <functional>
 #include <utility>
 
-#include "core/session/recorder.h"
-#include "core/session/report_data.h"
 #include "kerf/units.hpp"
+#include "session/recorder.h"
+#include "session/report/report_data.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
 

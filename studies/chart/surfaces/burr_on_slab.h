@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
-#include "core/import/surface/surface_mesh.h"
-#include "core/remesh/cut_path.h"
-#include "core/remesh/tagged_mesh.h"
+#include "bone/remesh/cut_path.h"
+#include "bone/remesh/tagged_mesh.h"
+#include "bone/surface/surface_mesh.h"
 #include "kerf/remesh.h"
 
 /// A round burr and a slab of bone, whose grooves and holes have known volumes. For training and research; not for

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/session/recorder.h"
 #include "kerf/units.hpp"
+#include "session/recorder.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
 #include "studies/times.h"

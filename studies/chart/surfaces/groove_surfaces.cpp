@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "core/field/bone_surface.h"
-#include "core/field/removed_volume.h"
-#include "core/import/surface/edges.h"
-#include "core/remesh/accept.h"
+#include "bone/remesh/accept.h"
+#include "bone/surface/edges.h"
+#include "core/field/cut/removed_volume.h"
+#include "core/field/surface/bone_surface.h"
 #include "kerf/units.hpp"
 #include "studies/chart/exact_bone.h"
 #include "studies/chart/surfaces/burr_on_slab.h"

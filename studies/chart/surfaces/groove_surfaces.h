@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "core/remesh/local_cutting.h"
+#include "bone/remesh/local_cutting.h"
 
 /// The surface that a burr leaves, made in several ways. For training and research; not for diagnosis, planning or
 /// deciding treatment.

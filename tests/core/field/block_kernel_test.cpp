@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Both kernels give the same bits, stage by stage. That their answers are right, the batch query's tests say for each.
-#include "core/field/block_kernel.h"
+#include "core/field/grid/kernel/block_kernel.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 #include <random>
 #include <vector>
 
-#include "core/field/cut_log.h"
-#include "core/field/pose_stamp.h"
+#include "core/field/cut/cut_log.h"
+#include "core/field/cut/pose_stamp.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/with_kernel.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/bone_view.h"
+#include "core/field/cut/bone_view.h"
 
 #include <gtest/gtest.h>
 

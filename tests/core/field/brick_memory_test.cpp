@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/brick_memory.h"
+#include "core/field/grid/brick_memory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/bridge.h"
+#include "core/field/pieces/bridge.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/field/removed_volume.h"
+#include "core/field/cut/removed_volume.h"
 #include "tests/support/block.h"
 
 namespace kerf {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/cut_field.h"
+#include "core/field/cut/cut_field.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/field/bone_surface.h"
-#include "core/field/cut_log.h"
-#include "core/field/removed_volume.h"
+#include "core/field/cut/cut_log.h"
+#include "core/field/cut/removed_volume.h"
+#include "core/field/surface/bone_surface.h"
 #include "tests/support/block.h"
 #include "tests/support/mesh_checks.h"
 

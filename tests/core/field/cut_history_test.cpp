@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/cut_history.h"
+#include "core/field/cut/cut_history.h"
 
 #include <gtest/gtest.h>
 

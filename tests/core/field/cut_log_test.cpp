@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Resolutions R2: who stamps when, and how much waits.
-#include "core/field/cut_log.h"
+#include "core/field/cut/cut_log.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/density_field.h"
+#include "core/field/grid/density_field.h"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <random>
 
-#include "core/field/bone_view.h"
+#include "core/field/cut/bone_view.h"
 #include "tests/support/block.h"
 
 namespace kerf {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "core/field/bone_surface.h"
-#include "core/field/bone_view.h"
-#include "core/field/removed_volume.h"
+#include "core/field/cut/bone_view.h"
+#include "core/field/cut/removed_volume.h"
+#include "core/field/surface/bone_surface.h"
 #include "tests/support/block.h"
 #include "tests/support/mesh_checks.h"
 

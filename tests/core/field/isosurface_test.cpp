@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/isosurface.h"
+#include "core/field/surface/isosurface.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/cut_field.h"
-#include "core/field/tool_solid.h"
+#include "core/field/cut/cut_field.h"
+#include "core/field/cut/tool_solid.h"
 #include "tests/support/block.h"
 
 namespace kerf {

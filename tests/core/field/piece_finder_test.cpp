@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/piece_finder.h"
+#include "core/field/pieces/piece_finder.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/piece_mask.h"
+#include "core/field/cut/piece_mask.h"
 #include "tests/support/block.h"
 #include "tests/support/whole_volume.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whatever stamping leaves out, in bricks, rows and samples, would not have changed a bit.
-#include "core/field/pose_stamp.h"
+#include "core/field/cut/pose_stamp.h"
 
 #include <gtest/gtest.h>
 

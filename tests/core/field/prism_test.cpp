@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <random>
 
-#include "core/field/removed_volume.h"
-#include "core/field/sweep.h"
-#include "core/field/tool_solid.h"
+#include "core/field/cut/removed_volume.h"
+#include "core/field/cut/sweep.h"
+#include "core/field/cut/tool_solid.h"
 #include "tests/support/block.h"
 
 namespace kerf {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Resolutions B8: beyond the region bone goes on, solid, and cannot be cut.
-#include "core/field/region.h"
+#include "core/field/grid/region.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/bone_surface.h"
-#include "core/field/bone_view.h"
-#include "core/field/removed_volume.h"
+#include "core/field/cut/bone_view.h"
+#include "core/field/cut/removed_volume.h"
+#include "core/field/surface/bone_surface.h"
 #include "tests/support/block.h"
 #include "tests/support/mesh_checks.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Volumes of bone and cut that share voxels, against those of their exact overlap.
-#include "core/field/removed_volume.h"
+#include "core/field/cut/removed_volume.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surface brick by brick: the same as cell by cell, closed, and kept up to date.
-#include "core/field/surface_patches.h"
+#include "core/field/surface/surface_patches.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@
 #include <tuple>
 #include <vector>
 
-#include "core/field/bone_surface.h"
-#include "core/field/isosurface.h"
-#include "core/field/patch_table.h"
+#include "core/field/surface/bone_surface.h"
+#include "core/field/surface/isosurface.h"
+#include "core/field/surface/patch_table.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/with_kernel.h"

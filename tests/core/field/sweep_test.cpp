@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/sweep.h"
+#include "core/field/cut/sweep.h"
 
 #include <gtest/gtest.h>
 

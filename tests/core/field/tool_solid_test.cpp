@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/tool_solid.h"
+#include "core/field/cut/tool_solid.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/bone_surface.h"
+#include "core/field/surface/bone_surface.h"
 #include "tests/support/milled_bar.h"
 
 namespace kerf {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/body_threads.h"
+#include "core/haptics/law/body_threads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Changes of bodies as one offer: what belongs to a body goes with its parts, and an undo gives it back.
-#include "core/haptics/bone_scene.h"
+#include "core/haptics/scene/bone_scene.h"
 
 #include <gtest/gtest.h>
 

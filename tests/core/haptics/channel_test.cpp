@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each kind of channel against its formula, with round numbers, and each bound of what is sound.
-#include "core/haptics/channel.h"
+#include "core/haptics/law/channel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Device, hand and shaft as one spring, held against their sum worked out by hand.
-#include "core/haptics/compliance.h"
+#include "core/haptics/law/compliance.h"
 
 #include <gtest/gtest.h>
 
 #include <optional>
 
-#include "core/haptics/coupling.h"
+#include "core/haptics/loop/coupling.h"
 #include "kerf/units.hpp"
 
 namespace kerf {

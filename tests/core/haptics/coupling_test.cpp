@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Signs, bounds and clamps of the coupling, with round numbers. Each test changes one of them.
-#include "core/haptics/coupling.h"
+#include "core/haptics/loop/coupling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What follows a law: its filter and its bound, with round numbers.
-#include "core/haptics/following.h"
+#include "core/haptics/loop/following.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The force gate, tick by tick: 5 ms down, 50 ms up, and no more than 0.4 N a millisecond.
-#include "core/haptics/force_gate.h"
+#include "core/haptics/loop/force_gate.h"
 
 #include <gtest/gtest.h>
 

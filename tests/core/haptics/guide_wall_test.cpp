@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A sleeve of 3.4 mm around a drill of 3.2 mm, 0.1 mm of play to each side.
-#include "core/haptics/guide_wall.h"
+#include "core/haptics/law/guide_wall.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/haptics/channel.h"
+#include "core/haptics/law/channel.h"
 #include "tests/support/block.h"
 
 namespace kerf {

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/call_times.h"
-#include "core/haptics/channel.h"
-#include "core/haptics/device_record.h"
-#include "core/haptics/simulation.h"
+#include "core/haptics/law/call_times.h"
+#include "core/haptics/law/channel.h"
+#include "core/haptics/loop/device_record.h"
+#include "core/haptics/scene/simulation.h"
 #include "kerf/plugin.hpp"
 #include "tests/support/block.h"
 #include "tests/support/rig.h"

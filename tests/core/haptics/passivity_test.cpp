@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The loop gives the hand no energy of its own.
-#include "core/haptics/passivity.h"
+#include "core/haptics/loop/passivity.h"
 
 #include <gtest/gtest.h>
 

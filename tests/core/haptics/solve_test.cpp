@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/solve.h"
+#include "core/haptics/law/solve.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/haptics/following.h"
+#include "core/haptics/loop/following.h"
 
 namespace kerf {
 namespace {

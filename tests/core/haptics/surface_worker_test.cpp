@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/haptics/surface_worker.h"
+#include "core/haptics/scene/surface_worker.h"
 
 #include <gtest/gtest.h>
 

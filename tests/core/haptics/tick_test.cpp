@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/work_force.h"
+#include "core/haptics/loop/work_force.h"
 #include "tests/support/drill_rig.h"
 
 namespace kerf {

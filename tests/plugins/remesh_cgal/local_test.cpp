@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/import/surface/edges.h"
-#include "core/remesh/accept.h"
-#include "core/remesh/local_cutting.h"
-#include "core/remesh/remesh_module.h"
+#include "bone/remesh/accept.h"
+#include "bone/remesh/local_cutting.h"
+#include "bone/remesh/remesh_module.h"
+#include "bone/surface/edges.h"
 #include "kerf/units.hpp"
-#include "tests/core/import/surface/shapes.h"
+#include "tests/bone/surface/shapes.h"
 #include "tests/support/sawn_tube.h"
 
 namespace kerf {

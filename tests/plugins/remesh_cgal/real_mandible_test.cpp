@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "core/import/surface/edges.h"
-#include "core/import/surface/read_surface.h"
-#include "core/remesh/accept.h"
-#include "core/remesh/base_mesh.h"
-#include "core/remesh/local_cutting.h"
-#include "core/remesh/remesh_module.h"
+#include "bone/remesh/accept.h"
+#include "bone/remesh/base_mesh.h"
+#include "bone/remesh/local_cutting.h"
+#include "bone/remesh/remesh_module.h"
+#include "bone/surface/edges.h"
+#include "bone/surface/read_surface.h"
 #include "kerf/units.hpp"
 
 namespace kerf {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/remesh/remesh_child.h"
+#include "bone/remesh/remesh_child.h"
 #include "kerf/units.hpp"
 #include "tests/support/sawn_tube.h"
 

@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/import/surface/edges.h"
-#include "core/remesh/base_mesh.h"
+#include "bone/remesh/base_mesh.h"
+#include "bone/surface/edges.h"
 #include "kerf/units.hpp"
-#include "tests/core/import/surface/shapes.h"
+#include "tests/bone/surface/shapes.h"
 #include "tests/support/flat_triangles.h"
 
 namespace kerf {

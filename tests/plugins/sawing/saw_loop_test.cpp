@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/haptics/surface_worker.h"
+#include "core/haptics/scene/surface_worker.h"
 #include "plugins/sawing/saw_force.h"
 #include "tests/support/loop_guard.h"
 #include "tests/support/saw_rig.h"

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/remesh/remesh_module.h"
+#include "bone/remesh/remesh_module.h"
 #include "kerf/units.hpp"
 #include "studies/times.h"
 

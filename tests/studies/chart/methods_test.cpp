@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/coupling.h"
+#include "core/haptics/loop/coupling.h"
 #include "kerf/units.hpp"
 #include "studies/chart/drill/standing.h"
 #include "studies/stability/port.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "tests/core/import/surface/shapes.h"
+#include "tests/bone/surface/shapes.h"
 #include "tests/plugins/burring/displace/displacing.h"
 
 namespace kerf {

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <random>
 
-#include "core/import/surface/triangle_tree.h"
-#include "core/remesh/remesh_child.h"
-#include "tests/core/import/surface/shapes.h"
+#include "bone/remesh/remesh_child.h"
+#include "bone/surface/triangle_tree.h"
+#include "tests/bone/surface/shapes.h"
 #include "tests/plugins/burring/displace/displacing.h"
 #include "tests/support/block.h"
 #include "tests/support/sawn_tube.h"

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/import/surface/edges.h"
-#include "core/remesh/accept.h"
-#include "core/remesh/local_cutting.h"
-#include "core/remesh/remesh_module.h"
+#include "bone/remesh/accept.h"
+#include "bone/remesh/local_cutting.h"
+#include "bone/remesh/remesh_module.h"
+#include "bone/surface/edges.h"
 #include "kerf/units.hpp"
 #include "studies/chart/surfaces/burr_on_slab.h"
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "core/field/sweep.h"
+#include "core/field/cut/sweep.h"
 #include "studies/chart/surfaces/burr_on_slab.h"
 #include "tests/support/block.h"
 

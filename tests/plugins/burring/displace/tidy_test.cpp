@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/remesh/base_mesh.h"
+#include "bone/remesh/base_mesh.h"
 #include "kerf/units.hpp"
-#include "tests/core/import/surface/shapes.h"
+#include "tests/bone/surface/shapes.h"
 
 namespace kerf {
 namespace {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bone/exact/exact_track.h"
+#include "bone/exact/mesh_parts.h"
+
+namespace kerf {
+
+/// A body of a bone, as the field has it.
+struct ExactBody {
+    std::size_t body = 0;      ///< number in the scene
+    std::size_t came_off = 0;  ///< the body that it was part of before
+    const Body* bone = nullptr;
+    bool is_present = true;  ///< false: it was taken out of the scene, and leaves no surface
+    CutHistory history{};
+    std::shared_ptr<const CutField> cut{};  ///< null: not needed, there are the same bodies as before
+};
+
+/// The exact surfaces of all bodies of one bone. The field decides which bodies there are; when it comes apart, so does
+/// the mesh.   [worker]
+class ExactBone {
+public:
+    /// @param uncut   the surface of the bone before the first record
+    ExactBone(const Body& bone, TaggedMesh uncut, const ExactTools& tools);
+
+    /// Follows the bodies to where they are now: on along their histories, apart, or back to an earlier state. Pre: all
+    /// of the bone's bodies, by number; with their cuts unless they are the same as at the last call and no history
+    /// went back.
+    /// @param may_return   bone may come back to this state
+    void follow(const std::vector<ExactBody>& bodies, bool may_return);
+    /// Follows, cuts what waits and returns the surface of each body, in the order of `bodies`: each part of the mesh
+    /// goes to the body on which it lies. Pre: with their cuts.
+    [[nodiscard]] std::vector<TaggedMesh> finish(const std::vector<ExactBody>& bodies);
+
+    /// The surfaces with what waits cut into them, by body.
+    [[nodiscard]] std::vector<std::pair<std::size_t, LocalCutting::Moment>> shown();
+
+    [[nodiscard]] double uncut_volume() const noexcept { return uncut_volume_; }  ///< [m³]
+    [[nodiscard]] std::size_t crumbs() const noexcept { return crumbs_; }  ///< parts on which the field has no body
+    [[nodiscard]] double crumb_volume() const noexcept { return crumb_volume_; }  ///< [m³]
+    [[nodiscard]] std::size_t records() const noexcept;
+    [[nodiscard]] std::size_t stretches() const noexcept;
+    [[nodiscard]] int refusals() const noexcept;
+    [[nodiscard]] int handed_over() const noexcept;
+    /// Where the surfaces do not show what was cut.
+    [[nodiscard]] std::vector<LocalCutting::Stale> stale() const;
+    /// Refused attempts, for people.
+    [[nodiscard]] std::vector<std::string> notes() const;
+
+private:
+    static constexpr std::size_t most_kept = 40;  ///< states that bone may return to
+
+    struct Track {
+        std::size_t body;
+        std::unique_ptr<ExactTrack> surface;
+    };
+    struct Kept {
+        std::vector<std::pair<std::size_t, ExactTrack::Moment>> tracks;
+        std::size_t crumbs, records, stretches;
+        double crumb_volume;
+    };
+    /// A part that turns out to be another body's: it lacks the records of that body after `done`.
+    struct Late {
+        TaggedMesh mesh;
+        std::size_t body;  ///< number among the bodies
+        CutHistory done;
+    };
+
+    [[nodiscard]] bool go_on(const std::vector<ExactBody>& bodies);
+    [[nodiscard]] bool go_back(const std::vector<ExactBody>& bodies);
+    [[nodiscard]] bool come_apart(const std::vector<ExactBody>& bodies);
+    void descend(std::unique_ptr<ExactTrack> track, const std::vector<ExactBody>& bodies);
+    void add_counts_of(const ExactTrack& track);
+    [[nodiscard]] std::unique_ptr<ExactTrack> new_track(const TaggedMesh& mesh, const CutHistory& done) const;
+    [[nodiscard]] bool lies_on(const MeshPart& part, const ExactBody& body) const;
+    void add_crumb(const MeshPart& part);
+    void keep();
+
+    const Body* bone_;
+    TaggedMesh uncut_;
+    double uncut_volume_;
+    const ExactTools* tools_;
+    std::vector<Track> tracks_;
+    std::deque<Kept> kept_;
+    // Of tracks that came apart, and of parts that no body has.
+    std::size_t crumbs_ = 0, records_ = 0, stretches_ = 0;
+    double crumb_volume_ = 0.0;
+    int refusals_ = 0, handed_over_ = 0;
+    std::vector<LocalCutting::Stale> stale_;
+    std::vector<std::string> notes_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/image/dicom_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bone/image/acquisitions.h"
+#include "bone/report/import_report.h"
+#include "text/printable.h"
+
+namespace kerf {
+namespace {
+
+constexpr double same_direction = 1e-3;  // [–] between unit vectors
+constexpr double same_spacing = 1e-6;    // [m]
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+/// What is wrong; becomes a Diagnostic at the only way out.
+struct Refusal {
+    const char* code;
+    std::string message;
+};
+
+std::string millimetres(double metres) { return rounded(metres * 1e3, 2); }
+std::string counted(std::size_t n, const char* one, const char* many) {
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+struct Group {
+    std::string name;  ///< what a person calls it by
+    std::vector<const DicomHeader*> headers;
+};
+
+/// By UID; named by the least of the series' numbers, and by a letter behind it where series share one.
+std::vector<Group> groups_of(const std::vector<const DicomHeader*>& slices) {
+    std::map<std::string, std::vector<const DicomHeader*>> by_series;
+    for (const DicomHeader* header : slices) by_series[header->slice.series].push_back(header);
+    std::map<int, std::vector<Group>> by_number;
+    for (auto& [uid, headers] : by_series) {
+        const auto least = std::min_element(headers.begin(), headers.end(), [](const auto* a, const auto* b) {
+            return a->slice.series_number < b->slice.series_number;
+        });
+        by_number[(*least)->slice.series_number].push_back({"", headers});
+    }
+    std::vector<Group> groups;
+    for (auto& [number, sharing] : by_number)
+        for (std::size_t n = 0; n < sharing.size(); ++n) {
+            sharing[n].name = std::to_string(number);
+            if (sharing.size() > 1)
+                sharing[n].name += n < 26 ? std::string(1, static_cast<char>('a' + n)) : "-" + std::to_string(n + 1);
+            groups.push_back(sharing[n]);
+        }
+    return groups;
+}
+
+std::string offer_of(const Group& group) {
+    const DicomSlice& first = group.headers.front()->slice;
+    std::string text = "`" + group.name + "`: " + counted(group.headers.size(), "slice", "slices");
+    if (first.columns > 0)
+        text += " of " + std::to_string(first.columns) + " × " + std::to_string(first.rows) + " pixels";
+    if (first.between_columns > 0.0) text += ", " + millimetres(first.between_columns) + " mm each";
+    if (!first.modality.empty()) text += ", " + first.modality;
+    if (first.is_localizer) text += ", an overview";
+    return text;
+}
+
+/// The first few of a list, and how many are left out.
+std::string listed(const std::vector<std::string>& all, const char* others) {
+    constexpr std::size_t most = 6;
+    std::string text;
+    for (std::size_t n = 0; n < std::min(most, all.size()); ++n) text += (n > 0 ? "; " : "") + all[n];
+    if (all.size() > most) text += "; and " + std::to_string(all.size() - most) + " more " + others;
+    return text;
+}
+
+/// The largest first; without a volume in any of them no choice helps.
+const Group& chosen(const std::vector<Group>& groups, const std::string& name) {
+    if (name.empty() && groups.size() == 1) return groups.front();
+    std::vector<const Group*> sorted;
+    for (const Group& group : groups) sorted.push_back(&group);
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Group* a, const Group* b) { return a->headers.size() > b->headers.size(); });
+    std::vector<std::string> offers;
+    for (const Group* group : sorted) offers.push_back(offer_of(*group));
+    const std::string series = counted(groups.size(), "series", "series");
+    if (name.empty() && sorted.front()->headers.size() < 2)
+        throw Refusal{"E0661", "the folder holds " + series +
+                                   " of one slice each, and a volume needs at least 2: " + listed(offers, "series") +
+                                   ". Export the slices of a volume as one series; careless anonymising gives each "
+                                   "file a series UID (0020,000e) of its own."};
+    if (name.empty())
+        throw Refusal{"E0661", "the folder holds " + series + ": " + listed(offers, "series") +
+                                   ". Choose one: write `ct.series: " + sorted.front()->name + "`, or `--series " +
+                                   sorted.front()->name + "`."};
+    for (const Group& group : groups)
+        if (group.name == name) return group;
+    throw Refusal{"E0662", "the folder has no series `" + excerpt(name) +
+                               "`. Choose one that it holds: " + listed(offers, "series") + "."};
+}
+
+/// A frame of reference of its own in every slice, as some anonymisers leave it: it tells nothing.
+bool has_frame_each(const std::vector<DicomSlice>& slices) {
+    std::set<std::string> frames;
+    for (const DicomSlice& slice : slices) frames.insert(slice.frame_of_reference);
+    return slices.size() > 2 && frames.size() == slices.size();
+}
+
+void check_alike(const std::vector<DicomSlice>& slices) {
+    const DicomSlice& first = slices.front();
+    const auto differing = [&](const auto& differs) {
+        return static_cast<std::size_t>(std::count_if(slices.begin(), slices.end(), differs));
+    };
+    const auto refuse = [&](std::size_t count, const std::string& what) {
+        if (count > 0)
+            throw Refusal{"E0663", counted(count, "slice has", "slices have") + " another " + what +
+                                       " than the first. Export one volume at a time."};
+    };
+    refuse(differing([&](const DicomSlice& s) { return s.columns != first.columns || s.rows != first.rows; }),
+           "number of pixels");
+    refuse(differing([&](const DicomSlice& s) {
+               return length(s.along_row - first.along_row) > same_direction ||
+                      length(s.down_column - first.down_column) > same_direction;
+           }),
+           "orientation");
+    refuse(differing([&](const DicomSlice& s) {
+               return std::abs(s.between_columns - first.between_columns) > same_spacing ||
+                      std::abs(s.between_rows - first.between_rows) > same_spacing;
+           }),
+           "pixel spacing");
+    if (!has_frame_each(slices))
+        refuse(differing([&](const DicomSlice& s) { return s.frame_of_reference != first.frame_of_reference; }),
+               "frame of reference");
+    refuse(differing([&](const DicomSlice& s) { return s.modality != first.modality; }), "modality");
+}
+
+SliceStack stack_of(std::vector<DicomSlice>& slices) {
+    const DicomSlice& first = slices.front();
+    SliceStack stack{
+        first.columns, first.rows, first.between_columns * first.along_row, first.between_rows * first.down_column, {}};
+    const Vec3 normal = stack.normal();
+    std::stable_sort(slices.begin(), slices.end(), [&](const DicomSlice& a, const DicomSlice& b) {
+        const double along_a = dot(a.origin, normal), along_b = dot(b.origin, normal);
+        return along_a != along_b ? along_a < along_b : a.instance < b.instance;
+    });
+    for (const DicomSlice& slice : slices) stack.origins.push_back(slice.origin);
+    return stack;
+}
+
+/// The plane as a person finds it in a viewer: by the axis that it is most across.
+std::string place_of(const SliceStack& stack, std::size_t slice) {
+    const Vec3 n = stack.normal(), at = stack.origins[slice];
+    const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+    if (z >= x && z >= y) return "z " + millimetres(at.z) + " mm";
+    return x >= y ? "x " + millimetres(at.x) + " mm" : "y " + millimetres(at.y) + " mm";
+}
+
+std::string offer_of(const Acquisition& one) {
+    return "`" + one.name + "`: " + counted(one.slices.size(), "slice", "slices") + ", " + millimetres(one.low) +
+           " … " + millimetres(one.high) + " mm along their normal";
+}
+
+/// Leaves the slices of one acquisition. Several are one volume only where each has a part of the patient of its own.
+void choose_acquisition(DicomSeries& series, const std::string& name, const std::string& folder,
+                        Diagnostics& diagnostics) {
+    const std::vector<Acquisition> all = acquisitions_of(series.slices);
+    std::vector<std::string> offers;
+    for (const Acquisition& one : all) offers.push_back(offer_of(one));
+    if (!name.empty()) {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const Acquisition& a) { return a.name == name; });
+        if (found == all.end())
+            throw Refusal{"E0677", "the series has no acquisition `" + excerpt(name) +
+                                       "`. Choose one that it holds: " + listed(offers, "acquisitions") + "."};
+        std::vector<DicomSlice> kept;
+        for (const std::size_t n : found->slices) kept.push_back(series.slices[n]);
+        series.slices = std::move(kept);
+        series.notes.push_back("Of " + counted(all.size(), "acquisition", "acquisitions") + " in the series `" + name +
+                               "` was taken.");
+        return;
+    }
+    if (all.size() == 1) return;
+    const Acquisition& largest = *std::max_element(
+        all.begin(), all.end(), [](const auto& a, const auto& b) { return a.slices.size() < b.slices.size(); });
+    if (do_overlap(all))
+        throw Refusal{"E0676", "the series holds " + std::to_string(all.size()) +
+                                   " acquisitions of the same part of the patient: " + listed(offers, "acquisitions") +
+                                   ". Choose one: write `ct.acquisition: " + largest.name + "`, or `--acquisition " +
+                                   largest.name + "`."};
+    const std::string message = "The slices are of " + std::to_string(all.size()) +
+                                " acquisitions one behind the other: " + listed(offers, "acquisitions") +
+                                ". They were joined; the patient may have moved between them.";
+    series.notes.push_back(message);
+    // A scanner that stops for every slice, or every few, numbers each stop.
+    if (largest.slices.size() > 1) diagnostics.push_back(warning_about(folder, "W0673", message));
+}
+
+void check_places(const DicomSeries& series, bool may_resample) {
+    const StackShape& shape = series.shape;
+    if (shape.repeated > 0) {
+        std::size_t n = 1;
+        while (n + 1 < series.slices.size() &&
+               series.stack.height(n) - series.stack.height(n - 1) > std::max(1e-6, 1e-3 * shape.distance))
+            ++n;
+        throw Refusal{"E0664", counted(shape.repeated, "slice lies", "slices lie") +
+                                   " in the plane of another one, the first at " + place_of(series.stack, n) +
+                                   " (instances " + std::to_string(series.slices[n - 1].instance) + " and " +
+                                   std::to_string(series.slices[n].instance) +
+                                   "): nobody can tell which holds. Take the copies out, or export one phase."};
+    }
+    if (!shape.gaps.empty() && !may_resample) {
+        std::string where;
+        for (std::size_t g = 0; g < std::min<std::size_t>(3, shape.gaps.size()); ++g)
+            where += (g > 0 ? ", " : "") + millimetres(shape.gaps[g].width) + " mm behind " +
+                     place_of(series.stack, shape.gaps[g].behind);
+        if (shape.gaps.size() > 3) where += " and " + std::to_string(shape.gaps.size() - 3) + " more";
+        throw Refusal{"E0665", "slices are missing: they lie " + millimetres(shape.distance) + " mm apart, but " +
+                                   counted(shape.gaps.size(), "gap is", "gaps are") + " wider: " + where +
+                                   ". Export them all; or, to fill gaps between their neighbours, write "
+                                   "`ct.resample: true` or `--allow-resample`."};
+    }
+    if (shape.is_crooked() && !may_resample)
+        throw Refusal{"E0666", "the slices do not lie one behind the other: they leave the line through all by up to " +
+                                   rounded(shape.crookedness, 1) +
+                                   " voxels. Export one volume; or, if their positions are right, write "
+                                   "`ct.resample: true` or `--allow-resample`."};
+}
+
+void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& diagnostics) {
+    const StackShape& shape = series.shape;
+    const DicomSlice& first = series.slices.front();
+    const std::size_t count = series.slices.size();
+    series.notes.push_back("DICOM series: " + counted(count, "slice", "slices") + " of " +
+                           std::to_string(first.columns) + " × " + std::to_string(first.rows) + " pixels of " +
+                           millimetres(first.between_columns) + " × " + millimetres(first.between_rows) + " mm, " +
+                           millimetres(shape.distance) + " mm apart, sorted along their normal.");
+    const auto tell = [&](const char* code, const std::string& message) {
+        diagnostics.push_back(warning_about(folder, code, message));
+        series.notes.push_back(message);
+    };
+    if (shape.is_tilted())
+        tell("W0671", "The slices slide by " + rounded(shape.shift, 1) + " voxels against each other (" +
+                          rounded(shape.tilt / degree, 1) +
+                          " deg, as with a tilted gantry). They were put straight by resampling.");
+    if (!shape.is_even() || shape.is_crooked())
+        tell("W0672", "The slices lie " + millimetres(shape.least) + " to " + millimetres(shape.most) + " mm apart" +
+                          (shape.gaps.empty() ? "" : ", with " + counted(shape.gaps.size(), "gap", "gaps")) +
+                          ". They were resampled every " + millimetres(shape.least) +
+                          " mm, linearly between neighbours.");
+    const bool has_tilt = first.tilt && std::abs(*first.tilt) > 0.5 * degree;
+    if (has_tilt && std::abs(std::abs(*first.tilt) - shape.tilt) > 0.5 * degree)
+        tell("W0673", "The header tells of a gantry tilt of " + rounded(*first.tilt / degree, 1) +
+                          " deg, the positions of the slices of " + rounded(shape.tilt / degree, 1) +
+                          " deg. The positions were believed.");
+    if (first.between_slices && *first.between_slices > 0.0 &&
+        std::abs(*first.between_slices - shape.distance) > 0.05 * shape.distance)
+        tell("W0673", "The header tells of " + millimetres(*first.between_slices) +
+                          " mm between slices (0018,0088), their positions of " + millimetres(shape.distance) +
+                          " mm. The positions were believed.");
+    if (first.modality == "CT" && !first.values.empty() && first.values != "HU")
+        tell("W0673", "The header tells that the values are `" + first.values +
+                          "` (0028,1054), not HU. Give a threshold in them, and `ct.intensity: grey`.");
+    if (first.modality != "CT")
+        tell("W0673", "The series is no CT" + (first.modality.empty() ? "" : " but " + first.modality) +
+                          ": its values are no HU. Give a threshold in its own values, and `ct.intensity: grey`.");
+    if (has_frame_each(series.slices))
+        tell("W0673", "Every slice names a frame of reference of its own, as after careless anonymising. The positions "
+                      "were believed to be in one.");
+    const auto lossy =
+        std::count_if(series.slices.begin(), series.slices.end(), [](const DicomSlice& s) { return s.is_lossy; });
+    if (lossy > 0)
+        tell("W0673", counted(static_cast<std::size_t>(lossy), "slice was", "slices were") +
+                          " compressed with loss: borders may have moved.");
+    std::set<std::pair<double, double>> scales;
+    for (const DicomSlice& s : series.slices) scales.insert({s.slope, s.intercept});
+    if (scales.size() > 1)
+        series.notes.push_back("The slices have " + std::to_string(scales.size()) +
+                               " different rescale slopes or intercepts; each was scaled by its own.");
+}
+
+DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& choice, const std::string& folder,
+                   Diagnostics& diagnostics) {
+    std::vector<const DicomHeader*> slices;
+    std::size_t damaged = 0, others = 0, no_dicom = 0;
+    const DicomHeader* first_damaged = nullptr;
+    for (const DicomHeader& header : headers) {
+        if (header.kind == DicomHeader::Kind::slice) slices.push_back(&header);
+        if (header.kind == DicomHeader::Kind::other || header.kind == DicomHeader::Kind::no_slice) ++others;
+        if (header.kind == DicomHeader::Kind::other) ++no_dicom;
+        if (header.kind == DicomHeader::Kind::damaged && ++damaged == 1) first_damaged = &header;
+    }
+    if (damaged > 0)
+        throw Refusal{"E0668", counted(damaged, "file is", "files are") +
+                                   " damaged; of the first: " + first_damaged->trouble + ". Copy the folder again."};
+    if (slices.empty() && headers.empty())
+        throw Refusal{"E0660", "the folder is empty. Name the folder with the DICOM files."};
+    if (slices.empty())
+        throw Refusal{"E0660", "none of the folder's " + counted(headers.size(), "file", "files") +
+                                   " is a DICOM slice: " + counted(no_dicom, "is no DICOM file", "are no DICOM files") +
+                                   ", " + counted(headers.size() - no_dicom, "holds no image", "hold no image") +
+                                   ". Name the folder with the DICOM files."};
+    const std::vector<Group> groups = groups_of(slices);
+    const Group& group = chosen(groups, choice.name);
+
+    DicomSeries series;
+    std::size_t unusable = 0;
+    const DicomHeader* first_unusable = nullptr;
+    for (const DicomHeader* header : group.headers) {
+        series.slices.push_back(header->slice);
+        if (!header->trouble.empty() && ++unusable == 1) first_unusable = header;
+    }
+    if (unusable > 0)
+        throw Refusal{"E0667", counted(unusable, "slice", "slices") + " of " + std::to_string(series.slices.size()) +
+                                   " cannot be used; of the first: " + first_unusable->trouble +
+                                   ". Export the series as single-frame CT slices."};
+    if (series.slices.size() < 2)
+        throw Refusal{"E0669",
+                      "the series has one slice, a volume needs at least 2. Name the folder with all of them."};
+    check_alike(series.slices);
+    choose_acquisition(series, choice.acquisition, folder, diagnostics);
+    if (series.slices.size() < 2)
+        throw Refusal{"E0669", "the acquisition has one slice, a volume needs at least 2. Choose another one."};
+    series.stack = stack_of(series.slices);
+    series.shape = shape_of(series.stack);
+    check_places(series, choice.may_resample);
+    if (straight_grid(series.stack, series.shape).size[0] == 0)
+        throw Refusal{"E0669", "the volume has more than 512 million voxels. Export a part of it."};
+    note_shape(series, folder, diagnostics);
+    if (others > 0)
+        series.notes.push_back(counted(others, "other file", "other files") + " in the folder held no slice.");
+    return series;
+}
+
+}  // namespace
+
+std::optional<DicomSeries> series_of(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
+                                     const std::string& folder, Diagnostics& diagnostics) {
+    try {
+        return judged(headers, choice, folder, diagnostics);
+    } catch (const Refusal& refusal) {
+        diagnostics.push_back(error_about(folder, refusal.code, refusal.message));
+    }
+    return std::nullopt;
+}
+
+}  // namespace kerf

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/image/slice_stack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+constexpr double wide = 1.25;        // times the usual distance: a slice is missing
+constexpr double same_plane = 1e-3;  // times the usual distance, and no less than a micrometre
+constexpr double most_voxels = 512.0 * 1024 * 1024;
+constexpr float unmeasured = std::numeric_limits<float>::quiet_NaN();
+
+/// Where a slice's first voxel lies in the plane, counted in voxels from that of the first slice.
+struct Offset {
+    double columns = 0.0, rows = 0.0;
+};
+
+Offset offset_of(const SliceStack& stack, std::size_t slice) {
+    const Vec3 from_first = stack.origins[slice] - stack.origins[0];
+    return {dot(from_first, stack.along_row) / dot(stack.along_row, stack.along_row),
+            dot(from_first, stack.down_column) / dot(stack.down_column, stack.down_column)};
+}
+
+/// Of an even number the lower one: one gap among two steps is a gap.
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// One slice, moved to its place in the grid's plane: whole voxels and the shares of the next ones.
+class PlacedSlice {
+public:
+    PlacedSlice(const SliceStack& stack, std::size_t slice, Vec3 grid_origin, std::vector<float> values)
+        : columns_(stack.columns), rows_(stack.rows), values_(std::move(values)) {
+        const Vec3 shift = grid_origin - stack.origins[slice];
+        const auto split = [](double at, int& whole, float& share) {
+            const double nearest = std::round(at);
+            if (std::abs(at - nearest) < 1e-4) at = nearest;  // rounding of positions: no smoothing for that
+            whole = static_cast<int>(std::floor(at));
+            share = static_cast<float>(at - std::floor(at));
+        };
+        split(dot(shift, stack.along_row) / dot(stack.along_row, stack.along_row), column_, column_share_);
+        split(dot(shift, stack.down_column) / dot(stack.down_column, stack.down_column), row_, row_share_);
+    }
+
+    /// At a voxel (i, j) of the grid's plane.
+    [[nodiscard]] float at(int i, int j) const noexcept {
+        const int c = i + column_, r = j + row_;
+        const auto between = [](float a, float b, float share) { return share > 0.0f ? a + share * (b - a) : a; };
+        const float upper = between(voxel(c, r), column_share_ > 0.0f ? voxel(c + 1, r) : 0.0f, column_share_);
+        if (!(row_share_ > 0.0f)) return upper;
+        return between(upper,
+                       between(voxel(c, r + 1), column_share_ > 0.0f ? voxel(c + 1, r + 1) : 0.0f, column_share_),
+                       row_share_);
+    }
+
+private:
+    [[nodiscard]] float voxel(int c, int r) const noexcept {
+        if (c < 0 || r < 0 || c >= columns_ || r >= rows_) return unmeasured;
+        return values_[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c)];
+    }
+
+    int columns_, rows_;
+    std::vector<float> values_;
+    int column_ = 0, row_ = 0;
+    float column_share_ = 0.0f, row_share_ = 0.0f;
+};
+
+/// The two slices around a height, and how far it is from the lower to the upper one.
+struct Between {
+    std::size_t lower = 0, upper = 0;
+    float share = 0.0f;
+};
+
+Between around(const std::vector<double>& heights, double height) {
+    const auto above = std::upper_bound(heights.begin(), heights.end(), height);
+    if (above == heights.begin()) return {};
+    const std::size_t lower = static_cast<std::size_t>(above - heights.begin()) - 1;
+    if (lower + 1 == heights.size()) return {lower, lower, 0.0f};
+    const double share = (height - heights[lower]) / (heights[lower + 1] - heights[lower]);
+    if (share < 1e-3) return {lower, lower, 0.0f};
+    if (share > 1.0 - 1e-3) return {lower + 1, lower + 1, 0.0f};
+    return {lower, lower + 1, static_cast<float>(share)};
+}
+
+}  // namespace
+
+StackShape shape_of(const SliceStack& stack) {
+    StackShape shape;
+    const std::size_t count = stack.origins.size();
+    std::vector<double> heights, steps;
+    for (std::size_t n = 0; n < count; ++n) heights.push_back(stack.height(n));
+    for (std::size_t n = 1; n < count; ++n) steps.push_back(heights[n] - heights[n - 1]);
+    shape.distance = median(steps);
+    shape.least = *std::min_element(steps.begin(), steps.end());
+    shape.most = *std::max_element(steps.begin(), steps.end());
+    for (std::size_t n = 0; n < steps.size(); ++n) {
+        if (steps[n] <= std::max(1e-6, same_plane * shape.distance)) ++shape.repeated;
+        if (steps[n] > wide * shape.distance) shape.gaps.push_back({n, steps[n]});
+    }
+
+    // Off the even line from the first slice to the last; beside the straight line that fits the offsets best.
+    const double whole = heights.back();
+    double of_heights = 0.0;
+    Offset slope;
+    for (std::size_t n = 0; n < count; ++n) {
+        const double even = whole * static_cast<double>(n) / static_cast<double>(count - 1);
+        shape.unevenness = std::max(shape.unevenness, std::abs(heights[n] - even));
+        const Offset offset = offset_of(stack, n);
+        of_heights += heights[n] * heights[n];
+        slope.columns += heights[n] * offset.columns;
+        slope.rows += heights[n] * offset.rows;
+    }
+    if (!(of_heights > 0.0)) return shape;
+    slope.columns /= of_heights;
+    slope.rows /= of_heights;
+    for (std::size_t n = 0; n < count; ++n) {
+        const Offset offset = offset_of(stack, n);
+        shape.crookedness = std::max(shape.crookedness, std::hypot(offset.columns - slope.columns * heights[n],
+                                                                   offset.rows - slope.rows * heights[n]));
+    }
+    shape.shift = std::hypot(slope.columns, slope.rows) * whole;
+    shape.tilt = std::atan(length(slope.columns * stack.along_row + slope.rows * stack.down_column));
+    return shape;
+}
+
+VoxelGrid straight_grid(const SliceStack& stack, const StackShape& shape) {
+    Offset low, high;
+    for (std::size_t n = 0; n < stack.origins.size(); ++n) {
+        const Offset offset = offset_of(stack, n);
+        low = {std::min(low.columns, offset.columns), std::min(low.rows, offset.rows)};
+        high = {std::max(high.columns, offset.columns), std::max(high.rows, offset.rows)};
+    }
+    const double whole = stack.height(stack.origins.size() - 1);
+    const std::size_t even = stack.origins.size() - 1;
+    double steps = static_cast<double>(even);
+    if (shape.is_straight()) low = high = {};
+    if (!shape.is_even()) steps = std::max(1.0, std::ceil(whole / shape.least - 1e-3));
+
+    const double columns = stack.columns + std::ceil(high.columns - low.columns - 1e-3);
+    const double rows = stack.rows + std::ceil(high.rows - low.rows - 1e-3);
+    VoxelGrid grid;
+    if (!(columns * rows * (steps + 1.0) <= most_voxels)) return grid;
+    grid.size = {static_cast<int>(columns), static_cast<int>(rows), static_cast<int>(steps) + 1};
+    grid.place(stack.along_row, stack.down_column, whole / steps * stack.normal(),
+               stack.origins[0] + low.columns * stack.along_row + low.rows * stack.down_column);
+    return grid;
+}
+
+VoxelImage straightened(const SliceStack& stack, const StackShape& shape, const VoxelGrid& grid,
+                        const VoxelRange& range, const SliceReader& read) {
+    VoxelImage image;
+    static_cast<VoxelGrid&>(image) = grid.part(range);
+    image.values.reserve(range.voxels());
+
+    std::vector<double> heights;
+    for (std::size_t n = 0; n < stack.origins.size(); ++n)
+        heights.push_back(shape.is_straight() ? grid.spacing(2) * static_cast<double>(n) : stack.height(n));
+    std::vector<std::pair<std::size_t, PlacedSlice>> open;  // two at most
+    const auto slice = [&](std::size_t n) -> const PlacedSlice* {
+        for (const auto& [number, placed] : open)
+            if (number == n) return &placed;
+        std::vector<float> values = read(n);
+        if (values.empty()) return nullptr;
+        if (open.size() == 2) open.erase(open.begin());
+        const Vec3 in_plane = grid.origin();
+        open.emplace_back(n, PlacedSlice(stack, shape.is_straight() ? 0 : n, in_plane, std::move(values)));
+        return &open.back().second;
+    };
+
+    float lowest = std::numeric_limits<float>::infinity();
+    for (int k = range.first[2]; k < range.first[2] + range.size[2]; ++k) {
+        const Between between = around(heights, grid.spacing(2) * k);
+        if (slice(between.lower) == nullptr || slice(between.upper) == nullptr) {
+            image.values.clear();
+            return image;
+        }
+        const PlacedSlice &lower = *slice(between.lower), &upper = *slice(between.upper);
+        for (int j = range.first[1]; j < range.first[1] + range.size[1]; ++j)
+            for (int i = range.first[0]; i < range.first[0] + range.size[0]; ++i) {
+                float value = lower.at(i, j);
+                if (between.share > 0.0f) value += between.share * (upper.at(i, j) - value);
+                image.values.push_back(value);
+                if (value < lowest) lowest = value;
+            }
+    }
+    if (!std::isfinite(lowest)) lowest = 0.0f;
+    for (float& value : image.values)
+        if (std::isnan(value)) value = lowest;
+    return image;
+}
+
+}  // namespace kerf

@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/import/ct_body.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "bone/image/segments.h"
+#include "bone/import/bone_mask.h"
+#include "bone/import/data_file.h"
+#include "bone/import/fields_memory.h"
+#include "bone/import/fit_landmarks.h"
+#include "bone/import/planned_region.h"
+#include "bone/import/voxel_density.h"
+#include "bone/import/voxel_distance.h"
+#include "documents/read_anatomy.h"
+#include "text/printable.h"
+
+namespace kerf {
+namespace {
+
+using header::list_of;
+using header::name_to_write;
+
+constexpr double hounsfield_step = 50.0;  // [HU] by which a border's threshold is doubted
+constexpr double grey_step = 0.05;        // [–] the same, of the threshold
+constexpr double around_border = 12e-3;   // [m] of distance on both sides, beyond all shells
+constexpr float metal = 2800.0f;          // [HU] above enamel and cortex
+constexpr double least_metal = 5e-9;      // [m³] worth a word
+
+/// What is wrong; becomes a Diagnostic at the only way out.
+struct Refusal {
+    const char* code;
+    std::vector<std::string> keys;  ///< that lead to the line of the anatomy that would have to change
+    std::string message;
+};
+
+std::string millimetres(double metres) { return rounded(metres * 1e3, 2); }
+
+/// A scan and its labels, opened but not read, wherever they come from.
+struct Sources {
+    VoxelGrid scan;
+    std::function<std::optional<VoxelImage>(const VoxelRange&)> read_scan;
+    bool has_labels = false;
+    VoxelGrid labels;
+    std::vector<Segment> segments;
+    std::function<std::optional<VoxelImage>(const VoxelRange&, int layer)> read_labels;
+};
+
+// ---- labels ---------------------------------------------------------------------------------------------------------
+
+/// The segmentation's own names of what it holds.
+std::string known_segments(const std::vector<Segment>& segments) {
+    return segments.empty() ? "It names none: write the label's number." : "It has " + list_of(segments) + ".";
+}
+
+/// The one structure that `asked` means; refuses none, several, and one whose voxels are another's, too.
+template <class IsMeant>
+Segment only_segment(const std::vector<Segment>& segments, const std::string& asked, const IsMeant& is_meant) {
+    const auto refuse = [](const char* code, const std::string& message) {
+        throw Refusal{code, {"ct", "labels", "keep"}, message};
+    };
+    std::vector<Segment> found, alike;
+    std::copy_if(segments.begin(), segments.end(), std::back_inserter(found), is_meant);
+    if (found.empty()) refuse("E0635", "the segmentation has no structure " + asked + ". " + known_segments(segments));
+    if (found.size() > 1)
+        refuse("E0636", "the segmentation has " + std::to_string(found.size()) + " structures " + asked + ": " +
+                            list_of(found) +
+                            ". Keep one by its name or its number, whichever no other has, or rename them in 3D "
+                            "Slicer.");
+    std::copy_if(segments.begin(), segments.end(), std::back_inserter(alike),
+                 [&](const Segment& s) { return s.layer == found[0].layer && s.label == found[0].label; });
+    if (alike.size() > 1)
+        refuse("E0636", "the voxels of " + asked + " cannot be distinguished from those of others: " + list_of(alike) +
+                            ". Export the segmentation from 3D Slicer again.");
+    return found[0];
+}
+
+/// Which labels of which layers are the bone.
+std::vector<Segment> kept_segments(const CtSource& ct, const std::vector<Segment>& segments) {
+    std::vector<Segment> kept;
+    for (const int label : ct.keep) {
+        const bool is_named =
+            std::any_of(segments.begin(), segments.end(), [&](const Segment& s) { return s.label == label; });
+        const bool has_layers =
+            std::any_of(segments.begin(), segments.end(), [](const Segment& s) { return s.layer > 0; });
+        if (is_named || has_layers)
+            kept.push_back(only_segment(segments, "with the label " + std::to_string(label),
+                                        [&](const Segment& s) { return s.label == label; }));
+        else
+            kept.push_back({"", label, 0});
+    }
+    for (const std::string& name : ct.keep_named)
+        kept.push_back(
+            only_segment(segments, "`" + name_to_write(name) + "`", [&](const Segment& s) { return s.name == name; }));
+    return kept;
+}
+
+/// Nearest voxel of an image on another grid; 0 outside.
+class NearestLabel {
+public:
+    NearestLabel(const VoxelImage& labels, const VoxelGrid& asked)
+        : labels_(labels), is_same_(on_one_grid(labels, asked)), asked_(asked) {}
+
+    [[nodiscard]] float at(int i, int j, int k, std::size_t offset) const {
+        if (is_same_) return labels_.values[offset];
+        const Vec3 index =
+            labels_.index(asked_.lps({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}));
+        const int x = static_cast<int>(std::lround(index.x)), y = static_cast<int>(std::lround(index.y)),
+                  z = static_cast<int>(std::lround(index.z));
+        return labels_.has(x, y, z) ? labels_.at(x, y, z) : 0.0f;
+    }
+
+private:
+    const VoxelImage& labels_;
+    bool is_same_;
+    const VoxelGrid& asked_;
+};
+
+/// Marks what the labels keep, and what they give to others. False: a layer could not be read.
+bool mark_labels(BoneMask& mask, const CtSource& ct, const Sources& sources, std::vector<std::string>& notes) {
+    const double around = std::max({sources.labels.spacing(0), sources.labels.spacing(1), sources.labels.spacing(2)});
+    const VoxelRange range = sources.labels.range(grown(mask.image.box(), around));
+    if (range.voxels() == 0)
+        throw Refusal{"E0630",
+                      {"ct", "labels", "file"},
+                      "the label map covers nothing of the region around the axes. "
+                      "Check that it belongs to this image."};
+    const std::vector<Segment> kept = kept_segments(ct, sources.segments);
+    std::set<int> layers;
+    for (const Segment& segment : kept) layers.insert(segment.layer);
+    mask.is_other.assign(mask.is_bone.size(), 0);
+    for (const int layer : layers) {
+        const std::optional<VoxelImage> labels = sources.read_labels(range, layer);
+        if (!labels) return false;
+        const NearestLabel nearest(*labels, mask.image);
+        for_each_voxel(mask.image, [&](int i, int j, int k, std::size_t at) {
+            const auto label = static_cast<int>(std::lround(nearest.at(i, j, k, at)));
+            if (label == 0) return;
+            const bool is_kept = std::any_of(kept.begin(), kept.end(),
+                                             [&](const Segment& s) { return s.layer == layer && s.label == label; });
+            if (is_kept)
+                mask.is_bone[at] = 1;
+            else
+                mask.is_other[at] = 1;
+        });
+    }
+    for (std::size_t at = 0; at < mask.is_bone.size(); ++at)
+        if (mask.is_bone[at] != 0) mask.is_other[at] = 0;
+    if (!on_one_grid(sources.labels, sources.scan))
+        notes.push_back("The labels lie on another grid than the image (voxels of " +
+                        millimetres(sources.labels.spacing(0)) + " × " + millimetres(sources.labels.spacing(1)) +
+                        " × " + millimetres(sources.labels.spacing(2)) + " mm): each voxel got the nearest one.");
+    return true;
+}
+
+// ---- the mask -------------------------------------------------------------------------------------------------------
+
+/// Leaves the piece that was asked for, and says how many there were, or how far the landmark was.
+std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) {
+    const CtSource& ct = *anatomy.ct;
+    if (ct.component_at.empty()) {
+        if (!has_labels) {
+            const int pieces = keep_largest(mask);
+            return "; of " + std::to_string(pieces) + " pieces the largest is kept, " + std::to_string(mask.count()) +
+                   " voxels";
+        }
+        return "";
+    }
+    const auto landmark = std::find_if(anatomy.points.begin(), anatomy.points.end(),
+                                       [&](const LandmarkPoint& p) { return p.id == ct.component_at; });
+    if (landmark == anatomy.points.end())
+        throw Refusal{"E0634",
+                      {"ct", "keep", "component_at"},
+                      "there is no landmark point `" + ct.component_at +
+                          "`, which `ct.keep` names. "
+                          "Add it under `landmarks.points`."};
+    const VoxelImage& image = mask.image;
+    const double near =
+        std::max(landmark->tolerance, 2.0 * std::max({image.spacing(0), image.spacing(1), image.spacing(2)}));
+    const std::optional<double> way = keep_nearest(mask, landmark->at);
+    if (way && *way > near)
+        throw Refusal{"E0634",
+                      {"landmarks", "points", ct.component_at},
+                      "the nearest bone lies " + millimetres(*way) + " mm from `" + ct.component_at +
+                          "`, must be within " + millimetres(near) + " mm. Check the landmark, or `ct.threshold`."};
+    return way ? "; the piece at " + ct.component_at + " is kept, " + std::to_string(mask.count()) + " voxels" : "";
+}
+
+/// What is bone when the border is at `threshold`; the last note says how it came about.
+BoneMask mask_at(double threshold, BoneMask mask, const Anatomy& anatomy, std::vector<std::string>& notes) {
+    const CtSource& ct = *anatomy.ct;
+    const bool has_labels = !mask.is_other.empty();
+    if (!has_labels)
+        for (std::size_t at = 0; at < mask.is_bone.size(); ++at)
+            mask.is_bone[at] = static_cast<double>(mask.image.values[at]) >= threshold;
+    std::string note = "Mask: " + std::to_string(mask.count()) + " voxels " +
+                       (has_labels ? std::string("by label") : "of " + rounded(threshold, 0) + " and more");
+    if (has_labels) {
+        for (const int one : ct.keep) note += " " + std::to_string(one);
+        for (const std::string& one : ct.keep_named) note += " " + excerpt(one);
+    }
+    note += keep_piece(mask, anatomy, has_labels);
+
+    const auto added_by = [&](const auto& change) {
+        const std::size_t before = mask.count();
+        change();
+        const std::size_t after = mask.count();
+        return (after < before ? "took " : "added ") + std::to_string(after < before ? before - after : after - before);
+    };
+    if (ct.closing > 0.0)
+        note += "; closing by " + millimetres(ct.closing) + " mm " + added_by([&] {
+                    spread(mask, true, ct.closing);
+                    spread(mask, false, ct.closing);
+                });
+    if (ct.fill) note += "; filling cavities " + added_by([&] { fill_cavities(mask); });
+    if (mask.count() > 0) {
+        const std::vector<std::uint8_t> before = mask.is_bone;
+        follow_grey(mask, threshold);
+        std::size_t moved = 0;
+        for (std::size_t at = 0; at < before.size(); ++at) moved += before[at] != mask.is_bone[at];
+        note += "; the grey values moved " + std::to_string(moved) + " over the border";
+    }
+    if (mask.count() == 0)
+        throw Refusal{
+            "E0633",
+            has_labels ? std::vector<std::string>{"ct", "labels", "keep"} : std::vector<std::string>{"ct", "threshold"},
+            std::string("no voxel around the axes is bone. ") +
+                (has_labels ? "Check `ct.labels.keep`." : "Lower `ct.threshold`.")};
+    notes.push_back(note + ". In the end " + std::to_string(mask.count()) + " are bone.");
+    return mask;
+}
+
+// ---- how sure it is -------------------------------------------------------------------------------------------------
+
+/// Where an axis enters bone [m from its beginning].
+std::optional<double> entry_of(const LandmarkAxis& axis, const VoxelImage& distance) {
+    constexpr double step = 0.1e-3;  // [m]
+    const Vec3 along = normalized(axis.to - axis.from);
+    double before = 1.0;
+    for (double way = 0.0; way <= length(axis.to - axis.from); way += step) {
+        const double here = distance.sample_trilinear(axis.from + way * along, 1.0);
+        if (here < 0.0) return way - step * (before < 1.0 ? here / (here - before) : 0.0);
+        before = here;
+    }
+    return std::nullopt;
+}
+
+std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& blank, const VoxelImage& distance) {
+    const CtSource& ct = *anatomy.ct;
+    const double step =
+        ct.intensity == CtSource::Intensity::hounsfield ? hounsfield_step : grey_step * std::abs(ct.threshold);
+    std::vector<std::string> ignored;
+    const auto with = [&](double threshold) -> std::optional<VoxelImage> {
+        try {
+            return distance_in_voxels(mask_at(threshold, blank, anatomy, ignored), threshold, around_border).distance;
+        } catch (const Refusal&) {
+            return std::nullopt;
+        }
+    };
+    const auto lower = with(ct.threshold - step), upper = with(ct.threshold + step);
+    std::vector<BorderShift> shifts;
+    for (const LandmarkAxis& axis : anatomy.axes) {
+        BorderShift shift{
+            axis.id, step, ct.intensity == CtSource::Intensity::hounsfield ? "HU" : "grey levels", {}, {}};
+        const auto entry = entry_of(axis, distance);
+        const auto moved = [&](const std::optional<VoxelImage>& other) -> std::optional<double> {
+            const auto there = other ? entry_of(axis, *other) : std::nullopt;
+            return entry && there ? std::optional(*there - *entry) : std::nullopt;
+        };
+        shift.lower = moved(lower);
+        shift.upper = moved(upper);
+        shifts.push_back(shift);
+    }
+    return shifts;
+}
+
+void doubt_values(const Anatomy& anatomy, const VoxelImage& part, std::vector<std::string>& notes,
+                  Diagnostics& diagnostics) {
+    const CtSource& ct = *anatomy.ct;
+    if (ct.intensity != CtSource::Intensity::hounsfield) {
+        notes.push_back("The values are grey levels, not HU: the threshold holds for this scan alone.");
+        return;
+    }
+    const auto warn = [&](const std::string& message) {
+        diagnostics.push_back(warning_at(in_anatomy(anatomy, {"ct", "image"}), "W0675", message));
+        notes.push_back(message);
+    };
+    const float least = *std::min_element(part.values.begin(), part.values.end());
+    if (least >= 0.0f)
+        warn("No value around the axes is below 0 (the smallest is " + rounded(static_cast<double>(least), 0) +
+             "), so these are hardly HU. If they are grey levels, as of a cone-beam CT, write `ct.intensity: grey`.");
+    const auto bright = std::count_if(part.values.begin(), part.values.end(), [](float v) { return v >= metal; });
+    const double volume = static_cast<double>(bright) * part.spacing(0) * part.spacing(1) * part.spacing(2);
+    if (volume > least_metal)
+        warn(rounded(volume * 1e9, 0) + " mm3 around the axes are brighter than " +
+             rounded(static_cast<double>(metal), 0) +
+             " HU, as metal and its streaks are: bone near them may be too thick or missing.");
+}
+
+// ---- all of it ------------------------------------------------------------------------------------------------------
+
+/// What must be read: the planned axes, and wherever fits look for the bone.
+Box region_to_read(const Anatomy& anatomy, const Box& available) {
+    const Box planned = planned_region(anatomy.axes, available);
+    if (is_empty(planned) || !has_fits(anatomy)) return planned;
+    const Box fits = region_of_fits(anatomy);
+    const auto joined = [](Vec3 a, Vec3 b, const auto& which) {
+        return Vec3{which(a.x, b.x), which(a.y, b.y), which(a.z, b.z)};
+    };
+    const auto smaller = [](double a, double b) { return std::min(a, b); };
+    const auto larger = [](double a, double b) { return std::max(a, b); };
+    return {joined(available.low, joined(planned.low, fits.low, smaller), larger),
+            joined(available.high, joined(planned.high, fits.high, larger), smaller)};
+}
+
+std::optional<CtBone> made(const Anatomy& written, const Sources& sources, Diagnostics& diagnostics,
+                           const ImportOptions& options) {
+    Anatomy anatomy = written;
+    const CtSource& ct = *anatomy.ct;
+    if (sources.scan.is_sheared())
+        throw Refusal{"E0632",
+                      {"ct", "image"},
+                      "the image's axes are not at right angles, as after a tilted gantry. "
+                      "Resample the image onto a straight grid."};
+    CtBone bone;
+    bone.region = region_to_read(anatomy, sources.scan.box());
+    const VoxelGrid& scan = sources.scan;
+    // So that closing and distance see both sides of the region's faces.
+    const double margin = ct.closing + 3.0 * std::max({scan.spacing(0), scan.spacing(1), scan.spacing(2)});
+    const VoxelRange range = is_empty(bone.region) ? VoxelRange{} : scan.range(grown(bone.region, margin));
+    if (range.voxels() == 0)
+        throw Refusal{"E0631",
+                      {"landmarks", "axes"},
+                      "the landmarks' axes lie outside the image. "
+                      "Check that the axes are LPS, and the image is theirs."};
+    // Values, mask, distance and densities, with what they are made of meanwhile
+    constexpr double bytes_per_voxel = 25.0;
+    if (const double bytes = bytes_per_voxel * static_cast<double>(range.voxels()); bytes > most_bone_memory)
+        throw Refusal{"E0602",
+                      {"landmarks", "axes"},
+                      "around the planned axes lie " + rounded(static_cast<double>(range.voxels()) * 1e-6, 0) +
+                          " million voxels, which take about " + rounded(bytes / most_bone_memory * 4.0, 1) +
+                          " GB of memory, must be at most 4 GB. Give axes that go no farther than what is planned, or "
+                          "resample the image onto voxels " +
+                          rounded(std::cbrt(bytes / most_bone_memory) + 0.05, 1) + " times as long."};
+    const std::optional<VoxelImage> part = sources.read_scan(range);
+    if (!part) return std::nullopt;
+
+    std::vector<std::string>& notes = bone.report.notes;
+    const Vec3 extent = bone.region.high - bone.region.low;
+    notes.push_back("CT: voxels of " + millimetres(scan.spacing(0)) + " × " + millimetres(scan.spacing(1)) + " × " +
+                    millimetres(scan.spacing(2)) + " mm; of it " + rounded(extent.x * 1e3, 0) + " × " +
+                    rounded(extent.y * 1e3, 0) + " × " + rounded(extent.z * 1e3, 0) +
+                    " mm around the planned axes. Beyond, bone goes on and cannot be cut.");
+    doubt_values(anatomy, *part, notes, diagnostics);
+
+    BoneMask blank(*part);
+    if (sources.has_labels && !mark_labels(blank, ct, sources, notes)) return std::nullopt;
+    const BoneMask mask = mask_at(ct.threshold, blank, anatomy, notes);
+    bone.voxels = mask.count();
+    double cortex = 0.0;
+    for (const auto& tissue : anatomy.tissues) cortex += tissue.thickness;
+    VoxelDistance found = distance_in_voxels(mask, ct.threshold, cortex + around_border);
+    bone.distance = std::move(found.distance);
+    notes.push_back("Border: between the voxels where the values cross " + rounded(ct.threshold, 0) + ", at " +
+                    rounded(100.0 * found.crossing_share, 0) + " % of it; half way between them at the rest.");
+
+    if (has_fits(anatomy)) {
+        const BoneShape shape{[&](Vec3 p) { return bone.distance.sample_trilinear(p, around_border); }, bone.region};
+        if (!fit_landmarks(anatomy, shape, bone.report, diagnostics)) return std::nullopt;
+        bone.region = planned_region(anatomy.axes, bone.region);
+        if (is_empty(bone.region))
+            throw Refusal{"E0631", {"landmarks", "axes"}, "the landmarks' axes lie outside the image. Check the fits."};
+    }
+    double sum = 0.0;
+    std::size_t deep = 0;
+    for (std::size_t at = 0; at < part->values.size(); ++at)
+        if (static_cast<double>(bone.distance.values[at]) < -cortex) {
+            sum += static_cast<double>(part->values[at]);
+            ++deep;
+        }
+    bone.mean_value = deep > 0 ? sum / static_cast<double>(deep) : ct.threshold;
+    if (ct.density) bone.density = densities_in_voxels(*part, bone.distance, cortex, *ct.density, notes);
+    if (options.with_scan)
+        bone.report.scan_value = [kept = std::make_shared<const VoxelImage>(*part)](Vec3 lps) {
+            return kept->sample_trilinear(lps, std::numeric_limits<double>::quiet_NaN());
+        };
+    if (options.with_shifts) bone.report.shifts = border_shifts(anatomy, blank, bone.distance);
+    return bone;
+}
+
+std::optional<CtBone> made_or_refused(const Anatomy& anatomy, const Sources& sources, Diagnostics& diagnostics,
+                                      const ImportOptions& options) {
+    try {
+        return made(anatomy, sources, diagnostics, options);
+    } catch (const Refusal& refusal) {
+        diagnostics.push_back(error_at(in_anatomy(anatomy, refusal.keys), refusal.code, refusal.message));
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image, const VoxelImage* labels,
+                                   Diagnostics& diagnostics, const ImportOptions& options) {
+    Sources sources;
+    sources.scan = image;
+    sources.read_scan = [&](const VoxelRange& range) { return image.cropped(range); };
+    if (labels) {
+        sources.has_labels = true;
+        sources.labels = *labels;
+        sources.read_labels = [labels](const VoxelRange& range, int) { return labels->cropped(range); };
+    }
+    return made_or_refused(anatomy, sources, diagnostics, options);
+}
+
+std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics, const ImportOptions& options) {
+    const CtSource& ct = *anatomy.ct;
+    const auto opened = [&](const std::string& written, const SeriesChoice& choice,
+                            const std::vector<std::string>& keys) {
+        const std::size_t first = diagnostics.size();
+        const std::string file = found_data_file(written, anatomy.file);
+        std::optional<Scan> scan;
+        if (is_data_file_inside(file, anatomy.file, diagnostics))
+            scan = open_scan(file, choice, options.progress, diagnostics);
+        if (diagnostics.size() > first)
+            because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
+        return scan;
+    };
+    const auto scan = opened(ct.image, {ct.series, ct.acquisition, ct.may_resample}, {"ct", "image"});
+    if (!scan) return std::nullopt;
+    if (!scan->segments().empty()) {
+        diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "image"}), "E0623",
+                                       "the image is a segmentation: it holds labels, no values. Name the scan that "
+                                       "it was made on, and the segmentation under `ct.labels`."));
+        return std::nullopt;
+    }
+    std::optional<Scan> labels;
+    if (!ct.labels.empty() && !(labels = opened(ct.labels, {}, {"ct", "labels", "file"}))) return std::nullopt;
+    if (labels && labels->is_resampled()) {
+        diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "labels", "file"}), "E0630",
+                                       "the label map is sheared, and labels cannot be mixed. Make the labels on "
+                                       "the image that `kerf import IMAGE -o straight.nrrd` writes."));
+        return std::nullopt;
+    }
+
+    Sources sources;
+    sources.scan = scan->grid();
+    const auto read = [&](const Scan& from, const VoxelRange& range, int layer, const std::vector<std::string>& keys) {
+        const std::size_t first = diagnostics.size();
+        auto image = from.read(range, layer, options.progress, diagnostics);
+        if (diagnostics.size() > first)
+            because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
+        return image;
+    };
+    sources.read_scan = [&](const VoxelRange& range) { return read(*scan, range, 0, {"ct", "image"}); };
+    if (labels) {
+        sources.has_labels = true;
+        sources.labels = labels->grid();
+        sources.segments = labels->segments();
+        sources.read_labels = [&](const VoxelRange& range, int layer) {
+            return read(*labels, range, layer, {"ct", "labels", "file"});
+        };
+    }
+    auto bone = made_or_refused(anatomy, sources, diagnostics, options);
+    if (!bone) return std::nullopt;
+    bone->report.notes.insert(bone->report.notes.begin(), scan->notes().begin(), scan->notes().end());
+    for (const Scan* one : std::array<const Scan*, 2>{&*scan, labels ? &*labels : nullptr}) {
+        if (one == nullptr) continue;
+        const auto hash = one->hash();
+        if (!hash) {
+            diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "image"}), "E0620",
+                                           "a file of the scan could be read once, but not again. Try again."));
+            return std::nullopt;
+        }
+        bone->report.file_hashes.push_back(*hash);
+    }
+    return bone;
+}
+
+}  // namespace kerf

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/import/fit_landmarks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "bone/import/fit_condyles.h"
+#include "bone/import/fit_neck.h"
+#include "bone/import/fit_sphere.h"
+#include "bone/import/fit_tube.h"
+#include "bone/import/planned_region.h"
+#include "bone/surface/diagnose.h"
+#include "documents/read_anatomy.h"
+
+namespace kerf {
+namespace {
+
+std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
+std::string percent(double share) { return rounded(100.0 * share, 0) + " %"; }
+
+/// As YAML has it, to a hundredth of a millimetre.
+std::string yaml_position(Vec3 at) {
+    const auto hundredths = [](double x) { return rounded(std::round(x * 1e5) * 1e-2 + 0.0 /* no -0.00 */, 2); };
+    return hundredths(at.x) + " " + hundredths(at.y) + " " + hundredths(at.z) + " mm";
+}
+
+/// Where a landmark is written, what it is called, and what its fit may be.
+struct Asked {
+    std::string id;
+    Reason place;
+    double residual = 0.0;  ///< [m] at most
+    double within = 0.0;    ///< [m]
+};
+
+class Fits {
+public:
+    Fits(Anatomy& anatomy, const BoneShape& bone, ImportReport& report, Diagnostics& diagnostics)
+        : anatomy_(anatomy), bone_(bone), report_(report), diagnostics_(diagnostics) {}
+
+    bool fit_all() {
+        for (LandmarkPoint& point : anatomy_.points)
+            if (point.fit) fit(point);
+        const auto is_condyles = [](const LandmarkAxis& a) { return a.fit->shape == LandmarkFit::Shape::condyles; };
+        for (const bool now : {false, true})  // condyles are seen along another axis
+            for (LandmarkAxis& axis : anatomy_.axes)
+                if (axis.fit && is_condyles(axis) == now) fit(axis);
+        return !is_refused_;
+    }
+
+private:
+    void refuse(const Asked& asked, const char* code, const std::string& message, std::string write = {}) {
+        Diagnostic error = error_at(asked.place, code, message);
+        error.write = std::move(write);
+        diagnostics_.push_back(std::move(error));
+        is_refused_ = true;
+    }
+
+    Asked asked_of(const char* sort, const std::string& id, const LandmarkFit& fit, double tolerance) const {
+        return {id, in_anatomy(anatomy_, {"landmarks", sort, id, "fit"}), fit.residual.value_or(tolerance), fit.within};
+    }
+
+    /// The checks that all fits share: residual, and what lies how far from what is written.
+    bool is_allowed(const Asked& asked, double residual, Vec3 found, Vec3 guess, double off, const char* key) {
+        if (off > asked.within) {
+            refuse(asked, "E0617",
+                   "the fit of `" + asked.id + "` leaves its guess: it lies " + millimetres(off) + " from `" + key +
+                       ": " + yaml_position(guess) + "`, must be within " + millimetres(asked.within) +
+                       ". Check the scan; if the fit is right, move the guess.",
+                   std::string(key) + ": " + yaml_position(found));
+            return false;
+        }
+        if (residual > asked.residual) {
+            refuse(asked, "E0616",
+                   "the residual of `" + asked.id + "` is too large: got " + millimetres(residual, 2) +
+                       ", expected at most " + millimetres(asked.residual, 2) +
+                       ". Check the guess and the bone there; if both are right, allow it.",
+                   "residual: {at_most: " + rounded(std::ceil(residual * 1e4) * 0.1, 1) + " mm}");
+            return false;
+        }
+        return true;
+    }
+
+    /// A sphere that may be used; nothing, with one error, if there is none.
+    std::optional<FittedSphere> sphere_at(const Asked& asked, Vec3 guess, double radius) {
+        const auto sphere = fit_sphere(bone_, {guess, radius, asked.within});
+        if (!sphere || sphere->share < least_share_of_sphere) {
+            refuse(asked, "E0615",
+                   "the bone has no sphere for `" + asked.id + "` near `at: " + yaml_position(guess) + "`: got " +
+                       (sphere ? percent(sphere->share) : "none") +
+                       " of the directions on one with a radius of about " + millimetres(radius) +
+                       ", expected at least " + percent(least_share_of_sphere) +
+                       ". Check the guess and its radius, and that the bone is complete there.");
+            return std::nullopt;
+        }
+        if (!is_allowed(asked, sphere->residual, sphere->centre, guess, length(sphere->centre - guess), "at"))
+            return std::nullopt;
+        return sphere;
+    }
+
+    static std::string text_of(const FittedSphere& sphere) {
+        return "a sphere of radius " + millimetres(sphere.radius) + ", residual " + millimetres(sphere.residual, 2) +
+               " over " + percent(sphere.share) + " of the directions";
+    }
+
+    void fit(LandmarkPoint& point) {
+        const Asked asked = asked_of("points", point.id, *point.fit, point.tolerance);
+        const auto sphere = sphere_at(asked, point.at, point.fit->radius);
+        if (!sphere) return;
+        note("Point " + point.id + ": fitted at " + place_text(sphere->centre) + ", " + text_of(*sphere) + "; " +
+             millimetres(length(sphere->centre - point.at)) + " from its guess.");
+        point.at = sphere->centre;
+        point.fit.reset();
+        heads_[point.id] = *sphere;
+        report_.fitted_points.push_back(point);
+    }
+
+    void fit(LandmarkAxis& axis) {
+        const Asked asked = asked_of("axes", axis.id, *axis.fit, axis.tolerance);
+        switch (axis.fit->shape) {
+            case LandmarkFit::Shape::tube:
+                return fit_as_tube(axis, asked);
+            case LandmarkFit::Shape::neck:
+                return fit_as_neck(axis, asked);
+            case LandmarkFit::Shape::condyles:
+                return fit_as_condyles(axis, asked);
+            case LandmarkFit::Shape::sphere:
+                break;  // only points are spheres
+        }
+    }
+
+    /// How far an axis lies from one that is written, at its ends; and at which.
+    static std::array<double, 2> off_ends(const LandmarkAxis& axis, Vec3 from, Vec3 to) {
+        const Vec3 along = normalized(to - from);
+        return {length(cross(axis.from - from, along)), length(cross(axis.to - from, along))};
+    }
+
+    void place(LandmarkAxis& axis, Vec3 from, Vec3 to, const std::string& what) {
+        const auto off = off_ends(axis, from, to);
+        note("Axis " + axis.id + ": fitted from " + place_text(from) + " to " + place_text(to) + ", " + what + "; " +
+             millimetres(std::max(off[0], off[1])) + " from its guess.");
+        axis.from = from;
+        axis.to = to;
+        axis.fit.reset();
+        report_.fitted_axes.push_back(axis);
+    }
+
+    bool is_allowed(const Asked& asked, const LandmarkAxis& axis, double residual, Vec3 from, Vec3 to) {
+        const auto off = off_ends(axis, from, to);
+        return off[0] >= off[1] ? is_allowed(asked, residual, from, axis.from, off[0], "from")
+                                : is_allowed(asked, residual, to, axis.to, off[1], "to");
+    }
+
+    void fit_as_tube(LandmarkAxis& axis, const Asked& asked) {
+        const auto tube = fit_tube(bone_, {axis.from, axis.to, axis.fit->radius, asked.within});
+        if (!tube || tube->share < least_share_of_tube)
+            return refuse(asked, "E0615",
+                          "the bone is no tube between the ends of `" + asked.id + "`: got " +
+                              (tube ? percent(tube->share) : "none") +
+                              " of its sections' points on one with a radius of about " +
+                              millimetres(axis.fit->radius) + ", expected at least " + percent(least_share_of_tube) +
+                              ". Check `from`, `to` and the radius: between the ends the bone must be round.");
+        if (!is_allowed(asked, axis, tube->residual, tube->from, tube->to)) return;
+        place(axis, tube->from, tube->to,
+              "a tube of radius " + millimetres(tube->radius) + ", residual " + millimetres(tube->residual, 2) +
+                  " over " + percent(tube->share) + " of the points of its sections");
+    }
+
+    void fit_as_neck(LandmarkAxis& axis, const Asked& asked) {
+        const auto head = heads_.find(axis.fit->reference);
+        if (head == heads_.end()) {  // its own error says why
+            is_refused_ = true;
+            return;
+        }
+        const FittedSphere& sphere = head->second;
+        const bool is_from_base = length(axis.from - sphere.centre) > length(axis.to - sphere.centre);
+        const Vec3 to_base = (is_from_base ? axis.from : axis.to) - sphere.centre;
+        const auto neck = fit_neck(bone_, {sphere.centre, sphere.radius, to_base});
+        if (!neck)
+            return refuse(asked, "E0615",
+                          "the bone has no neck for `" + asked.id +
+                              "`: got no section narrower than those beside it, from " +
+                              millimetres(0.5 * sphere.radius) + " to " + millimetres(2.0 * sphere.radius) +
+                              " below `" + axis.fit->reference +
+                              "`, expected one. Check `from` and `to`: the axis must pass "
+                              "through the neck.");
+        const auto foot = [&](Vec3 p) { return sphere.centre + dot(p - sphere.centre, neck->to_base) * neck->to_base; };
+        const Vec3 from = foot(axis.from), to = foot(axis.to);
+        if (!is_allowed(asked, axis, neck->residual, from, to)) return;
+        place(axis, from, to,
+              "a neck of " + rounded(neck->area * 1e6, 0) + " mm2 at its narrowest, residual " +
+                  millimetres(neck->residual, 2) + " over " + std::to_string(neck->used) + " sections");
+    }
+
+    void fit_as_condyles(LandmarkAxis& axis, const Asked& asked) {
+        const auto shaft = std::find_if(anatomy_.axes.begin(), anatomy_.axes.end(),
+                                        [&](const LandmarkAxis& a) { return a.id == axis.fit->reference; });
+        if (shaft == anatomy_.axes.end())
+            return refuse(asked, "E0618",
+                          "the shaft of the condyles `" + asked.id + "` is unknown: got `" + axis.fit->reference +
+                              "`, expected an axis of this anatomy. Add it under `landmarks.axes`.");
+        if (shaft->fit) {  // its own error says why
+            is_refused_ = true;
+            return;
+        }
+        std::size_t failed = 0;
+        const auto line = fit_condyles(bone_, {axis.from, axis.to, shaft->from, shaft->to, asked.within}, failed);
+        if (!line)
+            return refuse(asked, "E0615",
+                          "the bone has no condyle for `" + asked.id + "` near `" + (failed == 0 ? "from" : "to") +
+                              ": " + yaml_position(failed == 0 ? axis.from : axis.to) +
+                              "`: got no backmost point, seen along `" + shaft->id + "`, expected one within " +
+                              millimetres(asked.within) + ". Check the guess: it must be at the back of a condyle.");
+        if (!is_allowed(asked, axis, line->residual, line->from, line->to)) return;
+        place(axis, line->from, line->to,
+              "along the backs of two condyles, residual " + millimetres(line->residual, 2));
+    }
+
+    void note(std::string text) { report_.notes.push_back(std::move(text)); }
+
+    Anatomy& anatomy_;
+    const BoneShape& bone_;
+    ImportReport& report_;
+    Diagnostics& diagnostics_;
+    std::map<std::string, FittedSphere> heads_;
+    bool is_refused_ = false;
+};
+
+/// `all` with a ball around `at`.
+Box with_ball(const Box& all, Vec3 at, double radius) {
+    const Box ball = grown({at, at}, radius);
+    return {{std::min(all.low.x, ball.low.x), std::min(all.low.y, ball.low.y), std::min(all.low.z, ball.low.z)},
+            {std::max(all.high.x, ball.high.x), std::max(all.high.y, ball.high.y), std::max(all.high.z, ball.high.z)}};
+}
+
+}  // namespace
+
+bool has_fits(const Anatomy& anatomy) noexcept {
+    const auto is_fitted = [](const auto& landmark) { return landmark.fit.has_value(); };
+    return std::any_of(anatomy.points.begin(), anatomy.points.end(), is_fitted) ||
+           std::any_of(anatomy.axes.begin(), anatomy.axes.end(), is_fitted);
+}
+
+Box region_of_fits(const Anatomy& anatomy) noexcept {
+    constexpr double largest = 1.0 + most_off_size;
+    Box all{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    const auto add = [&](Vec3 at, const LandmarkFit& fit, double radii) {
+        all = with_ball(all, at, 2.0 * fit.within + radii * largest * fit.radius);
+    };
+    for (const LandmarkPoint& point : anatomy.points)
+        if (point.fit) add(point.at, *point.fit, 1.5);
+    for (const LandmarkAxis& axis : anatomy.axes) {
+        if (!axis.fit) continue;
+        const bool is_neck = axis.fit->shape == LandmarkFit::Shape::neck;
+        for (const LandmarkPoint& head : anatomy.points)
+            if (is_neck && head.fit && head.id == axis.fit->reference) add(head.at, *head.fit, 3.0);
+        if (is_neck) continue;
+        add(axis.from, *axis.fit, 1.5);
+        add(axis.to, *axis.fit, 1.5);
+    }
+    return all;
+}
+
+bool fit_landmarks(Anatomy& anatomy, const BoneShape& bone, ImportReport& report, Diagnostics& diagnostics) {
+    return Fits(anatomy, bone, report, diagnostics).fit_all();
+}
+
+void use_fits(Anatomy& anatomy, const ImportReport& report) {
+    const auto use = [](auto& landmarks, const auto& fitted) {
+        for (auto& landmark : landmarks)
+            for (const auto& one : fitted)
+                if (landmark.id == one.id) landmark = one;
+    };
+    use(anatomy.points, report.fitted_points);
+    use(anatomy.axes, report.fitted_axes);
+}
+
+}  // namespace kerf

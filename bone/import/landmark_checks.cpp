@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/import/landmark_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+
+#include "bone/report/import_report.h"
+#include "documents/read_anatomy.h"
+#include "documents/solids.h"
+
+namespace kerf {
+namespace {
+
+constexpr double most_of_zone = 0.25;  // [–] that may be bone: its border is coarse
+constexpr double finest = 1e-3;        // [m] between the points a zone is looked at
+constexpr double most_points = 200'000.0;
+
+/// Where a landmark stands; one of a markups file has no line of its own.
+Reason named(const Anatomy& anatomy, const char* sort, const std::string& id, std::string message = {}) {
+    const Reason list = in_anatomy(anatomy, {"landmarks", sort}),
+                 own = in_anatomy(anatomy, {"landmarks", sort, id}, message);
+    const bool has_own = own.place.line != list.place.line || own.place.column != list.place.column;
+    return has_own ? own : in_anatomy(anatomy, {"landmarks", "markups"}, std::move(message));
+}
+
+std::string millimetres(double metres) { return rounded(metres * 1e3, 1); }
+
+/// `left_pedicle` for `right_pedicle`; empty for a name without the word `right`.
+std::string other_side(const std::string& id) {
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    for (std::size_t at = id.find("right"); at != std::string::npos; at = id.find("right", at + 1)) {
+        const std::size_t end = at + 5;
+        const bool is_word = (at == 0 || !is_letter(id[at - 1])) && (end == id.size() || !is_letter(id[end]));
+        if (is_word) return id.substr(0, at) + "left" + id.substr(end);
+    }
+    return {};
+}
+
+void check_sides(const Anatomy& anatomy, Diagnostics& diagnostics) {
+    struct Place {
+        Vec3 at;
+        const char* sort;
+    };
+    std::map<std::string, Place> places;
+    for (const LandmarkPoint& point : anatomy.points) places[point.id] = {point.at, "points"};
+    for (const LandmarkAxis& axis : anatomy.axes) places[axis.id] = {0.5 * (axis.from + axis.to), "axes"};
+    for (const LandmarkPlane& plane : anatomy.planes) places[plane.id] = {plane.at, "planes"};
+    for (const auto& [id, right] : places) {
+        const auto left = places.find(other_side(id));
+        if (left == places.end() || left->second.at.x > right.at.x) continue;
+        Diagnostic swapped = error_at(
+            named(anatomy, right.sort, id), "E0612",
+            "`" + left->first + "` lies at x " + millimetres(left->second.at.x) + " mm and `" + id + "` at x " +
+                millimetres(right.at.x) +
+                " mm, but x grows to the patient's left (LPS). Swap them; or, if all coordinates are RAS, turn the "
+                "sign of every x and y.");
+        swapped.reason = named(anatomy, left->second.sort, left->first, "the other one is here.");
+        diagnostics.push_back(std::move(swapped));
+    }
+}
+
+std::string where(const PlaceOnBone& place) {
+    const bool is_far = std::abs(place.distance) >= 0.99 * place.known;
+    return (is_far ? "more than " : "") + millimetres(std::abs(place.distance)) + " mm " +
+           (place.distance < 0.0 ? "inside the bone's surface" : "outside the bone");
+}
+
+void check_points(const Anatomy& anatomy, const Body& body, Diagnostics& diagnostics) {
+    using Lies = LandmarkPoint::Lies;
+    for (const LandmarkPoint& point : anatomy.points) {
+        if (point.lies == Lies::anywhere) continue;
+        const PlaceOnBone place = place_on_bone(body, point.at);
+        if (!place.is_in_region) continue;
+        const double d = place.distance;
+        const bool is_true = point.lies == Lies::on_bone   ? std::abs(d) <= point.tolerance
+                             : point.lies == Lies::in_bone ? d <= point.tolerance
+                                                           : d >= -point.tolerance;
+        if (is_true) continue;
+        const char* must = point.lies == Lies::on_bone ? "on it" : point.lies == Lies::in_bone ? "in it" : "outside it";
+        diagnostics.push_back(
+            error_at(named(anatomy, "points", point.id), "E0613",
+                     "the point `" + point.id + "` lies " + where(place) + ", must lie " + must + " within " +
+                         millimetres(point.tolerance) +
+                         " mm. Check its coordinates (LPS, millimetres), `lies`, or how the bone is made."));
+    }
+}
+
+}  // namespace
+
+PlaceOnBone place_on_bone(const Body& body, Vec3 at) noexcept {
+    return {uncut_distance(body, locate(body, at)), clamp_voxels * body.grid().spacing,
+            outside_region(body, at) == 0.0};
+}
+
+double share_in_bone(const Body& body, const Zone& zone) {
+    std::size_t inside = 0, in_bone = 0;
+    const Box box = bounds_of(zone.solids);
+    const Region& region = body.region;  // no need to look beyond
+    const Vec3 low{std::max(box.low.x, region.low.x), std::max(box.low.y, region.low.y),
+                   std::max(box.low.z, region.low.z)};
+    const Vec3 high{std::min(box.high.x, region.high.x), std::min(box.high.y, region.high.y),
+                    std::min(box.high.z, region.high.z)};
+    const Vec3 extent = high - low;
+    if (!(extent.x > 0.0 && extent.y > 0.0 && extent.z > 0.0)) return 0.0;
+    const double step = std::max(finest, std::cbrt(extent.x * extent.y * extent.z / most_points));
+    for (double x = low.x + 0.5 * step; x < high.x; x += step)
+        for (double y = low.y + 0.5 * step; y < high.y; y += step)
+            for (double z = low.z + 0.5 * step; z < high.z; z += step) {
+                if (distance_to_any(zone.solids, {x, y, z}) >= 0.0) continue;
+                ++inside;
+                in_bone += uncut_distance(body, locate(body, {x, y, z})) < 0.0;
+            }
+    return inside > 0 ? static_cast<double>(in_bone) / static_cast<double>(inside) : 0.0;
+}
+
+void check_landmarks(const Anatomy& anatomy, const Body& body, Diagnostics& diagnostics) {
+    check_sides(anatomy, diagnostics);
+    check_points(anatomy, body, diagnostics);
+    for (const Zone& zone : anatomy.zones)
+        if (const double share = share_in_bone(body, zone); share > most_of_zone && !zone.is_tissue)
+            diagnostics.push_back(
+                warning_at(in_anatomy(anatomy, {"zones", zone.id}), "W0614",
+                           rounded(100.0 * share, 0) + " % of the zone `" + zone.id +
+                               "` lies in bone. If it should be free, check its coordinates (LPS, millimetres)."));
+}
+
+}  // namespace kerf

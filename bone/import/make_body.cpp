@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/import/make_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bone/import/bone_distances.h"
+#include "bone/import/ct_body.h"
+#include "bone/import/fields_memory.h"
+#include "bone/import/fit_landmarks.h"
+#include "bone/import/landmark_checks.h"
+#include "bone/import/mesh_body.h"
+#include "bone/import/phantom_walls.h"
+#include "bone/surface/diagnose.h"
+#include "documents/read_anatomy.h"
+#include "documents/solids.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double least_share = 0.80;        // of a planned axis in bone
+constexpr double least_wall_voxels = 3.0;   // what one distance field carries
+constexpr double finest_spacing = 0.05e-3;  // [m] that a procedure may ask for
+
+using Distance = std::function<double(Vec3)>;  // body frame [m] → [m], negative inside
+
+/// Where the anatomy says what bone is.
+Reason bone_in(const Anatomy& anatomy) {
+    return in_anatomy(anatomy, {anatomy.ct ? "ct" : anatomy.mesh ? "mesh" : "phantom"});
+}
+
+Box phantom_bounds(const PhantomSource& phantom) {
+    Box bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (const auto& part : phantom.parts) {
+        if (part.subtract) continue;
+        const Box box = bounds_of(part.solid);
+        bounds.low = {std::min(bounds.low.x, box.low.x), std::min(bounds.low.y, box.low.y),
+                      std::min(bounds.low.z, box.low.z)};
+        bounds.high = {std::max(bounds.high.x, box.high.x), std::max(bounds.high.y, box.high.y),
+                       std::max(bounds.high.z, box.high.z)};
+    }
+    return bounds;
+}
+
+/// To the parts that are added, or to those that are taken away.
+double distance_to_parts(const PhantomSource& phantom, bool subtract, Vec3 p) {
+    double distance = HUGE_VAL;
+    for (const auto& part : phantom.parts)
+        if (part.subtract == subtract) distance = std::min(distance, distance_to(part.solid, p));
+    return distance;
+}
+
+/// Whether some parts are taken away, and nothing is added after them: bone is what was added without what was taken.
+bool is_taken_away_last(const PhantomSource& phantom) {
+    return !phantom.parts.empty() && phantom.parts.back().subtract &&
+           std::is_partitioned(phantom.parts.begin(), phantom.parts.end(),
+                               [](const PhantomPart& p) { return !p.subtract; });
+}
+
+/// Whether the bone between the outside and a room in it is somewhere thinner than one field can carry. Where a room
+/// opens to the outside both surfaces cross; that is an edge and no wall: only where they look the same way it is one.
+bool has_thin_wall(const Grid& grid, DistanceSource& outer, DistanceSource& room) {
+    constexpr double same_way = 0.8;  // [–] cosine
+    const double thin = least_wall_voxels * grid.spacing, in_brick = 0.5 * brick_edge * std::sqrt(3.0) * grid.spacing;
+    const auto gradient = [&](DistanceSource& source, Vec3 p) {
+        const double d = 0.25 * grid.spacing;
+        const auto distance = as_function(source);
+        return normalized(Vec3{distance(p + Vec3{d, 0, 0}) - distance(p - Vec3{d, 0, 0}),
+                               distance(p + Vec3{0, d, 0}) - distance(p - Vec3{0, d, 0}),
+                               distance(p + Vec3{0, 0, d}) - distance(p - Vec3{0, 0, d})});
+    };
+    const auto within = [](double most) { return DistanceRange{-most, most}; };
+    const auto is_thin_at = [&](Vec3 p) {
+        const double to_outer = outer.at(p, within(thin));
+        if (std::abs(to_outer) > thin) return false;
+        const double thickness = room.at(p, within(2.0 * thin)) - to_outer;
+        return thickness > 0.0 && thickness < thin && dot(gradient(outer, p), gradient(room, p)) > same_way;
+    };
+    for (int k = 0; k < grid.bricks[2]; ++k)
+        for (int j = 0; j < grid.bricks[1]; ++j)
+            for (int i = 0; i < grid.bricks[0]; ++i) {
+                const double half = 0.5 * brick_edge * grid.spacing;
+                const Vec3 centre =
+                    grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge) + Vec3{half, half, half};
+                const double near_outer = in_brick + thin, near_room = in_brick + 2.0 * thin;
+                if (std::abs(outer.at(centre, within(near_outer))) > near_outer ||
+                    std::abs(room.at(centre, within(near_room))) > near_room)
+                    continue;
+                for (int n = 0; n < brick_edge * brick_edge * brick_edge; ++n)
+                    if (is_thin_at(grid.sample_position(i * brick_edge + n % brick_edge,
+                                                        j * brick_edge + n / brick_edge % brick_edge,
+                                                        k * brick_edge + n / (brick_edge * brick_edge))))
+                        return true;
+            }
+    return false;
+}
+
+/// The largest box whose faces lie on samples of the grid.
+Region region_on(const Grid& grid, const Box& box) {
+    const auto up = [&](double at, double origin) {
+        return static_cast<int>(std::ceil((at - origin) / grid.spacing - 1e-6));
+    };
+    const auto down = [&](double at, double origin) {
+        return static_cast<int>(std::floor((at - origin) / grid.spacing + 1e-6));
+    };
+    return {
+        grid.sample_position(up(box.low.x, grid.origin.x), up(box.low.y, grid.origin.y), up(box.low.z, grid.origin.z)),
+        grid.sample_position(down(box.high.x, grid.origin.x), down(box.high.y, grid.origin.y),
+                             down(box.high.z, grid.origin.z))};
+}
+
+/// Whether the base tissue has a share of a brick: bone is there, and none of the shells made so far fills it.
+bool may_hold_base(const Body& body, std::size_t brick) {
+    return !body.surface.is_all_air(brick) &&
+           std::none_of(body.materials.begin(), body.materials.end(),
+                        [&](const Material& shell) { return shell.border.is_all_solid(brick); });
+}
+
+ImportReport phantom_report(const Anatomy& anatomy) {
+    ImportReport report;
+    report.notes = {"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."};
+    return report;
+}
+
+/// A phantom as fits see it. Without parts, as where bone is made of a scan or a surface, there is no bone in it.
+BoneShape phantom_shape(const Anatomy& anatomy) {
+    return {[&](Vec3 p) { return distance_to(anatomy.phantom, p); },
+            {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}}};
+}
+
+/// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all. So a plate
+/// with air on both sides is refused. A spur, or two faces that touch, must not ask for the finest of all spacings: all
+/// but a thousandth is to be carried.
+bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, const Anatomy& anatomy,
+                      Diagnostics& diagnostics) {
+    const double needed = least_wall_voxels * spacing;
+    const auto least = thinnest(walls);
+    if (!least || least->thickness >= needed) return true;
+    const Reason file =
+        anatomy.mesh ? in_anatomy(anatomy, {"mesh", "file"}) : in_anatomy(anatomy, {"phantom", "parts"});
+    const std::string thin =
+        "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at);
+    const double carried = thickness_at(walls, 1e-3);
+    if (carried >= needed) {
+        diagnostics.push_back(warning_at(
+            file, "W0658",
+            thin + ", on under 0.1 % of its surface here: too little for the " + rounded(needed * 1e3, 2) +
+                " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry. There it is felt too weakly."));
+        return true;
+    }
+    const double fine_enough = std::floor(carried / least_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
+    const bool can_be_carried = fine_enough >= finest_spacing;
+    Diagnostic plate =
+        error_at(file, "E0655",
+                 thin + ", with air on both sides, and " + rounded(100.0 * share_under(walls, needed), 1) +
+                     " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) +
+                     " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry." +
+                     (can_be_carried ? "" : " No spacing carries that. Make it thicker there, or plan where it is."));
+    if (can_be_carried) plate.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
+    diagnostics.push_back(std::move(plate));
+    return false;
+}
+
+/// Refuses what would take more memory than a bone may, or more bricks than can be counted, and says which spacing
+/// would do.
+bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>& borders, bool has_densities,
+                  const Anatomy& anatomy, Diagnostics& diagnostics) {
+    const FieldsMemory needed = fields_memory(bounds, spacing, borders, has_densities);
+    if (excess_of(needed) <= 1.0) return true;
+    double fits = spacing * std::max(1.0, std::cbrt(needed.bricks / 16e6));
+    while (excess_of(fields_memory(bounds, fits, borders, has_densities)) >
+           0.9 /* the estimate is a few per cent off */)
+        fits *= 1.1;
+    const Vec3 extent = bounds.high - bounds.low;
+    const bool is_memory = needed.bytes > most_bone_memory;
+    Diagnostic large = error_at(
+        bone_in(anatomy), "E0602",
+        "a bone of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
+            rounded(extent.z * 1e3, 0) + " mm at a spacing of " + rounded(spacing * 1e3, 3) + " mm takes about " +
+            (is_memory ? rounded(needed.bytes / most_bone_memory * 4.0, 1) + " GB of memory, must be at most 4 GB."
+                       : rounded(needed.bricks * 1e-6, 1) + " million bricks of 8³ samples, " +
+                             rounded(needed.cuttable * 1e-6, 1) +
+                             " million of them bone; must be at most 16 million, and 2.9 million.") +
+            " Use a coarser spacing, or a smaller bone: of a scan or a surface only what lies around the axes is "
+            "kept.");
+    large.write = "accuracy: {spacing: " + rounded(std::ceil(fits * 1e5) * 1e-2, 2) + " mm}";
+    diagnostics.push_back(std::move(large));
+    return false;
+}
+
+/// A source that reports every hundredth of its way up the grid: its caller goes through the grid layer by layer, some
+/// callers twice.
+class Told final : public DistanceSource {
+public:
+    Told(DistanceSource& distance, const Grid& grid, const Progress& progress, std::string what)
+        : distance_(&distance),
+          progress_(&progress),
+          what_(std::move(what)),
+          low_(grid.origin),
+          depth_(grid.spacing * brick_edge * grid.bricks[1]),
+          height_(grid.spacing * brick_edge * grid.bricks[2]) {}
+    [[nodiscard]] double at(Vec3 p, DistanceRange needed) override {
+        tell(p.z);
+        return distance_->at(p, needed);
+    }
+    void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override {
+        const double share_of_layer = (lattice.y.front() - low_.y) / depth_;
+        tell(lattice.z.front() + share_of_layer * (lattice.z.back() - lattice.z.front()));
+        distance_->fill(lattice, needed, distances);
+    }
+
+private:
+    void tell(double z) {
+        if (!*progress_) return;
+        const int hundredth = std::clamp(static_cast<int>(100.0 * (z - low_.z) / height_), 0, 100);
+        if (hundredth > told_of_ || hundredth + 50 < told_of_ /* begun anew */)
+            (*progress_)(0.01 * (told_of_ = hundredth), what_);
+    }
+
+    DistanceSource* distance_;
+    const Progress* progress_;
+    std::string what_;
+    Vec3 low_;
+    double depth_, height_;
+    int told_of_ = -1;
+};
+
+void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportReport& report) {
+    for (const Tissue& tissue : anatomy.tissues) {
+        const bool is_base = &tissue == &anatomy.tissues.back();
+        const Material& material = body.materials[static_cast<std::size_t>(&tissue - anatomy.tissues.data())];
+        std::string note = "Tissue " + tissue.id + ": ";
+        if (is_base) note += "what the others leave";
+        if (tissue.thickness > 0.0) note += rounded(tissue.thickness * 1e3, 2) + " mm, prescribed, not measured";
+        if (!tissue.solids.empty())
+            note += (tissue.thickness > 0.0 ? ", within " : "within ") + std::to_string(tissue.solids.size()) +
+                    (tissue.solids.size() == 1 ? " solid" : " solids");
+        note += material.densities.is_empty() ? "; " + rounded(material.density * 1e-3, 2) + " g/cm3 everywhere."
+                                              : "; density by place.";
+        report.notes.push_back(std::move(note));
+    }
+    for (const LandmarkAxis& axis : anatomy.axes) {
+        const AxisInBone found = axis_in_bone(body, axis);
+        report.notes.push_back("Axis " + axis.id + ": " +
+                               (found.entry < 0.0
+                                    ? "meets no bone."
+                                    : "meets bone after " + rounded(found.entry * 1e3, 1) + " mm; " +
+                                          rounded(100.0 * found.share, 0) + " % of the rest lies in bone."));
+    }
+}
+
+}  // namespace
+
+std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostics& diagnostics, ImportReport* report,
+                              const ImportOptions& options) {
+    std::optional<CtBone> ct;
+    if (written.ct && !(ct = make_ct_bone(written, diagnostics, options))) return std::nullopt;
+    std::optional<MeshBone> mesh;
+    if (written.mesh && !(mesh = make_mesh_bone(written, diagnostics))) return std::nullopt;
+    ImportReport made = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(written);
+    Anatomy anatomy = written;
+    use_fits(anatomy, made);
+    if (!fit_landmarks(anatomy, phantom_shape(anatomy), made, diagnostics)) return std::nullopt;
+
+    const Box bounds = ct ? ct->region : mesh ? mesh->region : phantom_bounds(anatomy.phantom);
+    if (!is_finite(bounds.low) || !is_finite(bounds.high)) {
+        diagnostics.push_back(error_at(
+            in_anatomy(anatomy, {"phantom", "parts"}), "E0601",
+            "the phantom has no part that adds bone. Give `phantom.parts` at least one part without `subtract`."));
+        return std::nullopt;
+    }
+    if (mesh && !check_thin_walls(mesh->walls, spacing, anatomy, diagnostics)) return std::nullopt;
+    const double margin = 6.0 * spacing;
+    const Vec3 around{margin, margin, margin};
+
+    Body body;
+    body.id = anatomy.id;
+    if (ct || (mesh && mesh->is_part)) body.region = {bounds.low, bounds.high};
+    std::optional<TriangleTree> surface_tree;
+    std::vector<TriangleTree> room_trees;
+    if (mesh) surface_tree.emplace(mesh->surface);
+    if (mesh)
+        for (const SurfaceMesh& one : mesh->rooms) room_trees.emplace_back(one);
+    const bool has_rooms = !room_trees.empty() || is_taken_away_last(anatomy.phantom);
+    std::unique_ptr<DistanceSource> source, source_of_rooms;
+    if (ct)
+        source =
+            std::make_unique<FunctionDistance>([&](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); });
+    else if (mesh)
+        source = std::make_unique<MeshDistances>(*surface_tree);
+    else if (has_rooms)
+        source =
+            std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to_parts(anatomy.phantom, false, p); });
+    else
+        source = std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to(anatomy.phantom, p); });
+    if (!room_trees.empty())
+        source_of_rooms =
+            std::make_unique<NearestSurface>(std::vector<MeshDistances>(room_trees.begin(), room_trees.end()));
+    else
+        source_of_rooms =
+            std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); });
+    // Beyond a region that was looked at, bone continues as it is at the region's face.
+    InRegion outer(*source, body.region), room(*source_of_rooms, body.region);
+    WithoutRooms without_rooms(outer, room);
+    DistanceSource& bone = has_rooms ? static_cast<DistanceSource&>(without_rooms) : outer;
+    DistanceSource& face = mesh ? outer : bone;  // a surface's shell lies under its outside, not around the canal
+    std::vector<TissueBorder> tissue_borders;
+    for (const Tissue& tissue : anatomy.tissues)
+        if (&tissue != &anatomy.tissues.back()) tissue_borders.emplace_back(face, tissue);
+
+    std::vector<Distance> borders{as_function(bone)};
+    if (has_rooms) borders.push_back(as_function(room));
+    for (TissueBorder& border : tissue_borders) borders.push_back(as_function(border));
+    if (!check_memory(bounds, spacing, borders, ct && anatomy.ct->density, anatomy, diagnostics)) return std::nullopt;
+
+    const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
+    if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
+    const auto say = [&](DistanceSource& distance, const std::string& what) {
+        return Told(distance, grid, options.progress, what);
+    };
+    const std::string walls = "how thick its walls are", surface = "distances to its surface";
+    Told outer_for_walls = say(outer, walls);
+    const bool has_sheet = has_rooms && has_thin_wall(grid, outer_for_walls, room);
+    DistanceSource& outside = has_sheet ? outer : bone;
+    if (!ct && !mesh) {
+        Told told = say(outside, walls);
+        const double most = (least_wall_voxels + 1.0) * spacing;
+        if (!check_thin_walls(phantom_walls(grid, as_function(told), most), spacing, anatomy, diagnostics))
+            return std::nullopt;
+    }
+    const auto field_of = [&](DistanceSource& distance, const std::string& what) {
+        Told told = say(distance, what);
+        return LevelSet::build(grid, told);
+    };
+    body.surface = field_of(outside, surface);
+    if (has_sheet) body.hollow = field_of(room, surface);
+    for (const auto& tissue : anatomy.tissues) {
+        Material material{tissue.id, tissue.density, {}};
+        const bool is_base = &tissue == &anatomy.tissues.back();
+        if (is_base && ct && anatomy.ct->density) {
+            const DensityLine& line = *anatomy.ct->density;
+            material.density = std::max(line.floor, line.at_zero + line.per_unit * ct->mean_value);
+            if (ct->density) {
+                const double elsewhere = material.density;
+                material.densities = DensityField::build(
+                    grid, [&](std::size_t brick) { return may_hold_base(body, brick); },
+                    [&](Vec3 p) { return ct->density->sample_trilinear(body.region.nearest(p), elsewhere); });
+                if (!material.densities.is_empty()) material.density = material.densities.largest();
+            }
+        }
+        if (!is_base)
+            material.border =
+                field_of(tissue_borders[body.materials.size()], "distances to the border of " + tissue.id);
+        body.materials.push_back(std::move(material));
+    }
+    check_landmarks(anatomy, body, diagnostics);
+    if (report) {
+        *report = std::move(made);
+        if (has_sheet)
+            report->notes.push_back(
+                "Between the outside and a room in it the bone is thinner than three voxels: each side has a "
+                "field of its own. Under one voxel, volumes and the exported surface lose it.");
+        note_tissues_and_axes(anatomy, body, *report);
+    }
+    return body;
+}
+
+AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis) {
+    const double step = 0.1 * body.grid().spacing;
+    const Vec3 along = normalized(axis.to - axis.from);
+    const int steps = static_cast<int>(length(axis.to - axis.from) / step);
+    AxisInBone found{-1.0, 0.0};
+    int inside = 0, behind = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const bool is_bone = uncut_distance(body, locate(body.grid(), axis.from + i * step * along)) < 0.0;
+        if (found.entry < 0.0 && is_bone) found.entry = i * step;
+        if (found.entry < 0.0) continue;
+        ++behind;
+        inside += is_bone;
+    }
+    if (behind > 0) found.share = static_cast<double>(inside) / behind;
+    return found;
+}
+
+Vec3 into_surface(const Body& body, Vec3 point) {
+    constexpr double reach = 1.2e-3;  // [m] of a drill's own width
+    const double step = body.grid().spacing;
+    const int most = static_cast<int>(reach / step);
+    const auto distance = [&](Vec3 at) { return uncut_distance(body, locate(body.grid(), at)); };
+    Vec3 outwards{};
+    for (int i = -most; i <= most; ++i)
+        for (int j = -most; j <= most; ++j)
+            for (int k = -most; k <= most; ++k) {
+                const Vec3 at =
+                    point + step * Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
+                if (length(at - point) > reach || std::abs(distance(at)) > step) continue;
+                outwards = outwards + Vec3{distance(at + Vec3{step, 0, 0}) - distance(at - Vec3{step, 0, 0}),
+                                           distance(at + Vec3{0, step, 0}) - distance(at - Vec3{0, step, 0}),
+                                           distance(at + Vec3{0, 0, step}) - distance(at - Vec3{0, 0, step})};
+            }
+    return length(outwards) > 0.0 ? -normalized(outwards) : Vec3{};
+}
+
+void check_axis(const Anatomy& anatomy, const LandmarkAxis& axis, const AxisInBone& found, Diagnostics& diagnostics) {
+    const auto at = [&] { return in_anatomy(anatomy, {"landmarks", "axes", axis.id}); };
+    if (found.entry < 0.0)
+        diagnostics.push_back(
+            error_at(at(), "E0610",
+                     "the axis `" + axis.id +
+                         "` meets no bone. Check its points: LPS, millimetres, from outside into the bone."));
+    else if (found.share < least_share)
+        diagnostics.push_back(error_at(
+            at(), "E0611",
+            "the axis `" + axis.id + "` lies in bone for only " + rounded(100.0 * found.share, 0) +
+                " % of its length behind the entry, need 80 %. Check its points, or the tissues of the anatomy."));
+}
+
+}  // namespace kerf

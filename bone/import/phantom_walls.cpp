@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/import/phantom_walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+constexpr double facing = -0.8;  // [–] cosine between the ways out on both sides of a wall
+}  // namespace
+
+std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<double(Vec3)>& distance, double most) {
+    const double h = grid.spacing, finest = 0.02 * h;
+    const auto way_out = [&](Vec3 p) {
+        const double d = 0.05 * h;
+        return normalized(Vec3{distance(p + Vec3{d, 0, 0}) - distance(p - Vec3{d, 0, 0}),
+                               distance(p + Vec3{0, d, 0}) - distance(p - Vec3{0, d, 0}),
+                               distance(p + Vec3{0, 0, d}) - distance(p - Vec3{0, 0, d})});
+    };
+    std::vector<WallSample> walls;
+    const auto look_at = [&](Vec3 p) {
+        const double d = distance(p);
+        if (std::abs(d) > 0.5 * h) return;
+        const Vec3 out = way_out(p), at = p - d * out;
+        // Inside, nothing of the other side is nearer than the distance to it.
+        double thickness = finest, depth = -distance(at - thickness * out);
+        for (; thickness < most && depth > 0.0; depth = -distance(at - thickness * out))
+            thickness += std::max(depth, finest);
+        thickness += std::min(depth, 0.0);  // the last step went as far beyond
+        if (thickness >= most) return walls.push_back({HUGE_VAL, h * h, at});
+        if (dot(out, way_out(at - thickness * out)) < facing) walls.push_back({thickness, h * h, at});
+    };
+    const double half = 0.5 * brick_edge * h, in_brick = std::sqrt(3.0) * half;
+    for (int k = 0; k < grid.bricks[2]; ++k)
+        for (int j = 0; j < grid.bricks[1]; ++j)
+            for (int i = 0; i < grid.bricks[0]; ++i) {
+                const int x = i * brick_edge, y = j * brick_edge, z = k * brick_edge;
+                if (std::abs(distance(grid.sample_position(x, y, z) + Vec3{half, half, half})) > in_brick + h) continue;
+                for (int n = 0; n < brick_edge * brick_edge * brick_edge; ++n)
+                    look_at(grid.sample_position(x + n % brick_edge, y + n / brick_edge % brick_edge,
+                                                 z + n / (brick_edge * brick_edge)));
+            }
+    return walls;
+}
+
+}  // namespace kerf

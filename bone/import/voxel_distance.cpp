@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/import/voxel_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/field/grid/growing_distance.h"
+
+namespace kerf {
+namespace {
+
+/// Distance to a plane that crosses the axes at `ways` [m]; HUGE_VAL: it does not cross that one.
+double distance_to_plane(const std::array<double, 3>& ways) {
+    double sum = 0.0;
+    for (const double way : ways) sum += 1.0 / (std::max(way, 1e-9) * std::max(way, 1e-9));
+    return sum > 0.0 ? 1.0 / std::sqrt(sum) : HUGE_VAL;
+}
+
+/// Voxels on one side of a border, from the first beside it on.
+using Side = std::array<double, 5>;
+
+/// What is whole on one side: the mean of the next three, as far as the border beyond leaves them whole. Not the larger
+/// of them and the first: noise makes that larger than whole, and the border would lie towards the middle between two
+/// voxels. `way`: 1 for bone.
+double whole_of(const Side& side, double threshold, double way) {
+    const auto is_beyond = [&](double value) { return way * (value - threshold) < 0.0; };
+    if (is_beyond(side[2])) return way * (side[0] - side[1]) > 0.0 ? side[0] : side[1];
+    double sum = side[1];
+    std::size_t count = 1;
+    while (count < 3 && !is_beyond(side[count + 2])) sum += side[++count];
+    return sum / static_cast<double>(count);
+}
+
+/// Where the border lies between the first voxel on this side and the first beyond, as a share of the way.
+double crossing(const Side& inner, const Side& outer, double threshold) {
+    constexpr double blurred =
+        0.2;  // of all there is between bone and air: a border that takes so much in two voxels is not sharp
+    const double here = inner[0], there = outer[0];
+    const double share = (here - threshold) / (here - there);
+    const double way = here > there ? 1.0 : -1.0;
+    const double full = whole_of(inner, threshold, way), empty = whole_of(outer, threshold, -way);
+    const double whole = full - empty;
+    if (way * whole <= std::abs(here - there)) return share;  // by noise: both are whole
+    const double sharpness = std::min(1.0, 1.0 - std::min((full - here) / whole, (there - empty) / whole) / blurred);
+    if (sharpness <= 0.0) return share;
+    return sharpness * std::clamp((here + there - empty - threshold) / whole, 0.0, 1.0) + (1.0 - sharpness) * share;
+}
+
+}  // namespace
+
+VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double farthest) {
+    std::size_t faces = 0, crossings = 0;
+    const VoxelImage& image = mask.image;
+    VoxelImage result = image;
+    std::vector<double> distance(image.values.size(), HUGE_VAL);
+    std::vector<std::uint8_t> is_fixed(image.values.size(), 0);
+    const std::array<double, 3> spacing{image.spacing(0), image.spacing(1), image.spacing(2)};
+
+    // Voxels beside the border: from where it crosses the lines to their face_neighbours.
+    for_each_voxel(image, [&](int i, int j, int k, std::size_t at) {
+        std::array<double, 3> ways{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+        const bool is_bone = mask.is_bone[at] != 0;
+        for (std::size_t n = 0; n < face_neighbours.size(); ++n) {
+            const auto& [x, y, z] = face_neighbours[n];
+            if (!image.has(i + x, j + y, k + z) || mask.at(i + x, j + y, k + z) == is_bone) continue;
+            const auto here = static_cast<double>(image.values[at]);
+            const auto there = static_cast<double>(image.at(i + x, j + y, k + z));
+            const bool crosses =
+                is_bone ? here >= threshold && there < threshold : here < threshold && there >= threshold;
+            ++faces;
+            crossings += crosses;
+            const auto value = [&](int steps, double otherwise) {
+                const int a = i + steps * x, b = j + steps * y, c = k + steps * z;
+                return image.has(a, b, c) ? static_cast<double>(image.at(a, b, c)) : otherwise;
+            };
+            const auto share_of_way = [&] {
+                Side inner{here}, outer{there};
+                for (std::size_t step = 1; step < inner.size(); ++step) {  // beyond the image as at its end
+                    inner[step] = value(-static_cast<int>(step), inner[step - 1]);
+                    outer[step] = value(1 + static_cast<int>(step), outer[step - 1]);
+                }
+                return crossing(inner, outer, threshold);
+            };
+            ways[n / 2] = std::min(ways[n / 2], (crosses ? share_of_way() : 0.5) * spacing[n / 2]);
+        }
+        const double near = distance_to_plane(ways);
+        if (near == HUGE_VAL) return;
+        distance[at] = near;
+        is_fixed[at] = 1;
+    });
+
+    grow_distances(image.size, spacing, is_fixed, farthest, distance);
+    for (std::size_t at = 0; at < distance.size(); ++at) {
+        const double capped = std::min(distance[at], farthest);
+        result.values[at] = static_cast<float>(mask.is_bone[at] != 0 ? -capped : capped);
+    }
+    return {std::move(result), faces > 0 ? static_cast<double>(crossings) / static_cast<double>(faces) : 0.0};
+}
+
+}  // namespace kerf

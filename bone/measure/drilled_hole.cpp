@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/measure/drilled_hole.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace kerf {
+
+namespace {
+
+constexpr double section_distance = 0.5e-3;  // [m]
+constexpr double whole_circle = 0.95;        // [–] of the drill's section that is drilled in bone
+constexpr int ray_count = 16;
+constexpr double longest_ray = 15e-3;  // [m]
+
+double uncut_at(const Body& body, Vec3 p) noexcept { return uncut_distance(body, locate(body, p)); }
+
+double bone_share(const Body& body, Vec3 p) noexcept {
+    return std::clamp(0.5 - uncut_at(body, p) / body.grid().spacing, 0.0, 1.0);
+}
+
+/// Unit vectors that span the plane across `along`.
+std::array<Vec3, 2> across(Vec3 along) noexcept {
+    const Quat turned = quat_between({0, 0, 1}, along);
+    return {rotate(turned, {1, 0, 0}), rotate(turned, {0, 1, 0})};
+}
+
+/// One section across the planned axis.
+struct Section {
+    double depth = 0.0;       ///< [m]
+    double x = 0.0, y = 0.0;  ///< [m] of the hole's middle, from the axis
+    double area = 0.0;        ///< [m²] drilled in bone
+    double narrowness = 0.0;  ///< [m] from the axis to the nearest border of bone
+    bool is_whole = false;
+};
+
+/// From `from` along unit `way` to the border of bone [m]; 0 outside bone, `longest_ray` if there is none.
+double to_border(const Body& body, Vec3 from, Vec3 way) noexcept {
+    const double step = 0.5 * body.grid().spacing;
+    double before = uncut_at(body, from);
+    if (before >= 0.0) return 0.0;
+    for (double far = step; far < longest_ray; far += step) {
+        const double now = uncut_at(body, from + far * way);
+        if (now >= 0.0) return far - step * now / (now - before);
+        before = now;
+    }
+    return longest_ray;
+}
+
+Vec3 ray(const std::array<Vec3, 2>& plane, int k) noexcept {
+    const double angle = 2.0 * 3.14159265358979323846 * k / ray_count;
+    return std::cos(angle) * plane[0] + std::sin(angle) * plane[1];
+}
+
+double narrowness(const Body& body, Vec3 on_axis, const std::array<Vec3, 2>& plane) noexcept {
+    double least = longest_ray;
+    for (int k = 0; k < ray_count; ++k) least = std::min(least, to_border(body, on_axis, ray(plane, k)));
+    return least;
+}
+
+Section look_at(const Body& body, const HolePlan& plan, const DrilledShare& drilled, double depth,
+                const std::array<Vec3, 2>& plane) {
+    Section section{.depth = depth};
+    const Vec3 middle = plan.entry + depth * plan.along;
+    const double radius = plan.cutting.largest_radius(), reach = radius + plan.beside,
+                 pitch = std::max(body.grid().spacing, 0.2e-3);
+    const int half = static_cast<int>(std::ceil(reach / pitch));
+    for (int i = -half; i <= half; ++i)
+        for (int j = -half; j <= half; ++j) {
+            const double x = i * pitch, y = j * pitch;
+            if (x * x + y * y > reach * reach) continue;
+            const double share = drilled(middle + x * plane[0] + y * plane[1]);
+            section.area += share;
+            section.x += share * x;
+            section.y += share * y;
+        }
+    if (section.area > 0.0) {
+        section.x /= section.area;
+        section.y /= section.area;
+    }
+    section.area *= pitch * pitch;
+    section.narrowness = narrowness(body, middle, plane);
+    section.is_whole = section.area >= whole_circle * 3.14159265358979323846 * radius * radius;
+    return section;
+}
+
+/// Radius of what the drill leaves at `behind` [m] from its tip: of a tool that only went in, the widest up to there.
+double radius_of_hole(const ToolSolid& cutting, double behind) noexcept {
+    const auto& outline = cutting.outline();
+    double radius = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const double at = outline.front().z - outline[i].z;
+        if (at <= behind) {
+            radius = std::max(radius, outline[i].radius);
+        } else if (i > 0) {
+            const double before = outline.front().z - outline[i - 1].z, t = (behind - before) / (at - before);
+            return std::max(radius, outline[i - 1].radius + t * (outline[i].radius - outline[i - 1].radius));
+        }
+    }
+    return radius;
+}
+
+/// Bone in the planned hole, on rings of equal area.
+double planned_volume(const Body& body, const HolePlan& plan, const std::array<Vec3, 2>& plane) {
+    constexpr int slices = 400, rings = 8;
+    const double first = -2.0 * plan.cutting.largest_radius(), thickness = (plan.depth - first) / slices;
+    double volume = 0.0;
+    for (int s = 0; s < slices; ++s) {
+        const double depth = first + (s + 0.5) * thickness;
+        const double radius = radius_of_hole(plan.cutting, plan.depth - depth);
+        double share = 0.0;
+        for (int r = 0; r < rings; ++r)
+            for (int k = 0; k < ray_count; ++k)
+                share += bone_share(
+                    body, plan.entry + depth * plan.along + radius * std::sqrt((r + 0.5) / rings) * ray(plane, k));
+        volume += thickness * 3.14159265358979323846 * radius * radius * share / (rings * ray_count);
+    }
+    return volume;
+}
+
+/// The waist of the bone around the axis: the narrowest section that has wider ones on both sides. Nothing where bone
+/// only widens, or ends. Sections in which the planned hole is not in bone do not count.
+std::optional<double> waist_of(const std::vector<Section>& sections, double radius) noexcept {
+    constexpr double wider = 0.3e-3;  // [m] more than what the grid does to a straight wall
+    const auto first =
+        std::find_if(sections.begin(), sections.end(), [&](const Section& s) { return s.narrowness >= radius; });
+    const auto has_wider = [&](auto begin, auto end, double than) {
+        return std::any_of(begin, end, [&](const Section& s) { return s.narrowness >= than + wider; });
+    };
+    const Section* found = nullptr;
+    for (auto s = first; s != sections.end(); ++s)
+        if (s->narrowness >= radius && has_wider(first, s, s->narrowness) &&
+            has_wider(s, sections.end(), s->narrowness) && (found == nullptr || s->narrowness < found->narrowness))
+            found = &*s;
+    return found != nullptr ? std::optional(found->depth) : std::nullopt;
+}
+
+/// Where the bone behind its waist at `depth` is half as wide again. Nothing where it is not.
+std::optional<double> end_of_waist(const std::vector<Section>& sections, double depth) noexcept {
+    constexpr double wider = 1.5;  // [–] [judgement]
+    const auto behind = [&](const Section& s) { return s.depth >= depth; };
+    const auto waist = std::find_if(sections.begin(), sections.end(), behind);
+    if (waist == sections.end() || waist->narrowness <= 0.0) return std::nullopt;
+    const auto end = std::find_if(waist, sections.end(),
+                                  [&](const Section& s) { return s.narrowness >= wider * waist->narrowness; });
+    return end != sections.end() ? std::optional(end->depth) : std::nullopt;
+}
+
+const Section& nearest_to(const std::vector<Section>& whole, double depth) noexcept {
+    return *std::min_element(whole.begin(), whole.end(), [&](const Section& a, const Section& b) {
+        return std::abs(a.depth - depth) < std::abs(b.depth - depth);
+    });
+}
+
+double offset_of(const Section& section) noexcept { return std::hypot(section.x, section.y); }
+
+/// x = mean + slope (depth − its mean), and y likewise, by least squares.
+struct Line {
+    double depth = 0.0, x = 0.0, y = 0.0, slope_x = 0.0, slope_y = 0.0;
+};
+Line line_through(const std::vector<Section>& sections) noexcept {
+    Line line;
+    const double count = static_cast<double>(sections.size());
+    for (const Section& s : sections) {
+        line.depth += s.depth / count;
+        line.x += s.x / count;
+        line.y += s.y / count;
+    }
+    double dd = 0.0, xd = 0.0, yd = 0.0;
+    for (const Section& s : sections) {
+        const double d = s.depth - line.depth;
+        dd += d * d;
+        xd += d * (s.x - line.x);
+        yd += d * (s.y - line.y);
+    }
+    if (dd > 0.0) {
+        line.slope_x = xd / dd;
+        line.slope_y = yd / dd;
+    }
+    return line;
+}
+
+}  // namespace
+
+std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan, const DrilledShare& drilled) {
+    const std::array<Vec3, 2> plane = across(plan.along);
+    const double radius = plan.cutting.largest_radius();
+    std::vector<Section> sections;
+    // The hole may begin above the entry, where the surface leans towards the drill.
+    const int first = -static_cast<int>(std::ceil(2.0 * radius / section_distance));
+    for (int s = first; s * section_distance < plan.depth; ++s)
+        sections.push_back(look_at(body, plan, drilled, s * section_distance, plane));
+    if (sections.empty()) return {};
+
+    DrilledHole hole;
+    for (const Section& s : sections) hole.drilled += s.area * section_distance;
+    hole.ideal = planned_volume(body, plan, plane);
+    std::vector<Section> whole;
+    std::copy_if(sections.begin(), sections.end(), std::back_inserter(whole),
+                 [](const Section& s) { return s.is_whole; });
+    if (whole.empty()) return {};
+
+    hole.end_depth = whole.back().depth;
+    hole.end_offset = offset_of(whole.back());
+    hole.entry_depth = whole.front().depth + 2.0 * radius;
+    const bool has_bitten = hole.end_depth >= hole.entry_depth;
+    if (has_bitten)
+        whole.erase(whole.begin(), std::find_if(whole.begin(), whole.end(),
+                                                [&](const Section& s) { return s.depth >= hole.entry_depth; }));
+    if (has_bitten) hole.entry_offset = offset_of(whole.front());
+    hole.narrowest_depth = std::max(waist_of(sections, radius).value_or(hole.entry_depth), hole.entry_depth);
+    if (hole.end_depth >= hole.narrowest_depth)
+        hole.narrowest_offset = offset_of(nearest_to(whole, hole.narrowest_depth));
+    hole.waist_end = end_of_waist(sections, hole.narrowest_depth).value_or(hole.end_depth);
+
+    const Line line = line_through(whole);
+    hole.at = plan.entry + line.depth * plan.along + line.x * plane[0] + line.y * plane[1];
+    hole.direction = normalized(plan.along + line.slope_x * plane[0] + line.slope_y * plane[1]);
+    if (hole.end_depth - whole.front().depth >= 4.0 * radius)
+        hole.angle = std::atan(std::hypot(line.slope_x, line.slope_y));
+    return hole;
+}
+
+std::optional<DrilledHole> hole_along(const Body& body, const HolePlan& plan, Vec3 tip, Vec3 direction) {
+    const double steepness = dot(direction, plan.along);
+    if (!(steepness >= 0.5)) return {};
+    DrilledHole hole;
+    hole.at = tip;
+    hole.direction = direction;
+    hole.end_depth = dot(tip - plan.entry, plan.along);
+    const auto offset_at = [&](double depth) {
+        const Vec3 middle = tip + (depth - hole.end_depth) / steepness * direction;
+        return length(middle - plan.entry - depth * plan.along);
+    };
+    std::vector<Section> sections;
+    const std::array<Vec3, 2> plane = across(plan.along);
+    for (double depth = 0.0; depth < hole.end_depth; depth += section_distance)
+        sections.push_back({.depth = depth, .narrowness = narrowness(body, plan.entry + depth * plan.along, plane)});
+    hole.narrowest_depth = waist_of(sections, plan.cutting.largest_radius()).value_or(0.0);
+    hole.waist_end = end_of_waist(sections, hole.narrowest_depth).value_or(hole.end_depth);
+    hole.entry_offset = offset_at(0.0);
+    hole.narrowest_offset = offset_at(hole.narrowest_depth);
+    hole.end_offset = offset_at(hole.end_depth);
+    hole.angle = std::atan2(length(cross(direction, plan.along)), steepness);
+    return hole;
+}
+
+double Breach::worst() const noexcept { return *std::max_element(towards.begin(), towards.end()); }
+
+Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius, Vec3 a, Vec3 b,
+                 DepthRange range) {
+    const std::array<Vec3, 2> plane = across(plan.along);
+    Breach breach;
+    bool is_inside = false;
+    // A section of a hole that leans must not reach out of the face by which it goes in.
+    const double steepness = dot(hole.direction, plan.along);
+    const double first = radius * length(cross(hole.direction, plan.along)) / steepness + 0.5 * body.grid().spacing;
+    for (double depth = 0.0; depth <= hole.end_depth; depth += section_distance) {
+        // A plan that never is in bone all around, as a screw wider than its pedicle, counts from its width on.
+        is_inside =
+            is_inside || depth >= 2.0 * radius || narrowness(body, plan.entry + depth * plan.along, plane) >= radius;
+        if (!is_inside || depth < std::max(first, range.from) || depth > range.to) continue;
+        const Vec3 from_line = plan.entry + depth * plan.along - hole.at;
+        const Vec3 middle = hole.at + dot(from_line, plan.along) / dot(hole.direction, plan.along) * hole.direction;
+        const std::array<Vec3, 2> around = across(hole.direction);
+        const auto side_of = [&](Vec3 way) -> std::size_t {
+            const double to_a = dot(way, a), to_b = dot(way, b);
+            return std::abs(to_a) >= std::abs(to_b) ? (to_a >= 0.0 ? 0 : 1) : (to_b >= 0.0 ? 2 : 3);
+        };
+        if (uncut_at(body, middle) >= 0.0) {  // all of it is on the side to which the hole strayed
+            if (radius > breach.worst()) breach.depth = depth;
+            breach.towards[side_of(middle - plan.entry - depth * plan.along)] = radius;
+            continue;
+        }
+        for (int k = 0; k < ray_count; ++k) {
+            const Vec3 way = ray(around, k);
+            const double beyond = radius - to_border(body, middle, way);
+            if (beyond <= 0.0) continue;
+            if (beyond > breach.worst()) breach.depth = depth;
+            double& towards = breach.towards[side_of(way)];
+            towards = std::max(towards, beyond);
+        }
+    }
+    return breach;
+}
+
+}  // namespace kerf

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/measure/evaluate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bone/measure/angle.h"
+#include "bone/measure/border.h"
+#include "bone/measure/distance.h"
+#include "bone/measure/fit_plane.h"
+#include "bone/measure/propagate.h"
+#include "bone/measure/tangent.h"
+#include "bone/measure/thickness.h"
+#include "documents/fracture.h"
+#include "text/quantity.h"
+
+namespace kerf {
+namespace {
+
+std::string quoted_id(const std::string& id) { return "`" + id + "`"; }
+
+/// A landmark or construction.
+struct Thing {
+    Sort sort = Sort::point;
+    Vec3 at{};
+    Vec3 direction{};  ///< unit, of a line; of a plane its normal
+
+    [[nodiscard]] Line line() const noexcept { return {at, direction}; }
+    [[nodiscard]] Plane plane() const noexcept { return {at, direction}; }
+};
+
+class Evaluation {
+public:
+    Evaluation(const Measure& measure, const MeasuredScene& scene) : measure_(&measure), scene_(&scene) {}
+
+    MeasureReading reading() {
+        MeasureReading reading;
+        if (!value()) {  // also finds the inputs
+            reading.why_not = why_not_;
+            return reading;
+        }
+        has_inputs_ = true;
+        const auto measured = propagate(uncertainties_, [&](std::span<const double> shifts) {
+            shifts_ = shifts;
+            return value();
+        });
+        if (measured && std::isfinite(measured->value) && std::isfinite(measured->uncertainty)) {
+            reading.value = measured->value;
+            reading.uncertainty = measured->uncertainty;
+        } else {
+            reading.why_not = "within the tolerances of its landmarks there is none";
+        }
+        return reading;
+    }
+
+private:
+    using MaybeThing = std::optional<Thing>;
+
+    // ---- inputs
+
+    /// The present shift of an input, which is named by what it belongs to. The first pass takes down all inputs.
+    double shift_of(const std::string& what, int component, double uncertainty) {
+        const auto key = std::pair(what, component);
+        const auto found = inputs_.find(key);
+        if (found != inputs_.end()) return found->second < shifts_.size() ? shifts_[found->second] : 0.0;
+        if (has_inputs_ || !(uncertainty > 0.0)) return 0.0;
+        inputs_.emplace(key, uncertainties_.size());
+        uncertainties_.push_back(uncertainty);
+        return 0.0;
+    }
+    Vec3 shifted(const std::string& what, int first, Vec3 at, double uncertainty) {
+        return at + Vec3{shift_of(what, first, uncertainty), shift_of(what, first + 1, uncertainty),
+                         shift_of(what, first + 2, uncertainty)};
+    }
+
+    std::nullopt_t fail(std::string why) {
+        if (why_not_.empty()) why_not_ = std::move(why);
+        return std::nullopt;
+    }
+
+    // ---- landmarks and constructions
+
+    /// From the whole bone to body 0.
+    [[nodiscard]] Pose bone_from_landmark(Vec3 at) const {
+        const auto& poses = scene_->world_from_body;
+        const std::size_t body = body_at(*scene_->anatomy, at);
+        return body == 0 || body >= poses.size() ? identity_pose() : inverse(poses[0]) * poses[body];
+    }
+
+    MaybeThing landmark(const std::string& id) {
+        for (const LandmarkPoint& point : scene_->anatomy->points) {
+            if (point.id != id) continue;
+            const Pose pose = bone_from_landmark(point.at);
+            const Vec3 at = shifted(id, 0, point.at, standard_uncertainty_of(point.tolerance));
+            return Thing{Sort::point, pose * at, {}};
+        }
+        for (const LandmarkAxis& axis : scene_->anatomy->axes) {
+            if (axis.id != id) continue;
+            const Pose pose = bone_from_landmark(0.5 * (axis.from + axis.to));
+            const double u = standard_uncertainty_of(axis.tolerance);
+            const Vec3 from = pose * shifted(id, 0, axis.from, u), to = pose * shifted(id, 3, axis.to, u);
+            return Thing{Sort::line, from, normalized(to - from)};
+        }
+        for (const LandmarkPlane& plane : scene_->anatomy->planes) {
+            if (plane.id != id) continue;
+            const Pose pose = bone_from_landmark(plane.at);
+            const double off = shift_of(id, 0, standard_uncertainty_of(plane.tolerance));
+            return Thing{Sort::plane, pose * (plane.at + off * plane.normal), rotate(pose.rotation, plane.normal)};
+        }
+        return fail("there is no " + quoted_id(id));
+    }
+
+    /// Each construction is made once for each set of shifts, however often others use it.
+    MaybeThing thing(const std::string& id) {
+        if (const auto known = things_.find(id); known != things_.end()) return known->second;
+        const auto& all = scene_->constructions;
+        const auto found = std::find_if(all.begin(), all.end(), [&](const Construction& c) { return c.id == id; });
+        MaybeThing made = found != all.end() ? construct(*found) : landmark(id);
+        things_.emplace(id, made);
+        return made;
+    }
+
+    std::optional<std::vector<Vec3>> points(const std::vector<std::string>& ids) {
+        std::vector<Vec3> found;
+        for (const std::string& id : ids) {
+            const MaybeThing one = thing(id);
+            if (!one) return std::nullopt;
+            found.push_back(one->at);
+        }
+        return found;
+    }
+
+    /// Moves points by what a residual adds to their uncertainty. `number` is that of the first point.
+    void shift_by_residual(const Construction& made, std::size_t number, double residual, std::vector<Vec3>& at) {
+        for (std::size_t i = 0; i < at.size(); ++i)
+            at[i] = shifted(made.id + "#", static_cast<int>(3 * (number + i)), at[i], residual);
+    }
+
+    MaybeThing construct(const Construction& made) {
+        switch (made.kind) {
+            case Construction::Kind::middle:
+                return middle(made);
+            case Construction::Kind::line:
+                return line(made);
+            case Construction::Kind::plane:
+                return plane(made);
+            case Construction::Kind::mirror:
+                return mirror(made);
+            case Construction::Kind::tangent:
+                return tangent(made);
+            case Construction::Kind::entry:
+                return entry(made);
+        }
+        return std::nullopt;
+    }
+
+    MaybeThing middle(const Construction& made) {
+        const auto at = points(made.of);
+        if (!at) return std::nullopt;
+        Thing mean{Sort::point, {}, {}};
+        for (const Vec3 p : *at) mean.at = mean.at + p / static_cast<double>(at->size());
+        return mean;
+    }
+
+    MaybeThing line(const Construction& made) {
+        auto at = points(made.of);
+        if (!at) return std::nullopt;
+        auto fitted = line_through(*at);
+        if (fitted) {
+            shift_by_residual(made, 0, fitted->residual, *at);
+            fitted = line_through(*at);
+        }
+        if (!fitted) return fail("the points of " + quoted_id(made.id) + " are at one spot");
+        return Thing{Sort::line, fitted->line.point, fitted->line.direction};
+    }
+
+    MaybeThing plane(const Construction& made) {
+        auto at = points(made.of);
+        if (!at) return std::nullopt;
+        auto fitted = plane_through(*at);
+        if (fitted) {
+            shift_by_residual(made, 0, fitted->residual, *at);
+            fitted = plane_through(*at);
+        }
+        if (!fitted) return fail("the points of " + quoted_id(made.id) + " lie on one line");
+        return Thing{Sort::plane, fitted->plane.point, fitted->plane.normal};
+    }
+
+    MaybeThing mirror(const Construction& made) {
+        auto left = points(made.of), right = points(made.right);
+        if (!left || !right) return std::nullopt;
+        auto fitted = mirror_plane(*left, *right);
+        if (fitted) {
+            shift_by_residual(made, 0, fitted->residual, *left);
+            shift_by_residual(made, left->size(), fitted->residual, *right);
+            fitted = mirror_plane(*left, *right);
+        }
+        if (!fitted) return fail("the pairs of " + quoted_id(made.id) + " have no direction in common");
+        return Thing{Sort::plane, fitted->plane.point, fitted->plane.normal};
+    }
+
+    /// A border of the bone and how it is seen, with its points gathered once.
+    struct Border {
+        Path path;
+        BorderView view;
+        const std::vector<Vec3>* points = nullptr;
+    };
+    std::optional<Border> border(const Construction& made) {
+        auto along = points(made.of);
+        const MaybeThing view = thing(made.in);
+        if (!along || !view) return std::nullopt;
+        Border found{{std::move(*along), made.within}, {view->direction, made.side_direction()}};
+        auto gathered = surfaces_.find(made.id);
+        if (gathered == surfaces_.end()) {
+            double room = 0.0;
+            for (const double u : uncertainties_) room = std::max(room, u);
+            Path wide = found.path;
+            wide.within += room;
+            gathered = surfaces_.emplace(made.id, scene_->surface->points_in(wide)).first;
+        }
+        found.points = &gathered->second;
+        if (found.points->empty())
+            return fail("no bone lies within " + quantity_text(made.within, "mm") + " of " + way_of(made));
+        return found;
+    }
+    static std::string way_of(const Construction& made) {
+        std::string way = "the way";
+        for (std::size_t i = 0; i < made.of.size(); ++i)
+            way += (i == 0 ? " from " : i + 1 == made.of.size() ? " to " : " over ") + quoted_id(made.of[i]);
+        return way;
+    }
+
+    MaybeThing tangent(const Construction& made) {
+        const auto found = border(made);
+        if (!found) return std::nullopt;
+        const MeasuredSurface& surface = *scene_->surface;
+        const double contact = surface.contact_uncertainty();
+        const std::array<double, 2> shifts{shift_of(made.id, 0, contact), shift_of(made.id, 1, contact)};
+        const auto touching =
+            tangent_of(*found->points, found->path, found->view, 2.0 * surface.wall_uncertainty(), shifts);
+        if (!touching)
+            return fail("no line touches the " + made.side + " side of the bone in front and behind the middle of " +
+                        way_of(made));
+        return Thing{Sort::line, touching->line.point, touching->line.direction};
+    }
+
+    /// What a wall's uncertainty moves along a line that passes it.
+    double wall_shift(const std::string& what, int component, double cosine) {
+        return shift_of(what, component, scene_->surface->wall_uncertainty() / std::max(least_wall_cosine, cosine));
+    }
+
+    MaybeThing entry(const Construction& made) {
+        const MaybeThing on = thing(made.of.front());
+        if (!on) return std::nullopt;
+        const auto stretches = scene_->surface->stretches_on(on->line(), 0.0, farthest_look);
+        if (stretches.empty()) return fail(quoted_id(made.of.front()) + " meets no bone");
+        const Stretch& first = stretches.front();
+        return Thing{
+            Sort::point, on->at + (first.begin + wall_shift(made.id, 0, first.cosine_at_begin)) * on->direction, {}};
+    }
+
+    // ---- the measure itself
+
+    std::optional<double> value() {
+        things_.clear();
+        values_.clear();
+        return value_of(*measure_);
+    }
+
+    std::optional<double> value_of(const Measure& measure) {
+        switch (measure.kind) {
+            case Measure::Kind::angle:
+                return angle(measure);
+            case Measure::Kind::distance:
+                return distance(measure);
+            case Measure::Kind::thickness:
+                return thickness(measure);
+            case Measure::Kind::surface_distance:
+                return surface_distance(measure);
+            case Measure::Kind::roughness:
+                return roughness(measure);
+            case Measure::Kind::difference:
+                return difference(measure);
+        }
+        return std::nullopt;
+    }
+
+    /// A thing as a plane shows it: a line stays a line, and of a plane its trace is left, across which is its normal.
+    MaybeThing seen(const Thing& one, const Plane& view, const std::string& view_id) {
+        const auto line = one.sort == Sort::plane ? seen_in(view, one.plane()) : seen_in(view, one.line());
+        if (!line) return fail("seen in " + quoted_id(view_id) + ", one of both has no direction");
+        if (one.sort == Sort::line) return Thing{Sort::line, line->point, line->direction};
+        return Thing{Sort::plane, line->point, normalized(cross(view.normal, line->direction))};
+    }
+
+    std::optional<double> angle(const Measure& measure) {
+        MaybeThing one = thing(measure.of), other = thing(measure.to);
+        if (!one || !other) return std::nullopt;
+        if (!measure.in.empty()) {
+            const MaybeThing view = thing(measure.in);
+            if (!view) return std::nullopt;
+            one = seen(*one, view->plane(), measure.in);
+            other = seen(*other, view->plane(), measure.in);
+            if (!one || !other) return std::nullopt;
+        }
+        if (one->sort == Sort::plane && other->sort == Sort::plane) return angle_between(one->plane(), other->plane());
+        if (one->sort == Sort::plane) return angle_between(other->line(), one->plane());
+        if (other->sort == Sort::plane) return angle_between(one->line(), other->plane());
+        return angle_between(one->line(), other->line());
+    }
+
+    std::optional<double> distance(const Measure& measure) {
+        MaybeThing one = thing(measure.of), other = thing(measure.to);
+        if (!one || !other) return std::nullopt;
+        if (other->sort == Sort::point) std::swap(one, other);
+        if (one->sort != Sort::point) return distance_between(one->line(), other->line());
+        if (other->sort == Sort::point) return distance_between(one->at, other->at);
+        if (other->sort == Sort::line) return distance_between(one->at, other->line());
+        return distance_between(one->at, other->plane());
+    }
+
+    std::optional<double> thickness(const Measure& measure) {
+        const MaybeThing at = thing(measure.of), along = thing(measure.to);
+        if (!at || !along) return std::nullopt;
+        const auto stretch = stretch_at(*scene_->surface, {at->at, along->direction});
+        if (!stretch)
+            return fail("no bone lies at " + quoted_id(measure.of) + " or behind it, along " + quoted_id(measure.to));
+        if (!stretch->is_complete)
+            return fail("the bone at " + quoted_id(measure.of) + " goes on, along " + quoted_id(measure.to) +
+                        ", beyond what was read of it");
+        return stretch->end - stretch->begin + wall_shift(measure.id, 0, stretch->cosine_at_begin) +
+               wall_shift(measure.id, 1, stretch->cosine_at_end);
+    }
+
+    std::optional<double> surface_distance(const Measure& measure) {
+        const MaybeThing at = thing(measure.of);
+        if (!at) return std::nullopt;
+        const auto distance = scene_->surface->distance_to(at->at);
+        if (!distance) return fail(quoted_id(measure.of) + " lies beyond what was read of the bone");
+        return *distance + wall_shift(measure.id, 0, 1.0);
+    }
+
+    std::optional<double> roughness(const Measure& measure) {
+        const auto& all = scene_->constructions;
+        const auto made =
+            std::find_if(all.begin(), all.end(), [&](const Construction& c) { return c.id == measure.of; });
+        if (made == all.end() || made->kind != Construction::Kind::tangent)
+            return fail(quoted_id(measure.of) + " is no tangent");
+        const auto found = border(*made);
+        if (!found) return std::nullopt;
+        const auto measured =
+            border_roughness(*found->points, found->path, found->view, scene_->surface->wall_uncertainty());
+        if (!measured) return fail("the border along " + way_of(*made) + " is too short");
+        return measured->value + wall_shift(measure.id, 0, 1.0);
+    }
+
+    /// Both share their landmarks, so what is uncertain in both alike cancels. Each measure is made once for each set
+    /// of shifts, however many differences use it.
+    std::optional<double> difference(const Measure& measure) {
+        const auto named = [&](const std::string& id) -> std::optional<double> {
+            const auto& all = scene_->measures;
+            const auto found = std::find_if(all.begin(), all.end(), [&](const Measure& one) { return one.id == id; });
+            if (found == all.end() || found->id == measure.id) return fail("there is no measure " + quoted_id(id));
+            if (const auto known = values_.find(id); known != values_.end()) return known->second;
+            return values_[id] = value_of(*found);
+        };
+        const auto one = named(measure.of), other = named(measure.to);
+        if (!one || !other) return std::nullopt;
+        return *one - *other;
+    }
+
+    const Measure* measure_;
+    const MeasuredScene* scene_;
+    std::map<std::pair<std::string, int>, std::size_t> inputs_;
+    std::vector<double> uncertainties_;
+    std::span<const double> shifts_;
+    bool has_inputs_ = false;
+    std::map<std::string, MaybeThing> things_;
+    std::map<std::string, std::optional<double>> values_;  ///< of measures that differences use
+    std::map<std::string, std::vector<Vec3>> surfaces_;    ///< of each tangent
+    std::string why_not_;
+};
+
+}  // namespace
+
+MeasureReading evaluate(const Measure& measure, const MeasuredScene& scene) {
+    return Evaluation(measure, scene).reading();
+}
+
+}  // namespace kerf

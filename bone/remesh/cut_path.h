@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/field/cut/cut_field.h"
+#include "core/field/cut/tool_solid.h"
+
+namespace kerf {
+
+/// A straight stretch of a tool's path: the solid moves from one pose to another.
+struct CutStretch {
+    Pose from{}, to{};  ///< body_from_tool
+    std::uint16_t solid = 0;
+};
+
+/// Joins records into straight stretches: no point of the solid is farther than `tolerance` [m] from where it was in
+/// the records. Records must be in order. A path that turns back, a record that does not continue the previous one, and
+/// a turn that the hull of both ends would not cover to twice the tolerance start a new stretch.   [any] pure.
+/// @param solids   by the records' numbers
+[[nodiscard]] std::vector<CutStretch> stretches_of(const std::vector<CutRecord>& records,
+                                                   const std::vector<const ToolSolid*>& solids, double tolerance);
+
+/// Joins records as they come, by the same rules; no stretch is longer than `longest`.   [worker]
+class StretchJoiner {
+public:
+    /// @param longest   [m] that any point of the solid moves on one stretch, unless one record is longer
+    StretchJoiner(std::vector<const ToolSolid*> solids, double tolerance, double longest)
+        : solids_(std::move(solids)), tolerance_(tolerance), longest_(longest) {}
+
+    /// Adds a record. Returns the stretch that ends before it, if one does.
+    std::optional<CutStretch> push(const CutRecord& record);
+    /// Returns the stretch that goes on.
+    [[nodiscard]] std::optional<CutStretch> open() const;
+    /// Ends it.
+    std::optional<CutStretch> end();
+
+private:
+    std::vector<const ToolSolid*> solids_;
+    double tolerance_, longest_;
+    std::vector<CutRecord> open_;
+};
+
+}  // namespace kerf

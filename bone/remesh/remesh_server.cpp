@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/remesh/remesh_server.h"
+
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <iterator>
+
+#include "bone/remesh/remesh_channel.h"
+#include "bone/remesh/remesh_module.h"
+#include "bone/remesh/shared_memory.h"
+#include "core/plugin/check_tables.h"
+#include "core/plugin/plugin_call.h"
+
+namespace kerf {
+namespace {
+
+using namespace remesh_channel;
+
+pid_t parent = 0;
+
+extern "C" void end_as_an_orphan(int /*signal*/) {
+    if (getppid() != parent) _exit(1);
+}
+
+/// Behind the loop in all that is shared, and gone within a second of its parent. The death signal of a parent is that
+/// of a thread: a child that a worker has started again would end with the worker.
+void be_a_good_child() {
+    parent = getppid();
+    struct sigaction action {};
+    action.sa_handler = end_as_an_orphan;
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGALRM, &action, nullptr);
+    const itimerval each_second{{1, 0}, {1, 0}};
+    setitimer(ITIMER_REAL, &each_second, nullptr);
+    constexpr rlim_t most_memory = rlim_t{16} << 30;  // [bytes] of addresses
+    const rlimit memory{most_memory, most_memory};
+    setrlimit(RLIMIT_AS, &memory);
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    static_cast<void>(!nice(10));
+}
+
+template <class Packet>
+bool send_packet(const Packet& packet) {
+    return send(socket_fd, &packet, sizeof packet, MSG_NOSIGNAL) == static_cast<ssize_t>(sizeof packet);
+}
+
+template <std::size_t N>
+void copy_text(char (&to)[N], const char* text) {
+    std::snprintf(to, N, "%s", text);
+}
+
+}  // namespace
+
+int serve_remeshing(const std::string& module_path, const std::string& strategy, void (*before)() noexcept,
+                    void (*after)() noexcept) {
+    be_a_good_child();
+    std::string error;
+    const auto module = RemeshModule::open(module_path, error);
+    const kerf_component* component = module != nullptr ? module->find(strategy) : nullptr;
+    const kerf_remesher* remesher = component != nullptr ? component->remesher : nullptr;
+    if (module != nullptr && remesher == nullptr) error = module_path + ": it has no strategy `" + strategy + "`.";
+    Hello hello;
+    static_assert(std::size(Hello{}.defaults) == max_table_rows);
+    copy_text(hello.fault, error.c_str());
+    if (remesher != nullptr) {
+        hello.scope = remesher->scope;
+        hello.parameter_count = component->param_count;
+        for (std::uint32_t i = 0; i < component->param_count; ++i) hello.defaults[i] = component->params[i].def;
+        copy_text(hello.plugin_id, module->entry().plugin_id);
+        copy_text(hello.plugin_version, module->entry().plugin_version);
+        copy_text(hello.kernel, remesher->kernel);
+    }
+    if (!send_packet(hello) || remesher == nullptr) return 1;
+
+    SharedMemory request = SharedMemory::of(request_fd), result = SharedMemory::of(result_fd);
+    void* cache = remesher->cache_new != nullptr ? remesher->cache_new() : nullptr;
+    for (;;) {
+        Ask ask;
+        const ssize_t got = recv(socket_fd, &ask, sizeof ask, 0);
+        if (got < 0 && errno == EINTR) continue;
+        if (got != static_cast<ssize_t>(sizeof ask)) break;  // the parent has closed its end
+        Answer answer;
+        answer.number = ask.number;
+        answer.out.size = sizeof answer.out;
+        if (request.map(ask.request_capacity) && result.map(ask.result_capacity)) {
+            kerf_arena from = request.arena(), to = result.arena();
+            from.used = ask.request_used;
+            to.used = 64;  // an offset of 0 means none
+            before();
+            answer.status = call_remesh(*component, ask.in, from, to, answer.out, cache);
+            after();
+        } else {
+            copy_text(answer.out.message, "the shared memory cannot be mapped");
+        }
+        if (!send_packet(answer)) break;
+    }
+    if (remesher->cache_drop != nullptr && cache != nullptr) remesher->cache_drop(cache);
+    return 0;
+}
+
+}  // namespace kerf

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "bone/surface/header_claims.h"
+#include "bone/surface/polygon.h"
+#include "bone/surface/read_surface.h"
+#include "bone/surface/text_lines.h"
+
+namespace kerf {
+namespace {
+
+/// The vertex of `7`, `7/1`, `7//3`, `-1/2/3`: only what stands before the first slash.
+std::optional<long long> index_in(std::string_view word) {
+    word = word.substr(0, word.find('/'));
+    long long index = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return index;
+}
+
+/// The words of a statement, which goes on over the next line behind a `\`, and ends before a remark. A line that is a
+/// remark as a whole is a statement, too.
+class StatementWords {
+public:
+    explicit StatementWords(TextLines& lines) : lines_(lines) {}
+
+    /// Goes to the next statement; false behind the last.
+    bool next_statement() {
+        while (!next().empty()) {
+        }
+        is_first_ = true;
+        return lines_.next();
+    }
+    /// The next word; empty behind the last.
+    std::string_view next() {
+        for (;;) {
+            std::string_view word = lines_.word();
+            if (word.empty()) {
+                if (!goes_on_ || !lines_.next()) return {};
+                goes_on_ = false;
+                continue;
+            }
+            const bool begins_remark = word.starts_with('#');
+            if (begins_remark && !is_first_) {
+                lines_.drop_line();
+                continue;
+            }
+            if (is_first_) is_remark_ = begins_remark;
+            is_first_ = false;
+            if (is_remark_ || !word.ends_with('\\') || !lines_.is_at_end()) return word;
+            goes_on_ = true;
+            word.remove_suffix(1);
+            if (!word.empty()) return word;
+        }
+    }
+
+private:
+    TextLines& lines_;
+    bool is_first_ = true, is_remark_ = false, goes_on_ = false;
+};
+
+}  // namespace
+
+std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error) {
+    SurfaceFile file;
+    file.has_topology = true;
+    std::vector<std::uint32_t> corners;
+    const auto text = utf8_of(bytes, error);
+    if (!text) return std::nullopt;
+    TextLines lines(*text);
+    const auto refuse = [&](const char* code, const std::string& what) {
+        error = {code, "line " + std::to_string(lines.number()) + " " + what, "Export the surface again."};
+        return std::nullopt;
+    };
+    StatementWords words(lines);
+    while (words.next_statement()) {
+        const std::string_view word = words.next();
+        if (word.starts_with('#')) {
+            if (!read_claims(lines.whole_line(), file, error)) return std::nullopt;
+        } else if (word == "v") {
+            Vec3 at;
+            for (double* number : {&at.x, &at.y, &at.z}) {
+                const std::optional<double> value = number_in(words.next());
+                if (!value) return refuse("E0643", "has no three numbers behind `v`.");
+                *number = *value;
+            }
+            if (!is_finite(at)) return refuse("E0645", "has a coordinate that is no finite number.");
+            // One number more is a weight; three are a colour.
+            const std::optional<double> weight = number_in(words.next());
+            if (weight && *weight != 1.0 && words.next().empty())
+                return refuse("E0643", "gives the vertex a weight other than 1, as of a curved surface.");
+            if (file.mesh.vertices.size() == 3 * most_faces)
+                return refuse("E0642", "is one vertex too many: 150 million at most.");
+            file.mesh.vertices.push_back(at);
+        } else if (word == "f" || word == "fo") {  // an older word for it
+            corners.clear();
+            for (std::string_view corner = words.next(); !corner.empty(); corner = words.next()) {
+                const std::optional<long long> index = index_in(corner);
+                if (!index) return refuse("E0643", "names a vertex by something that is no whole number.");
+                const auto count = static_cast<long long>(file.mesh.vertices.size());
+                const long long at = *index > 0 ? *index - 1 : count + *index;  // −1 is the last one so far
+                if (*index == 0 || at < 0 || at >= count)
+                    return refuse("E0646", "names vertex " + std::to_string(*index) + "; before it there are " +
+                                               std::to_string(count) + ".");
+                if (corners.size() == most_corners)
+                    return refuse("E0643", "is a face of more than " + std::to_string(most_corners) + " corners.");
+                corners.push_back(static_cast<std::uint32_t>(at));
+            }
+            if (corners.size() < 3) return refuse("E0643", "is a face of fewer than three corners.");
+            if (file.mesh.triangles.size() + corners.size() > most_faces)
+                return refuse("E0642", "is one face too many: 50 million at most.");
+            add_polygon(file.mesh, corners);
+        } else if (word == "surf" || word == "bzp" || word == "bsp" || word == "cdc" || word == "call") {
+            return refuse("E0643", "has `" + std::string(word) + "`: curved surfaces and files in files are not read.");
+        }
+        // All else (normals, textures, groups, materials, lines) is no surface.
+    }
+    if (file.mesh.triangles.empty()) {
+        error = {"E0647", "the file has no face.", "Export the surface again."};
+        return std::nullopt;
+    }
+    return file;
+}
+
+}  // namespace kerf

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "bone/surface/header_claims.h"
+#include "bone/surface/polygon.h"
+#include "bone/surface/read_surface.h"
+#include "bone/surface/text_lines.h"
+
+namespace kerf {
+namespace {
+
+enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+std::optional<Number> number_type(std::string_view word) {
+    constexpr std::array<std::pair<std::string_view, Number>, 16> names{{{"char", Number::int8},
+                                                                         {"int8", Number::int8},
+                                                                         {"uchar", Number::uint8},
+                                                                         {"uint8", Number::uint8},
+                                                                         {"short", Number::int16},
+                                                                         {"int16", Number::int16},
+                                                                         {"ushort", Number::uint16},
+                                                                         {"uint16", Number::uint16},
+                                                                         {"int", Number::int32},
+                                                                         {"int32", Number::int32},
+                                                                         {"uint", Number::uint32},
+                                                                         {"uint32", Number::uint32},
+                                                                         {"float", Number::float32},
+                                                                         {"float32", Number::float32},
+                                                                         {"double", Number::float64},
+                                                                         {"float64", Number::float64}}};
+    for (const auto& [name, type] : names)
+        if (word == name) return type;
+    return std::nullopt;
+}
+
+std::size_t size_of(Number type) noexcept {
+    constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
+    return sizes[static_cast<std::size_t>(type)];
+}
+bool is_whole(Number type) noexcept { return type != Number::float32 && type != Number::float64; }
+
+struct Property {
+    std::string name;
+    Number type = Number::float32;
+    std::optional<Number> count_type;  ///< of a list
+};
+struct Element {
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<Property> properties;
+};
+enum class Form { text, little_endian, big_endian };
+struct Header {
+    SurfaceFile claims;  ///< what its remarks say of the coordinates
+    Form form = Form::text;
+    std::vector<Element> elements;
+    std::string_view data;
+};
+
+/// The numbers behind the header, one after another; each fails at the end of the file.
+class Values {
+public:
+    Values(Form form, std::string_view data) : form_(form), data_(data), words_(data) {}
+
+    std::optional<double> next(Number type) {
+        if (form_ == Form::text) return number_in(words_.word_on_any_line());
+        const std::size_t size = size_of(type);
+        if (data_.size() < size) return std::nullopt;
+        std::array<unsigned char, 8> raw{};
+        for (std::size_t i = 0; i < size; ++i)
+            raw[i] = static_cast<unsigned char>(data_[form_ == Form::little_endian ? i : size - 1 - i]);
+        data_.remove_prefix(size);
+        std::uint64_t bits = 0;
+        for (std::size_t i = 0; i < size; ++i) bits |= static_cast<std::uint64_t>(raw[i]) << (8 * i);
+        switch (type) {
+            case Number::int8:
+                return static_cast<double>(static_cast<std::int8_t>(bits));
+            case Number::int16:
+                return static_cast<double>(static_cast<std::int16_t>(bits));
+            case Number::int32:
+                return static_cast<double>(static_cast<std::int32_t>(bits));
+            case Number::float32:
+                return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+            case Number::float64:
+                return std::bit_cast<double>(bits);
+            default:
+                return static_cast<double>(bits);
+        }
+    }
+
+private:
+    Form form_;
+    std::string_view data_;
+    TextLines words_;
+};
+
+SurfaceError malformed(const std::string& what) { return {"E0643", what, "Export the surface again, as binary PLY."}; }
+
+std::optional<Header> read_header(std::string_view bytes, SurfaceError& error) {
+    TextLines lines(bytes);
+    const auto refuse = [&](const std::string& what) {
+        error = malformed("line " + std::to_string(lines.number()) + " of the header " + what);
+        return std::nullopt;
+    };
+    if (!lines.next() || lines.word() != "ply") {
+        error = malformed("the file does not begin with `ply`.");
+        return std::nullopt;
+    }
+    Header header;
+    bool has_form = false;
+    while (lines.next()) {
+        const std::string_view word = lines.word();
+        if (word == "end_header") {
+            if (!has_form) return refuse("comes before any `format`.");
+            header.data = lines.rest_of_text();
+            return header;
+        }
+        if (word == "format") {
+            const std::string_view form = lines.word();
+            if (form == "ascii")
+                header.form = Form::text;
+            else if (form == "binary_little_endian")
+                header.form = Form::little_endian;
+            else if (form == "binary_big_endian")
+                header.form = Form::big_endian;
+            else
+                return refuse("names a format that does not exist.");
+            if (lines.word() != "1.0") return refuse("names a version other than 1.0.");
+            has_form = true;
+        } else if (word == "element") {
+            Element element;
+            element.name = lines.word();
+            const std::string_view count = lines.word();
+            const auto [end, wrong] = std::from_chars(count.data(), count.data() + count.size(), element.count);
+            if (element.name.empty() || wrong != std::errc{} || end != count.data() + count.size())
+                return refuse("has no name and count behind `element`.");
+            header.elements.push_back(std::move(element));
+        } else if (word == "property") {
+            if (header.elements.empty()) return refuse("has a property before any element.");
+            Property property;
+            std::string_view type = lines.word();
+            if (type == "list") {
+                property.count_type = number_type(lines.word());
+                if (!property.count_type || !is_whole(*property.count_type))
+                    return refuse("counts a list in something else than whole numbers.");
+                type = lines.word();
+            }
+            const std::optional<Number> known = number_type(type);
+            property.name = lines.word();
+            if (!known || property.name.empty()) return refuse("has no known type and name behind `property`.");
+            property.type = *known;
+            header.elements.back().properties.push_back(std::move(property));
+        } else if (word == "comment" || word == "obj_info") {
+            if (!read_claims(lines.whole_line(), header.claims, error)) return std::nullopt;
+        } else if (!word.empty()) {
+            return refuse("begins with none of PLY's words.");
+        }
+    }
+    error = {"E0644", "the file ends before `end_header`.", "Copy or export it again."};
+    return std::nullopt;
+}
+
+/// Bytes that a row has at least, so that a count can be held against the file.
+std::size_t least_size(const Element& element, Form form) noexcept {
+    if (form == Form::text) return element.properties.size();
+    std::size_t sum = 0;
+    for (const Property& p : element.properties) sum += size_of(p.count_type.value_or(p.type));
+    return sum;
+}
+
+std::size_t index_of(const Element& element, std::string_view name) noexcept {
+    const auto& all = element.properties;
+    return static_cast<std::size_t>(
+        std::find_if(all.begin(), all.end(), [&](const Property& p) { return p.name == name; }) - all.begin());
+}
+
+}  // namespace
+
+std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error) {
+    const auto text = utf8_of(bytes, error);
+    if (!text) return std::nullopt;
+    const std::optional<Header> header = read_header(*text, error);
+    if (!header) return std::nullopt;
+
+    SurfaceFile file = header->claims;
+    file.has_topology = true;
+    Values values(header->form, header->data);
+    std::vector<std::uint32_t> corners;
+    std::vector<double> row;
+    std::uint64_t vertices = 0;
+    for (const Element& element : header->elements)
+        if (element.name == "vertex") vertices = element.count;
+    const auto truncated = [&](const Element& element) {
+        error = {"E0644",
+                 "the file ends, or has something that is no number, before the " + std::to_string(element.count) +
+                     " rows of `" + element.name + "` that it promises.",
+                 "Copy or export it again."};
+        return std::nullopt;
+    };
+
+    for (const Element& element : header->elements) {
+        if (element.name == "tristrips" && element.count > 0) {
+            error = malformed("the file has strips of triangles, which are not read.");
+            return std::nullopt;
+        }
+        if (element.properties.empty()) continue;
+        if (element.count > header->data.size() / least_size(element, header->form)) return truncated(element);
+        const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
+        const std::array<std::size_t, 3> axes{index_of(element, "x"), index_of(element, "y"), index_of(element, "z")};
+        const std::size_t list = std::min(index_of(element, "vertex_indices"), index_of(element, "vertex_index"));
+        const std::size_t none = element.properties.size();
+        if (is_vertex) {
+            if (std::any_of(axes.begin(), axes.end(),
+                            [&](std::size_t a) { return a == none || element.properties[a].count_type; })) {
+                error = malformed("the vertices have no x, y and z.");
+                return std::nullopt;
+            }
+            if (element.count > 3 * most_faces) {
+                error = {"E0642", "the file has more than 150 million vertices.",
+                         "Export the surface with fewer faces."};
+                return std::nullopt;
+            }
+            file.holds_floats = element.properties[axes[0]].type == Number::float32;
+            file.mesh.vertices.reserve(element.count);
+        }
+        if (is_face && (list == none || !element.properties[list].count_type)) {
+            error = malformed("the faces have no list `vertex_indices`.");
+            return std::nullopt;
+        }
+        row.assign(none, 0.0);
+        for (std::uint64_t r = 0; r < element.count; ++r) {
+            corners.clear();
+            for (std::size_t p = 0; p < none; ++p) {
+                const Property& property = element.properties[p];
+                const std::optional<double> value = values.next(property.count_type.value_or(property.type));
+                if (!value) return truncated(element);
+                row[p] = *value;
+                if (!property.count_type) continue;
+                const bool is_polygon = is_face && p == list;
+                if (!(*value >= 0.0 && *value <= 4294967295.0) || *value != std::floor(*value) ||
+                    (is_polygon && *value > static_cast<double>(most_corners))) {
+                    error = malformed("row " + std::to_string(r + 1) + " of `" + element.name + "` has a list of " +
+                                      (is_polygon ? "more than " + std::to_string(most_corners) + " corners"
+                                                  : "an impossible length") +
+                                      ".");
+                    return std::nullopt;
+                }
+                for (double i = 0.0; i < *value; i += 1.0) {
+                    const std::optional<double> item = values.next(property.type);
+                    if (!item) return truncated(element);
+                    if (!is_polygon) continue;
+                    if (!(*item >= 0.0 && *item < static_cast<double>(vertices)) || *item != std::floor(*item)) {
+                        error = {"E0646",
+                                 "face " + std::to_string(r + 1) + " names a vertex that is none of the " +
+                                     std::to_string(vertices) + ".",
+                                 "Export the surface again."};
+                        return std::nullopt;
+                    }
+                    corners.push_back(static_cast<std::uint32_t>(*item));
+                }
+            }
+            if (is_vertex) {
+                const Vec3 at{row[axes[0]], row[axes[1]], row[axes[2]]};
+                if (!is_finite(at)) {
+                    error = {"E0645", "vertex " + std::to_string(r + 1) + " has a coordinate that is no finite number.",
+                             "Export the surface again."};
+                    return std::nullopt;
+                }
+                file.mesh.vertices.push_back(at);
+            }
+            if (!is_face) continue;
+            if (file.mesh.vertices.size() != vertices) {
+                error = malformed("the faces come before the vertices.");
+                return std::nullopt;
+            }
+            if (corners.size() < 3) {
+                error = malformed("face " + std::to_string(r + 1) + " has fewer than three corners.");
+                return std::nullopt;
+            }
+            if (file.mesh.triangles.size() + corners.size() > most_faces) {
+                error = {"E0642", "the file has more than 50 million faces.", "Export the surface with fewer faces."};
+                return std::nullopt;
+            }
+            add_polygon(file.mesh, corners);
+        }
+    }
+    if (file.mesh.triangles.empty()) {
+        error = {"E0647", "the file has no face.",
+                 "Export the surface again; point clouds and strips of triangles are not read."};
+        return std::nullopt;
+    }
+    return file;
+}
+
+}  // namespace kerf

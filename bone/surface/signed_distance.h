@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "bone/surface/triangle_tree.h"
+
+namespace kerf {
+
+/// Distance to a closed surface [m], negative inside; exact. A pure function of the point: what it remembers of the
+/// last ones only saves work. Two points between which the surface does not pass, because their distances sum up to
+/// more than the way between them, lie on the same side.
+class SignedDistance {
+public:
+    /// `tree` must live longer.
+    explicit SignedDistance(const TriangleTree& tree) : tree_(&tree) {}
+
+    /// Returns the distance, or ±`limit` [m] where the surface is farther than that.
+    [[nodiscard]] double operator()(Vec3 p, double limit = HUGE_VAL) {
+        constexpr double room = 1.0 + 1e-9, least_room = 1e-12;  // [–], [m] for rounding
+        const Answer& last = answers_[(next_ + remembered - 1) % remembered];
+        const double bound =
+            last.is_exact ? (std::abs(last.distance) + length(p - last.at)) * room + least_room : HUGE_VAL;
+        Answer answer{p, tree_->distance(p, std::min(limit, bound)), false};
+        answer.is_exact = answer.distance < limit;
+        const auto on_same_side = [&](const Answer& other) {
+            return answer.distance + std::abs(other.distance) > length(p - other.at) * room + least_room;
+        };
+        // The last one first, then back to what was asked a row of samples ago.
+        bool is_known = false;
+        for (std::size_t back = 1; back <= remembered && !is_known; ++back) {
+            const Answer& other = answers_[(next_ + remembered - back) % remembered];
+            if (!std::isfinite(other.distance) || !on_same_side(other)) continue;
+            if (std::signbit(other.distance)) answer.distance = -answer.distance;
+            is_known = true;
+        }
+        if (!is_known && tree_->is_inside(p)) answer.distance = -answer.distance;
+        answers_[next_] = answer;
+        next_ = (next_ + 1) % remembered;
+        return answer.distance;
+    }
+
+private:
+    struct Answer {
+        Vec3 at{};
+        double distance = HUGE_VAL;  ///< −0 is inside
+        bool is_exact = false;       ///< otherwise the surface is at least this far
+    };
+    static constexpr std::size_t remembered = 12;  // a row of a brick, and some
+
+    const TriangleTree* tree_;
+    std::array<Answer, remembered> answers_{};
+    std::size_t next_ = 0;
+};
+
+}  // namespace kerf

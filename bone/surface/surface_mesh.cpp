@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/surface/surface_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+
+Box bounds_of(const SurfaceMesh& mesh) noexcept {
+    Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (const Triangle& t : mesh.triangles)
+        for (const Vec3 p : mesh.corners(t)) {
+            box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+            box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+        }
+    return box;
+}
+
+double area_of(const SurfaceMesh& mesh) noexcept {
+    double sum = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const auto [a, b, c] = mesh.corners(t);
+        sum += 0.5 * length(cross(b - a, c - a));
+    }
+    return sum;
+}
+
+double signed_volume_of(const SurfaceMesh& mesh) noexcept {
+    if (mesh.triangles.empty()) return 0.0;
+    const Box box = bounds_of(mesh);
+    const Vec3 centre = 0.5 * (box.low + box.high);  // far from the origin the sum would cancel badly
+    double sum = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const auto [a, b, c] = mesh.corners(t);
+        sum += dot(a - centre, cross(b - centre, c - centre)) / 6.0;
+    }
+    return sum;
+}
+
+void drop_unused_vertices(SurfaceMesh& mesh) {
+    constexpr std::uint32_t unused = 0xffffffff;
+    std::vector<std::uint32_t> place(mesh.vertices.size(), unused);
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t) place[v] = 0;
+    std::uint32_t count = 0;
+    for (std::size_t v = 0; v < place.size(); ++v) {
+        if (place[v] == unused) continue;
+        mesh.vertices[count] = mesh.vertices[v];
+        place[v] = count++;
+    }
+    mesh.vertices.resize(count);
+    for (Triangle& t : mesh.triangles)
+        for (std::uint32_t& v : t) v = place[v];
+}
+
+}  // namespace kerf

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/field/cut/pending_surface.h"
+
+/// The bone as a plugin sees it at one tick: batch queries in the tool frame, bounds-safe everywhere.
+///
+/// Questions are answered in blocks, stage by stage: places in the grid, surface and cut there, then tissues, or
+/// pending cuts only where they may concern a point. Every point gets the bits it would get alone.
+namespace kerf {
+
+class BoneView {
+public:
+    BoneView(const Body& body, const CutField& committed, const CutTracker& tracker)
+        : body_(&body), committed_(&committed), tracker_(&tracker), grid_(body.grid(), body.region, frame_) {
+        query_.size = sizeof(kerf_bone_query);
+        query_.reach = body.grid().clamp();
+        query_.tissue_count = static_cast<std::uint32_t>(body.materials.size());
+        query_.sample = &BoneView::sample_entry;
+        query_.nearest = &BoneView::nearest_entry;
+        query_.bone = reinterpret_cast<const kerf_bone*>(this);
+    }
+    BoneView(const BoneView&) = delete;
+    BoneView& operator=(const BoneView&) = delete;
+
+    /// What its answers name.
+    void name(std::int32_t body_id) noexcept { body_id_ = body_id; }
+    /// Points are asked about at this pose until the next call.   [haptic, nonblocking]
+    void place(const Pose& body_from_tool) noexcept {
+        body_from_tool_ = body_from_tool;
+        frame_ = frame_of(body_from_tool);
+        grid_ = GridFrame(body_->grid(), body_->region, frame_);
+    }
+    [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
+
+    /// Edges: the committed cut, the gap to the front, tissues.   [haptic, nonblocking]
+    void sample(const Vec3* points, std::uint32_t count, Directions directions, kerf_bone_sample* out) const noexcept;
+    void sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
+        sample(points, count, Directions::one(direction), out);
+    }
+    /// Contact: the present surface.   [haptic, nonblocking]
+    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
+    /// Signed distance to the present surface at a point of the body frame [m].   [haptic, nonblocking]
+    [[nodiscard]] double present_distance(Vec3 point_in_body) const noexcept;
+
+private:
+    void sample_block(const Vec3* points, std::size_t count, Directions directions,
+                      kerf_bone_sample* out) const noexcept;
+    void nearest_block(PendingSurface& pending, const Surface& surface, const Vec3* points, std::size_t count,
+                       kerf_surface_point* out) const noexcept;
+
+    static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
+                             const kerf_vec3* directions, std::uint32_t direction_count, kerf_bone_sample* out) {
+        reinterpret_cast<const BoneView*>(bone)->sample(points, count,
+                                                        Directions::given(directions, direction_count, count), out);
+    }
+    static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
+                              kerf_surface_point* out) {
+        reinterpret_cast<const BoneView*>(bone)->nearest(points, count, out);
+    }
+
+    const Body* body_;
+    const CutField* committed_;
+    const CutTracker* tracker_;
+    Pose body_from_tool_ = identity_pose();
+    Frame frame_ = frame_of(identity_pose());  ///< the same
+    GridFrame grid_;
+    std::int32_t body_id_ = 0;
+    kerf_bone_query query_{};
+};
+
+}  // namespace kerf

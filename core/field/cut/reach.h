@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/field/cut/tool_solid.h"
+#include "core/field/grid/body.h"
+
+namespace kerf {
+
+enum class CutOnly { no, yes };
+
+/// Whether any brick that holds bone, cut or not, comes within `margin` [m] of the solid at this pose. Errs towards
+/// true. Bone beyond the body's region counts unless it is asked what can be cut.   [any] pure, nonblocking.
+[[nodiscard]] bool is_in_reach_of_bone(const Body& body, const ToolSolid& solid, const Pose& body_from_tool,
+                                       double margin, CutOnly cut_only = CutOnly::no) noexcept;
+
+}  // namespace kerf

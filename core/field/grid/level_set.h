@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/field/grid/brick_memory.h"
+#include "core/field/grid/distance_source.h"
+#include "core/field/grid/grid.h"
+#include "core/field/grid/point_block.h"
+
+/// A signed distance in a narrow band of bricks; immutable once built, so every thread may read it.
+namespace kerf {
+
+class LevelSet {
+public:
+    /// Samples `distance` (body frame [m] → [m], negative inside, 1-Lipschitz) at every grid node near its zero.
+    /// Throws std::length_error, before it takes memory, if more than `most_stored_bricks` are near it.   [main]
+    static LevelSet build(const Grid& grid, DistanceSource& distance);
+    static LevelSet build(const Grid& grid, const std::function<double(Vec3)>& distance);
+
+    /// Trilinear distance [m], within ± clamp; outside the grid `+clamp`.   [any] pure, nonblocking.
+    [[nodiscard]] double at(const BrickPlace& place) const noexcept {
+        const std::int32_t start = place.is_inside ? start_[place.brick] : air;
+        if (start < first_stored) return start == air ? clamp_ : -clamp_;
+        return quantum_ * static_cast<double>(trilinear(brick(start), place));
+    }
+    /// The same [quanta].
+    [[nodiscard]] float quanta_at(const BrickPlace& place) const noexcept {
+        const std::int32_t start = place.is_inside ? start_[place.brick] : air;
+        return start < first_stored ? static_cast<float>(*brick(start)) : trilinear(brick(start), place);
+    }
+    /// The same for a block.   [any] pure, nonblocking.
+    void at(const PlaceBlock& places, BlockValues& distances) const noexcept {
+        block_kernel().metres(shape(), places.count, places.places(), quantum_, clamp_, distances.data());
+    }
+    void quanta_at(const PlaceBlock& places, FloatBlock& quanta) const noexcept {
+        block_kernel().values(shape(), places.count, places.places(), quanta.data());
+    }
+    [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored, solid}; }
+    /// The stored sample (i, j, k) [quanta]; outside the grid the largest.
+    [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
+
+    [[nodiscard]] bool is_all_air(std::size_t brick_index) const noexcept { return start_[brick_index] == air; }
+    [[nodiscard]] bool is_all_solid(std::size_t brick_index) const noexcept { return start_[brick_index] == solid; }
+    [[nodiscard]] bool has_border(std::size_t brick_index) const noexcept {
+        return start_[brick_index] >= first_stored;
+    }
+    /// The 9³ samples of a brick [quanta], or nullptr where it is uniform.
+    [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
+        return has_border(brick_index) ? brick(start_[brick_index]) : nullptr;
+    }
+    [[nodiscard]] std::int16_t uniform_value(std::size_t brick_index) const noexcept {
+        return start_[brick_index] == air ? std::int16_t{32767} : std::int16_t{-32767};
+    }
+    /// Whether any of a brick's 9³ samples is negative, or is not.
+    [[nodiscard]] bool has_inside(std::size_t brick_index) const noexcept {
+        return (signs_[brick_index] & inside) != 0;
+    }
+    [[nodiscard]] bool has_outside(std::size_t brick_index) const noexcept {
+        return (signs_[brick_index] & outside) != 0;
+    }
+    [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
+    [[nodiscard]] bool is_empty() const noexcept { return grid_.brick_count() == 0; }  ///< never built: nothing to ask
+    [[nodiscard]] std::size_t memory_bytes() const noexcept {
+        return start_.size() * sizeof(std::int32_t) + samples_.size() * sizeof(std::int16_t) + signs_.size();
+    }
+
+private:
+    // Uniform bricks have samples too, one brick of each kind: who interpolates need not tell them apart.
+    static constexpr std::int32_t air = 0, solid = stored_samples, first_stored = 2 * stored_samples;
+    static constexpr std::uint8_t inside = 1, outside = 2;
+    [[nodiscard]] const std::int16_t* brick(std::int32_t start) const noexcept { return samples_.data() + start; }
+
+    Grid grid_;
+    double clamp_ = 0.0, quantum_ = 0.0;
+    std::vector<std::int32_t> start_;  ///< of each brick among the samples; the last entry is outside the grid
+    BrickSamples<std::int16_t> samples_;
+    std::vector<std::uint8_t> signs_;  ///< of each brick's samples
+};
+
+/// Metres to the nearest quantum, clamped.
+[[nodiscard]] inline std::int16_t quantised(double distance, double quantum) noexcept {
+    const double q = distance * (1.0 / quantum);
+    if (q >= 32767.0) return 32767;
+    if (q <= -32767.0) return -32767;
+    return static_cast<std::int16_t>(q >= 0.0 ? q + 0.5 : q - 0.5);
+}
+
+}  // namespace kerf

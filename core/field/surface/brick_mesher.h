@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/field/cut/cut_field.h"
+#include "core/field/grid/body.h"
+
+/// The surface of what is left of a body, brick by brick.
+namespace kerf {
+
+/// The surface in the cells of one brick, as it lies in somebody's memory. A brick's cells lie between its samples 0 …
+/// 8; in the first bricks of the grid from −1 on, so that the surface is closed there.
+///
+/// Vertices come in three runs, those on edges along x first, each in the order of z, y, x: so vertices that two bricks
+/// share have the same order in both, and the same bits.
+struct PatchView {
+    std::span<const SurfaceVertex> vertices;
+    std::span<const std::uint8_t> tissue;  ///< per vertex: the material a step inwards
+    std::span<const std::uint16_t> edges;  ///< per vertex: the place of the edge's lower sample | axis << 12
+    std::span<const std::array<std::uint16_t, 3>> triangles;  ///< anticlockwise seen from outside
+};
+
+/// The same, kept. Never changed once made: any thread may read it.
+class BrickPatch {
+public:
+    explicit BrickPatch(const PatchView& patch);
+
+    [[nodiscard]] PatchView view() const noexcept { return {vertices_, tissue_, edges_, triangles_}; }
+    [[nodiscard]] const std::vector<SurfaceVertex>& vertices() const noexcept { return vertices_; }
+    [[nodiscard]] const std::vector<std::uint8_t>& tissue() const noexcept { return tissue_; }
+    [[nodiscard]] const std::vector<std::array<std::uint16_t, 3>>& triangles() const noexcept { return triangles_; }
+    /// Whether a vertex's edge ends on this side of the brick, −x, +x, −y, +y, −z, +z: then its normal depends on what
+    /// lies beyond.
+    [[nodiscard]] bool depends_on(int side) const noexcept { return (sides_ >> side & 1) != 0; }
+    [[nodiscard]] bool is_same_as(const PatchView& other) const noexcept;
+
+private:
+    std::vector<SurfaceVertex> vertices_;
+    std::vector<std::uint8_t> tissue_;
+    std::vector<std::uint16_t> edges_;
+    std::vector<std::array<std::uint16_t, 3>> triangles_;
+    unsigned sides_ = 0;
+};
+
+/// Marching cubes of max(surface, cut), cut off flat at the body's region, with the table and the rule of `isosurface`:
+/// zero counts as outside, and what lies outside the grid as a quarter of the clamp, one voxel. Single precision: a
+/// vertex is off by what its coordinate's last bit is worth, 30 nm at 0.3 m.
+///
+/// Not for two threads at once: it owns what it works in.
+class BrickMesher {
+public:
+    /// The body must outlive it.   [main, worker]
+    explicit BrickMesher(const Body& body);
+
+    /// False where no cell of the brick can have a surface, by what is kept of it.   [worker]
+    [[nodiscard]] bool may_cross(const CutField& cut, std::size_t brick) const noexcept;
+    /// Says that `mesh` will be asked about this brick soon, so that its samples are near by then.   [worker]
+    void expect(const CutField& cut, std::size_t brick) const noexcept;
+    /// The patch of a brick; empty where nothing crosses. It lasts until the next call.   [worker]
+    PatchView mesh(const CutField& cut, std::size_t brick) noexcept;
+
+private:
+    static constexpr std::size_t places = 10 * std::size_t{place_layer}, margin = 288;
+    static constexpr std::size_t most_cells = 9 * 9 * 9, slack = 16;
+    static constexpr std::size_t most_vertices = 3 * 9 * 9 * 9, most_triangles = 5 * most_cells;
+
+    [[nodiscard]] std::array<int, 3> place_in_grid(std::size_t brick) const noexcept;
+    [[nodiscard]] BrickAround around(const FieldShape& field, const std::array<int, 3>& at) const noexcept;
+    [[nodiscard]] std::int16_t* samples() noexcept { return samples_.data() + margin; }
+    [[nodiscard]] bool is_near_region_faces(const std::array<int, 3>& at) const noexcept;
+    void cut_off_at_region(const std::array<int, 3>& at) noexcept;
+    void clear_signs_from(const std::array<int, 3>& end) noexcept;
+    void list_edges_and_cells(const std::array<int, 3>& first) noexcept;
+    void make_triangles() noexcept;
+    void close_at_border(const std::array<int, 3>& at) noexcept;
+    void label(std::size_t brick) noexcept;
+
+    const Body* body_;
+    GridFrame to_places_;
+    SampleFrame frame_{};
+    /// How far samples −1 … beyond the last along each axis lie beyond the region [quanta]; empty without one.
+    std::array<std::vector<std::int16_t>, 3> beyond_;
+
+    alignas(64) std::array<std::int16_t, margin + 11 * place_layer + margin> samples_{};
+    alignas(64) std::array<std::uint16_t, places / place_row + 2 * place_row> inside_{};
+    std::array<std::array<std::uint16_t, most_cells + slack>, 3> edges_along_{};
+    std::array<std::size_t, 3> count_along_{};
+    std::array<std::uint16_t, most_cells + slack> cells_{};
+    std::size_t cell_count_ = 0, vertex_count_ = 0, triangle_count_ = 0;
+    std::array<std::uint16_t, 3 * places> number_{};  ///< of the vertex on the edge from a place along an axis
+    std::array<SurfaceVertex, most_vertices + slack> vertices_{};
+    std::array<std::uint16_t, most_vertices + slack> edges_{};
+    std::array<std::uint8_t, most_vertices + slack> tissue_{};
+    std::array<std::array<std::uint16_t, 3>, most_triangles + slack> triangles_{};
+};
+
+}  // namespace kerf

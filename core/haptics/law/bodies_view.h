@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "core/haptics/law/body_threads.h"
+#include "core/haptics/law/held_body.h"
+
+/// All bodies near a tool as one bone, which is how a plugin asks.
+namespace kerf {
+
+/// An edge is answered by the body it is engaged in most of those that can be cut, a contact point by the body it is
+/// deepest in; the answer names it. With one body near, its own answer is handed through.
+class BodiesView {
+public:
+    /// `threads` must outlive it.
+    BodiesView(const Body& first, const BodyThreads& threads);
+    BodiesView(const BodiesView&) = delete;
+    BodiesView& operator=(const BodiesView&) = delete;
+
+    /// Points are asked about at this pose until the next call, of the bodies that come near the tool, but for what it
+    /// holds. [haptic, nonblocking]
+    void place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool,
+               const HeldBody& held) noexcept;
+    [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
+    [[nodiscard]] std::span<LiveBody* const> near() const noexcept { return {near_.data(), near_count_}; }
+
+    void sample(const Vec3* points, std::uint32_t count, Directions directions, kerf_bone_sample* out) const noexcept;
+    void sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
+        sample(points, count, Directions::one(direction), out);
+    }
+    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
+    std::uint32_t threads(kerf_thread* out, std::uint32_t capacity) const noexcept;
+    /// Of the bodies that can be cut.
+    [[nodiscard]] std::span<const ToolInBody> places() const noexcept { return {place_.data(), cuttable_count_}; }
+
+private:
+    static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
+                             const kerf_vec3* directions, std::uint32_t direction_count, kerf_bone_sample* out) {
+        reinterpret_cast<const BodiesView*>(bone)->sample(points, count,
+                                                          Directions::given(directions, direction_count, count), out);
+    }
+    static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
+                              kerf_surface_point* out) {
+        reinterpret_cast<const BodiesView*>(bone)->nearest(points, count, out);
+    }
+
+    static std::uint32_t threads_entry(const kerf_bone* bone, kerf_thread* out, std::uint32_t capacity) {
+        return reinterpret_cast<const BodiesView*>(bone)->threads(out, capacity);
+    }
+
+    const BodyThreads* threads_;
+    std::array<LiveBody*, most_bodies> near_{};
+    std::array<ToolInBody, most_bodies> place_{};      ///< of the tool in each of those that can be cut
+    std::size_t near_count_ = 0, cuttable_count_ = 0;  ///< those that can be cut come first
+    kerf_bone_query query_{};
+};
+
+}  // namespace kerf

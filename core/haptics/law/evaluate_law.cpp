@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/law/evaluate_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/haptics/law/channel.h"
+#include "core/haptics/law/metal_wall.h"
+#include "core/haptics/law/region_wall.h"
+#include "core/plugin/plugin_call.h"
+
+namespace kerf {
+
+namespace {
+
+/// The first thing in a law with which the host may not solve.
+LawFault fault_of(const kerf_component& force, kerf_status status, const kerf_law& law) noexcept {
+    using What = LawFault::What;
+    if (status != KERF_OK) return {.what = What::status, .law = &force, .value = static_cast<double>(status)};
+    if (law.count > KERF_MAX_CHANNELS)
+        return {.what = What::count, .law = &force, .value = static_cast<double>(law.count)};
+    for (std::uint32_t c = 0; c < law.count; ++c)
+        if (const ChannelFault fault = kerf::fault_of(law.channel[c]); fault.field != nullptr)
+            return {.what = What::channel,
+                    .law = &force,
+                    .index = c,
+                    .id = law.channel[c].id,
+                    .field = fault.field,
+                    .expected = fault.expected,
+                    .value = fault.value};
+    for (std::uint32_t i = 0; i < 6; ++i)
+        if (!std::isfinite(law.wrench[i]))
+            return {.what = What::wrench, .law = &force, .index = i, .value = law.wrench[i]};
+    return {};
+}
+
+void add_walls(const Surroundings& around, EvaluatedLaw& law) noexcept {
+    const auto next = [&]() -> kerf_channel* { return law.channel.data() + law.count; };
+    const ToolSolid& cutting = around.outline.cutting;
+    for (const LiveBody* body : around.view.near())
+        if (region_wall(*body->bone, body->view, cutting, body->body_from(around.world_from_tool), *next())) {
+            ++law.count;
+            law.is_at_region_wall = true;
+            break;
+        }
+    for (const LiveBody* body : around.view.near())
+        if (!body->is_cuttable && metal_wall(*body, around.outline, *next())) {
+            law.metal_channel = static_cast<int>(law.count++);
+            break;
+        }
+    if (around.guide && around.guide->body < around.bodies.size()) {
+        const Pose body_from_tool = around.bodies[around.guide->body]->body_from(around.world_from_tool);
+        law.count += static_cast<std::uint32_t>(
+            guide_wall(*around.guide, around.outline.whole, inverse(body_from_tool), next()));
+    }
+    if (around.held.is_any())
+        law.count += static_cast<std::uint32_t>(around.held.add_contact(around.bodies, around.world_from_tool, next()));
+}
+
+}  // namespace
+
+LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, const void* state,
+                      const Surroundings& around, CallTimes& times, EvaluatedLaw& result) noexcept {
+    kerf_law law{sizeof(kerf_law), 0, result.channel.data(), {}, {}};
+    const std::uint64_t begun = clock_count();
+    const kerf_status status = call_resist(force, in, state, law);
+    times.add(clock_count() - begun);
+    result.count = result.law_count = 0;
+    result.is_at_region_wall = false;
+    result.metal_channel = -1;
+    if (const LawFault fault = fault_of(force, status, law); fault.what != LawFault::What::none) return fault;
+    result.count = result.law_count = law.count;
+    std::copy(std::begin(law.wrench), std::end(law.wrench), result.wrench.begin());
+    std::copy(std::begin(law.note), std::end(law.note), result.note.begin());
+    add_walls(around, result);
+    return {};
+}
+
+}  // namespace kerf

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/law/held_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/field/surface/bone_surface.h"
+#include "core/haptics/law/channel.h"
+#include "kerf/force.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double stiffness = 2e5;        // [N/m] of bone on bone, for each octant [assumed]
+constexpr double near_contact = 0.3e-3;  // [m] farther away there is no channel
+constexpr double nearly = 20e-6;         // [m] behind the deepest, or half as deep: shares its channel
+
+std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
+    std::array<Vec3, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i)
+        corners[i] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z};
+    return corners;
+}
+
+/// Whether a box comes within `margin` of a body's; errs towards yes.
+bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, const Pose& other_from_corners,
+                    double margin) noexcept {
+    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
+    for (const Vec3 corner : corners) {
+        const Vec3 p = other_from_corners * corner;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    return other.is_near_box(low, high, margin);
+}
+
+/// The first vertex in each cube of a lattice, as many cubes as there is room for.
+std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t most, double apart) {
+    for (;; apart *= 1.25) {
+        std::map<std::tuple<int, int, int>, Vec3> cubes;
+        const auto cube = [&](double x) { return static_cast<int>(std::floor(x / apart)); };
+        for (const Vec3& p : vertices) cubes.try_emplace({cube(p.x), cube(p.y), cube(p.z)}, p);
+        if (cubes.size() > most) continue;
+        std::vector<Vec3> points;
+        for (const auto& [at, p] : cubes) points.push_back(p);
+        return points;
+    }
+}
+
+}  // namespace
+
+HeldBody::HeldBody()
+    : points_(most_points),
+      octant_(most_points),
+      asked_(most_points),
+      octant_of_asked_(most_points),
+      answers_(most_points) {}
+
+void HeldBody::take(Bodies bodies, std::size_t body, const Pose& world_from_tool) noexcept {
+    body_ = body;
+    members_ = 0;
+    count_ = 0;
+    for (const auto& other : bodies) {
+        if (other->group != bodies[body]->group) continue;
+        members_ |= 1u << other->id;
+        tool_from_[other->id] = inverse(world_from_tool) * other->world_from_body;
+    }
+}
+
+void HeldBody::find_points(Bodies bodies) {
+    std::vector<Vec3> surface;
+    double apart = 1.5e-3;
+    for (const auto& body : bodies) {
+        if (!holds(body->id) || !body->is_present) continue;
+        apart = std::max(apart, body->bone->grid().spacing);
+        for (const Vec3 p : bone_surface(*body->bone, body->committed).vertices)
+            surface.push_back(tool_from_[body->id] * p);
+    }
+    const std::vector<Vec3> points = thinned(surface, most_points, apart);
+    count_ = points.size();
+    if (count_ == 0) return;
+    low_ = high_ = points.front();
+    for (const Vec3 p : points) {
+        low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+        high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
+    }
+    const Vec3 middle = 0.5 * (low_ + high_);
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Vec3 p = points_[i] = points[i];
+        octant_[i] =
+            static_cast<std::uint8_t>((p.x > middle.x ? 1 : 0) + (p.y > middle.y ? 2 : 0) + (p.z > middle.z ? 4 : 0));
+    }
+}
+
+void HeldBody::move(Bodies bodies, const Pose& world_from_tool) const noexcept {
+    for (const auto& body : bodies)
+        if (holds(body->id)) body->world_from_body = world_from_tool * tool_from_[body->id];
+}
+
+double HeldBody::largest_motion(const Pose& from, const Pose& to) const noexcept {
+    double most = 0.0;
+    for (const Vec3 corner : corners_of(low_, high_)) most = std::max(most, length(to * corner - from * corner));
+    return most;
+}
+
+bool HeldBody::is_near_another(Bodies bodies, const Pose& world_from_tool, double margin) const noexcept {
+    return count_ > 0 && std::any_of(bodies.begin(), bodies.end(), [&](const auto& other) {
+               return !holds(other->id) && other->is_present &&
+                      box_comes_near(*other, corners_of(low_, high_), other->body_from(world_from_tool), margin);
+           });
+}
+
+std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, kerf_channel* channels) noexcept {
+    struct Touch {
+        double deepest = -near_contact, weight = 0.0, depth = 0.0;
+        Vec6 d{};
+    };
+    if (count_ == 0) return 0;
+    std::array<Touch, most_held_channels> touch{};
+    for (const auto& other : bodies) {
+        if (holds(other->id) || !other->is_present) continue;
+        const Pose other_from_tool = other->body_from(world_from_tool);
+        if (!box_comes_near(*other, corners_of(low_, high_), other_from_tool, near_contact)) continue;
+        std::size_t asked = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Vec3 p = other_from_tool * points_[i];
+            if (!other->is_near_box(p, p, near_contact)) continue;
+            asked_[asked] = points_[i];
+            octant_of_asked_[asked++] = octant_[i];
+        }
+        if (asked == 0) continue;
+        other->view.place(other_from_tool);
+        other->view.nearest(asked_.data(), static_cast<std::uint32_t>(asked), answers_.data());
+        for (std::size_t i = 0; i < asked; ++i) {
+            Touch& t = touch[octant_of_asked_[i]];
+            if (answers_[i].body >= 0 && answers_[i].normal != Vec3{})
+                t.deepest = std::max(t.deepest, -answers_[i].distance);
+        }
+        // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would
+        // chatter.
+        for (std::size_t i = 0; i < asked; ++i) {
+            const kerf_surface_point& answer = answers_[i];
+            Touch& t = touch[octant_of_asked_[i]];
+            const double depth = -answer.distance, ahead = depth - t.deepest + std::max(nearly, 0.5 * t.deepest);
+            if (answer.body < 0 || answer.normal == Vec3{} || ahead <= 0.0 || depth <= -near_contact) continue;
+            const double weight = ahead * ahead;
+            const Vec6 d = rate_at(asked_[i], -answer.normal);
+            t.weight += weight;
+            t.depth += weight * depth;
+            for (std::size_t k = 0; k < 6; ++k) t.d[k] += weight * d[k];
+        }
+    }
+    std::size_t count = 0;
+    for (std::size_t octant = 0; octant < touch.size(); ++octant) {
+        const Touch& t = touch[octant];
+        if (t.weight <= 0.0) continue;
+        Vec6 d;
+        for (std::size_t k = 0; k < 6; ++k) d[k] = t.d[k] / t.weight;
+        kerf_channel& c = channels[count++] = contact_channel(OwnContact::held, d, stiffness, t.depth / t.weight);
+        c.id += static_cast<std::uint32_t>(octant);
+    }
+    return count;
+}
+
+}  // namespace kerf

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/law/tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/plugin/plugin_call.h"
+#include "kerf/units.hpp"
+
+namespace kerf {
+
+namespace {
+
+/// The index of the entry of a table with this id and dimension.
+template <class Entry>
+std::optional<std::uint32_t> find(const Entry* table, std::uint32_t count, const kerf_need& need) {
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (std::string_view(table[i].id) == need.id && table[i].dimension == need.dimension) return i;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string bind_law(ToolSetup& setup) {
+    const kerf_component& tool = *setup.tool;
+    const kerf_force& law = *setup.force->force;
+    setup.bound.clear();
+    for (std::uint32_t i = 0; i < law.need_count; ++i) {
+        const kerf_need& need = law.needs[i];
+        const bool is_drive = need.kind == KERF_NEED_DRIVE;
+        const auto at = is_drive ? find(tool.tool->drives, tool.tool->drive_count, need)
+                                 : find(tool.params, tool.param_count, need);
+        if (!at)
+            return std::string("the force `") + setup.force->id + "` needs a tool with the " +
+                   (is_drive ? "drive" : "parameter") + " `" + need.id + "`; `" + tool.id +
+                   "` has none of that dimension.";
+        setup.bound.push_back(*at);
+    }
+    if (law.tool_count == 0) return {};
+    const auto* const end = law.tools + law.tool_count;
+    const auto* const held =
+        std::find_if(law.tools, end, [&](const char* id) { return std::string_view(id) == tool.id; });
+    if (held == end) {
+        std::string all;
+        for (const auto* id = law.tools; id != end; ++id) all += (all.empty() ? "`" : ", `") + std::string(*id) + "`";
+        return std::string("the force `") + setup.force->id + "` does not take the tool `" + tool.id + "`; it takes " +
+               all + ".";
+    }
+    setup.held = static_cast<std::uint32_t>(held - law.tools);
+    return {};
+}
+
+kerf_solid ToolOutline::solid() const noexcept {
+    kerf_solid solid{.size = sizeof(kerf_solid),
+                     .kind = static_cast<std::uint32_t>(whole.is_prism() ? KERF_SOLID_PRISM : KERF_SOLID_REVOLUTION),
+                     .profile = profile.data(),
+                     .profile_count = static_cast<std::uint32_t>(profile.size()),
+                     .cutting_first = cutting_first,
+                     .cutting_count = cutting_count,
+                     .bore = cutting.bore(),
+                     .gap_count = static_cast<std::uint32_t>(gaps.size()),
+                     .reserved = 0,
+                     .gap = {}};
+    std::copy(gaps.begin(), gaps.end(), solid.gap);
+    return solid;
+}
+
+kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, double dt) noexcept {
+    kerf_tick_in in{};
+    in.size = sizeof in;
+    in.dt = dt;
+    in.tool_params = setup.tool_parameters.data();
+    in.tool_param_count = static_cast<std::uint32_t>(setup.tool_parameters.size());
+    in.tool = setup.held;
+    in.tool_id = setup.tool->id;
+    in.bound = setup.bound.data();
+    in.force_params = setup.force_parameters.data();
+    in.drive = setup.drives.data();
+    in.bone = &bone;
+    return in;
+}
+
+namespace {
+
+/// In a plugin's words, as far as they are fit to print.
+std::string why_refused(const kerf_tool_shape& shape) {
+    const char* end = std::find(std::begin(shape.refusal), std::end(shape.refusal), '\0');
+    std::string words(shape.refusal, end);
+    std::replace_if(
+        words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20u || c == 0x7f; }, ' ');
+    return words.empty() ? "it refused them." : words;
+}
+
+constexpr double widest = 0.1;  // [m]
+
+std::string in_mm(double metres) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g mm", 1e3 * metres);
+    return text;
+}
+
+std::string point(std::uint32_t i, const char* field, double value, const std::string& expected) {
+    return "point " + std::to_string(i) + ": `" + field + "` is " + in_mm(value) + ", expected " + expected + ".";
+}
+
+/// A shaft bends one way, and less than a blade of grass.
+std::string fault_of_bending(const kerf_tool_shape& shape) {
+    constexpr double softest = 0.1, steepest = 10.0;  // [m/N], [rad/N]
+    const auto out_of = [](const char* field, double value, double most, const char* unit) {
+        char text[120];
+        std::snprintf(text, sizeof text, "`%s` is %.6g %s, expected 0 … %g %s.", field, value, unit, most, unit);
+        return std::string(text);
+    };
+    if (!(shape.tip_deflection >= 0.0 && shape.tip_deflection <= softest))
+        return out_of("tip_deflection", shape.tip_deflection, softest, "m/N");
+    if (!(shape.tip_slope >= 0.0 && shape.tip_slope <= steepest))
+        return out_of("tip_slope", shape.tip_slope, steepest, "rad/N");
+    if ((shape.tip_deflection > 0.0) != (shape.tip_slope > 0.0))
+        return "`tip_deflection` and `tip_slope` must both be 0, or neither.";
+    return {};
+}
+
+/// A bore leaves a wall all around.
+std::string fault_of_bore(const kerf_tool_shape& shape) {
+    if (shape.bore == 0.0) return {};
+    if (shape.kind != KERF_SOLID_REVOLUTION)
+        return "`bore` is " + in_mm(shape.bore) + ", expected 0 mm: only a solid of revolution has one.";
+    if (shape.cutting_count == 0)
+        return "`bore` is " + in_mm(shape.bore) + ", expected 0 mm: the tool removes no bone.";
+    double narrowest = widest;
+    for (std::uint32_t i = 0; i < shape.cutting_count; ++i)
+        narrowest = std::min(narrowest, shape.profile[shape.cutting_first + i].radius);
+    if (shape.bore > 0.0 && shape.bore < narrowest) return {};
+    if (narrowest == 0.0) return "`bore` is " + in_mm(shape.bore) + ", expected 0 mm: what cuts comes to a point.";
+    return "`bore` is " + in_mm(shape.bore) + ", expected 0 mm, or more and less than " + in_mm(narrowest) +
+           ", the narrowest radius of what cuts. Make the tool wider or the bore narrower.";
+}
+
+/// Gaps lie within what cuts, with a part before, between and behind them.
+std::string fault_of_gaps(const kerf_tool_shape& shape) {
+    if (shape.gap_count > KERF_MAX_GAPS)
+        return "`gap_count` is " + std::to_string(shape.gap_count) + ", expected 0 … " + std::to_string(KERF_MAX_GAPS) +
+               ".";
+    if (shape.gap_count > 0 && shape.kind != KERF_SOLID_REVOLUTION)
+        return "`gap_count` is " + std::to_string(shape.gap_count) +
+               ", expected 0: only a solid of revolution has several parts that cut.";
+    std::uint32_t before = shape.cutting_first;
+    for (std::uint32_t i = 0; i < shape.gap_count; ++i) {
+        const auto& [first, last] = shape.gap[i];
+        if (first <= before || last <= first || last + 1 >= shape.cutting_first + shape.cutting_count)
+            return "gap " + std::to_string(i) + " reaches from point " + std::to_string(first) + " to point " +
+                   std::to_string(last) + ", expected two of those between " + std::to_string(before) + " and " +
+                   std::to_string(shape.cutting_first + shape.cutting_count - 1) +
+                   ": each part that cuts has two points at least.";
+        before = last;
+    }
+    return {};
+}
+
+/// What the carver cannot take. It follows every outline that does not turn back along the axis, however its radius
+/// rises and falls (tests/core/field/outline_sweep_test.cpp), so nothing else is asked of one.
+std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacity) {
+    const auto count = [](const char* field, std::uint32_t is, std::uint32_t least, std::uint32_t most) {
+        return std::string("`") + field + "` is " + std::to_string(is) + ", expected " + std::to_string(least) + " … " +
+               std::to_string(most) + ".";
+    };
+    if (shape.profile_count < 2 || shape.profile_count > capacity)
+        return count("profile_count", shape.profile_count, 2, capacity);
+    if (shape.cutting_first >= shape.profile_count)
+        return count("cutting_first", shape.cutting_first, 0, shape.profile_count - 1);
+    const std::uint32_t behind = shape.profile_count - shape.cutting_first;
+    if (shape.cutting_count == 1 || shape.cutting_count > behind ||
+        (shape.cutting_count == 0 && shape.cutting_first > 0))
+        return "`cutting_count` is " + std::to_string(shape.cutting_count) +
+               (shape.cutting_first > 0 ? " from point " + std::to_string(shape.cutting_first) + " on" : "") +
+               ", expected " + (shape.cutting_first > 0 ? "" : "0, or ") + "2 … " + std::to_string(behind) +
+               (shape.cutting_first > 0
+                    ? ": what cuts has two points at least. List them between `safe()` and `cuts()`."
+                    : ".");
+    if (shape.reserved != 0 || shape.reserved2 != 0)
+        return "`reserved` is " + std::to_string(shape.reserved) + ", expected 0.";
+    for (std::uint32_t i = 0; i < shape.profile_count; ++i) {
+        const auto& [z, radius] = shape.profile[i];
+        if (!std::isfinite(z)) return point(i, "z", z, "a finite number");
+        if (!(radius >= 0.0 && radius < widest)) return point(i, "radius", radius, "0 mm … " + in_mm(widest));
+        if (i > 0 && !(z < shape.profile[i - 1].z))
+            return point(i, "z", z,
+                         "less than " + in_mm(shape.profile[i - 1].z) +
+                             ", the `z` of the point before it: list the points from the tip backwards");
+    }
+    if (const std::string fault = fault_of_bore(shape); !fault.empty()) return fault;
+    if (const std::string fault = fault_of_gaps(shape); !fault.empty()) return fault;
+    if (!std::isfinite(shape.grip_z)) return "`grip_z` is " + in_mm(shape.grip_z) + ", expected a finite number.";
+    if (shape.hands > 2) return count("hands", shape.hands, 0, 2);
+    return fault_of_bending(shape);
+}
+
+/// A prism's faces meet in planes, so its outline may bend towards the axis only.
+std::string fault_of_prism(const kerf_tool_shape& shape) {
+    for (std::uint32_t i = 2; i < shape.profile_count; ++i) {
+        const auto &a = shape.profile[i - 2], &b = shape.profile[i - 1], &c = shape.profile[i];
+        if ((c.radius - b.radius) * (b.z - a.z) >= (b.radius - a.radius) * (c.z - b.z)) continue;
+        const double most = b.radius + (b.radius - a.radius) * (c.z - b.z) / (b.z - a.z);
+        return point(i, "radius", c.radius, "at most " + in_mm(most) + ", on the line through the two before it");
+    }
+    if (!(shape.kerf > 0.0 && shape.kerf < 0.1))
+        return "`kerf` is " + in_mm(shape.kerf) + ", expected more than 0 mm and less than 100 mm.";
+    if (!(shape.thickness > 0.0 && shape.thickness <= shape.kerf))
+        return "`thickness` is " + in_mm(shape.thickness) + ", expected more than 0 mm and at most the kerf of " +
+               in_mm(shape.kerf) + ".";
+    return {};
+}
+
+/// A thread stands on what goes through the bone.
+std::string fault_of_thread(const kerf_tool_shape& shape) {
+    if (shape.thread_radius == 0.0)
+        return shape.stay_count == 0 ? ""
+                                     : "`stay_count` is " + std::to_string(shape.stay_count) +
+                                           ", expected 0: without a thread nothing holds it in bone.";
+    if (shape.kind != KERF_SOLID_REVOLUTION || shape.cutting_count < 2)
+        return "`thread_radius` is " + in_mm(shape.thread_radius) +
+               ", expected 0 mm: only a solid of revolution that removes bone has one.";
+    double core = 0.0;
+    if (shape.cutting_first > 0 || shape.bore > 0.0 || shape.gap_count > 0)
+        return "`thread_radius` is " + in_mm(shape.thread_radius) +
+               ", expected 0 mm: what has a thread cuts from its tip on, in one part, and has no bore.";
+    for (std::uint32_t i = 0; i < shape.cutting_count; ++i) core = std::max(core, shape.profile[i].radius);
+    if (!(shape.thread_radius >= core && shape.thread_radius < widest))
+        return "`thread_radius` is " + in_mm(shape.thread_radius) + ", expected 0 mm, or " + in_mm(core) +
+               ", the widest that it cuts, to " + in_mm(widest) + ".";
+    constexpr double longest = 0.1;  // [m]
+    if (!(shape.thread_lead > 0.0 && shape.thread_lead < longest))
+        return "`thread_lead` is " + in_mm(shape.thread_lead) + ", expected more than 0 mm and less than " +
+               in_mm(longest) + ".";
+    if (shape.thread_count < 2 || shape.thread_count > shape.cutting_count)
+        return "`thread_count` is " + std::to_string(shape.thread_count) + ", expected 2 … " +
+               std::to_string(shape.cutting_count) + ": a thread is on what cuts.";
+    if (shape.stay_count != 0 && (shape.stay_count < shape.cutting_count || shape.stay_count > shape.profile_count))
+        return "`stay_count` is " + std::to_string(shape.stay_count) + ", expected 0, or " +
+               std::to_string(shape.cutting_count) + " … " + std::to_string(shape.profile_count) +
+               ": all that cuts, and the head.";
+    return {};
+}
+
+}  // namespace
+
+bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
+    constexpr std::uint32_t capacity = 64;
+    constexpr double heaviest = 20.0;  // [kg]
+    kerf_profile_point points[capacity];
+    kerf_tool_shape shape{};
+    shape.size = sizeof shape;
+    shape.profile = points;
+    shape.profile_capacity = capacity;
+    shape.kind = KERF_SOLID_REVOLUTION;
+    if (call_shape(*setup.tool, setup.tool_parameters.data(), shape) != KERF_OK) {
+        error =
+            std::string("tool `") + setup.tool->id + "` cannot be made from these parameters: " + why_refused(shape);
+        return false;
+    }
+    if (const std::string fault = fault_of_outline(shape, capacity); !fault.empty()) {
+        error = std::string("tool `") + setup.tool->id + "` gives an outline that is no solid: " + fault;
+        return false;
+    }
+    out.handling = {shape.grip_z, shape.hands == 2 ? 2 : 1, {shape.tip_deflection, shape.tip_slope}};
+    out.profile.assign(points, points + shape.profile_count);
+    out.cutting_first = shape.cutting_first;
+    out.cutting_count = shape.cutting_count;
+    out.gaps.assign(shape.gap, shape.gap + shape.gap_count);
+    if (const std::string fault = fault_of_thread(shape); !fault.empty()) {
+        error = std::string("tool `") + setup.tool->id + "` gives a thread that cannot be: " + fault;
+        return false;
+    }
+    out.thread_radius = shape.thread_radius;
+    out.thread_lead = shape.thread_lead;
+    out.thread_count = shape.thread_count;
+    out.stay_count = shape.stay_count;
+    if (shape.cutting_count == 0) shape.cutting_count = 2;  // it removes nothing: a tip is enough
+    out.inertia = {shape.mass, shape.centre_z, shape.gyration};
+    const bool has_mass = shape.mass > 0.0 && shape.mass <= heaviest && std::abs(shape.centre_z) < 1.0 &&
+                          shape.gyration > 0.0 && shape.gyration < 1.0;
+    if (shape.mass != 0.0 && !has_mass) {
+        error = std::string("tool `") + setup.tool->id +
+                "` has a mass that no hand holds: it needs 0 to 20 kg, centred within 1 m of the tip, with a radius of "
+                "gyration above 0 mm.";
+        return false;
+    }
+    const kerf_profile_point* const cutting = points + shape.cutting_first;
+    if (shape.kind == KERF_SOLID_PRISM) {
+        if (const std::string fault = fault_of_prism(shape); !fault.empty()) {
+            error = std::string("tool `") + setup.tool->id + "` gives a prism that is no blade: " + fault;
+            return false;
+        }
+        out.cutting = ToolSolid::prism({cutting, cutting + shape.cutting_count}, shape.kerf);
+        out.whole = ToolSolid::prism({points, points + shape.profile_count}, shape.thickness);
+        return true;
+    }
+    if (shape.kind != KERF_SOLID_REVOLUTION) {
+        error = std::string("tool `") + setup.tool->id + "` gives a solid of kind " + std::to_string(shape.kind) +
+                "; this Kerf knows 1, a solid of revolution, and 2, a prism.";
+        return false;
+    }
+    const std::vector<kerf_profile_point> region{cutting, cutting + shape.cutting_count};
+    std::vector<ToolSolid::Gap> gaps;
+    for (const auto& [first, last] : out.gaps) gaps.push_back({points[first].z, points[last].z});
+    out.cutting = ToolSolid::parts(region, shape.bore, gaps);
+    if (out.has_thread())
+        out.crest = ToolSolid({{points[shape.thread_count > 2 ? 1 : 0].z, out.thread_radius},  // behind the tip
+                               {points[shape.thread_count - 1].z, out.thread_radius}});
+    if (out.is_implant()) out.staying = ToolSolid({points, points + out.stay_count});
+    out.whole = ToolSolid({points, points + shape.profile_count});
+    return true;
+}
+
+double turn_of_feed(const ToolSetup& setup, const ToolOutline& outline) noexcept {
+    if (setup.tool->tool->feed != KERF_FEED_TURN) return 0.0;
+    return 2.0 * std::numbers::pi / (outline.has_thread() ? outline.thread_lead : 1e-3);
+}
+
+}  // namespace kerf

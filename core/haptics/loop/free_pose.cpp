@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/loop/free_pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace kerf {
+
+namespace {
+
+constexpr double farthest = 0.3;  // [m]
+
+bool is_free(const Body& body, const ToolSolid& whole, const Pose& at) {
+    const double h = body.grid().spacing;
+    const auto& outline = whole.outline();
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+        const double dz = outline[i + 1].z - outline[i].z, dr = outline[i + 1].radius - outline[i].radius;
+        const int steps = static_cast<int>(std::ceil(std::hypot(dz, dr) / h)) + 1;
+        for (int step = 0; step <= steps; ++step) {
+            const double t = static_cast<double>(step) / steps, r = outline[i].radius + t * dr;
+            for (const Vec3 in_tool : whole.around(r, outline[i].z + t * dz))
+                if (uncut_distance(body, locate(body.grid(), at * in_tool)) < 0.0) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<double> way_out_of_bone(const Body& body, const ToolSolid& whole, const Pose& body_from_tool) {
+    const double step = 0.5 * body.grid().spacing;
+    for (int i = 0; i * step <= farthest; ++i)
+        if (is_free(body, whole, body_from_tool * Pose{{0, 0, -i * step}, {1, 0, 0, 0}})) return i * step;
+    return std::nullopt;
+}
+
+}  // namespace kerf

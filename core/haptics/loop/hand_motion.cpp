@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/loop/hand_motion.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "kerf/exact_math.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double filter_hz = 50.0;
+constexpr std::uint32_t too_many_missed = 3;  // (A10)
+constexpr double leap = 20e-3;                // [m] between two ticks (B9)
+
+bool is_pose(const Pose& p) noexcept {
+    constexpr double room = 10.0;  // [m]
+    if (!is_finite(p) || !(dot(p.position, p.position) < room * room)) return false;
+    const auto& q = p.rotation;
+    return std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1.0) < 1e-3;
+}
+
+}  // namespace
+
+bool HandMotion::take(const DeviceSample& sample, double dt) noexcept {
+    const Pose& handle = sample.world_from_handle;
+    const bool is_there = is_pose(handle);
+    const bool has_leapt = is_there && (was_missing_ || sample.missed >= too_many_missed ||
+                                        length(handle.position - pose_.position) > leap);
+    was_missing_ = !is_there;
+    if (!is_there || has_leapt) {
+        if (is_there) pose_ = handle;
+        first_pole_ = rate_ = Vec6{};
+        return false;
+    }
+    const Vec3 turned_by = rotate(pose_.rotation, small_rotation_vector(conjugate(pose_.rotation) * handle.rotation));
+    dt *= 1.0 + sample.missed;
+    const Vec6 raw = make_vec6((1.0 / dt) * (handle.position - pose_.position), (1.0 / dt) * turned_by);
+    pose_ = handle;
+    const double share = 1.0 - exp_exact(-2.0 * pi * filter_hz * dt);
+    for (std::size_t i = 0; i < 6; ++i) {
+        first_pole_[i] += share * (raw[i] - first_pole_[i]);
+        rate_[i] += share * (first_pole_[i] - rate_[i]);
+    }
+    return true;
+}
+
+}  // namespace kerf

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/scene/simulation.h"
+
+#include <utility>
+
+#include "kerf/assert.hpp"
+
+namespace kerf {
+
+Simulation::Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains,
+                       const Pose& start, double period)
+    : Simulation(body, std::vector<Tool>{{std::move(setup), std::move(outline)}}, gains, start, period) {}
+
+Simulation::Simulation(const Body& body, std::vector<Tool> tools, const CouplingGains& gains, const Pose& start,
+                       double period)
+    : HapticLoop(body, std::move(tools), gains, start, period), scene_(body, cutting_solids()) {}
+
+TickResult Simulation::tick(const DeviceSample& sample) {
+    const TickResult result = HapticLoop::tick(sample);
+    follow();
+    if (result.is_stripping) strip();
+    return result;
+}
+
+TickResult Simulation::tick_direct(const DeviceSample& sample) {
+    const TickResult result = HapticLoop::tick_direct(sample);
+    follow();
+    if (result.is_stripping) strip();
+    return result;
+}
+
+void Simulation::follow() { follow_from(0); }
+
+/// The scene follows the records of `closed` from the one at `first` on.
+void Simulation::follow_from(std::size_t first) {
+    std::vector<CutRecord> removing;
+    for (const CutRecord& record : closed().subspan(first))
+        if (record.removes) removing.push_back(record);
+    if (!removing.empty()) {
+        scene_.apply(removing, placings());
+    } else if (is_clear_of_bone()) {
+        scene_.leave_bone();
+        scene_.know_threads(threads());
+    }
+    present().reserve(bricks_of_a_tick);
+    make_room();
+    take_separations_due(false);
+}
+
+void Simulation::close_and_follow() {
+    close_stretches();
+    follow();
+}
+
+void Simulation::take_tool(std::size_t tool) {
+    if (tool != this->tool()) take_another(tool);
+}
+
+void Simulation::take_another(std::size_t tool, double back) {
+    close_and_follow();
+    HapticLoop::take_tool(tool, back);
+}
+
+void Simulation::finish() {
+    close_and_follow();
+    flush();
+    take_separations_due(true);  // nobody cuts any more
+}
+
+// ---- changes of bodies --------------------------------------------------------------------------------------------
+
+void Simulation::take_over(Offer offer) {
+    const Placings before = placings();
+    const bool is_taken = take(offer);
+    KERF_ASSERT(is_taken, "in lock-step an offer lacks nothing");
+    static_cast<void>(is_taken);
+    scene_.taken(offer, before, next_sequence());
+    if (offer.separation) separations_.push_back(std::move(*offer.separation));
+}
+
+void Simulation::take_separations_due(bool all) {
+    const auto is_due = [&] {
+        if (all) return true;
+        if (!adoption_ticks_) return scene_.waiting()->tick + adoption_delay <= ticks();
+        return !adoption_ticks_->empty() && adoption_ticks_->front() <= ticks();
+    };
+    while (scene_.waiting() != nullptr && is_due()) {
+        if (adoption_ticks_ && !adoption_ticks_->empty()) adoption_ticks_->erase(adoption_ticks_->begin());
+        take_over(scene_.separation());
+    }
+}
+
+std::string Simulation::insert(const Body& body, const Pose& world_from_body, bool is_cuttable,
+                               std::optional<std::size_t> rigid_to) {
+    take_separations_due(true);  // ids are given in order
+    std::string why_not;
+    Offer offer = scene_.insertion(body, world_from_body, is_cuttable, placings(), why_not);
+    if (rigid_to && offer.is_any())
+        offer.placings.of[offer.placings.count - 1].group = static_cast<std::uint16_t>(bodies()[*rigid_to]->group);
+    if (offer.is_any()) take_over(std::move(offer));
+    return why_not;
+}
+
+void Simulation::begin_with(const Body& body, const Pose& world_from_body) {
+    static_cast<void>(insert(body, world_from_body, true));  // the second body, of the same tissues
+    scene_.forget_changes();
+}
+
+std::string Simulation::fuse() {
+    if (held() < 0) return "nothing is held";
+    take_separations_due(true);
+    std::string why_not;
+    Offer offer = scene_.fusion(static_cast<std::size_t>(held()), placings(), why_not);
+    if (offer.is_any()) take_over(std::move(offer));
+    return why_not;
+}
+
+void Simulation::subtract(std::size_t solid, const Pose& world_from_tool) {
+    close_and_follow();
+    take_separations_due(true);
+    take_over(scene_.subtraction(static_cast<std::uint16_t>(solid), world_from_tool, placings()));
+}
+
+/// Subtracts the bone around the thread in the tick that stripped it, and keeps that tick's records.
+void Simulation::strip() {
+    const std::size_t first = closed().size();
+    close_more_stretches();
+    follow_from(first);
+    take_separations_due(true);
+    take_over(scene_.subtraction(static_cast<std::uint16_t>(crest_number()), world_from_tool(), placings()));
+}
+
+std::string Simulation::turn_back(Turn turn) {
+    if (!is_clear_of_bone()) return "the tool is not clear of the bone";
+    close_and_follow();
+    scene_.leave_bone();
+    if (!scene_.can(turn)) return turn == Turn::undo ? "there is no cut to take back" : "there is no cut to do again";
+    take_over(scene_.turn(turn));
+    return {};
+}
+
+}  // namespace kerf

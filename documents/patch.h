@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "documents/yaml/document.h"
+
+/// Documents that differ from another in a few values: variants of a procedure, and `--set` on the command line.
+namespace kerf {
+
+/// Changes the tree at `target` as the map `patch` says; what is wrong is reported at the patch's own place.
+///
+/// A key is a path: keys of maps, and ids of the items of lists, with dots between them. A value takes the place of the
+/// one that is there; but maps are merged key by key, lists whose items have ids item by item, and `~` removes. Keys
+/// that a map lacks are added, items too.   [main]
+void apply_patch(Document& document, Node& target, const Node& patch, Report& report);
+
+/// Applies `path=value`, the value in YAML. Its places are shown as those of a text named `--set`.   [main]
+void apply_setting(Document& document, const std::string& setting, Diagnostics& diagnostics);
+
+/// The tree as YAML that reads back to the same tree; with `is_annotated` every value says where it comes from. [main]
+[[nodiscard]] std::string emitted(const Document& document, bool is_annotated);
+
+}  // namespace kerf

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "documents/anatomy.h"
+#include "documents/measure_plan.h"
+#include "documents/yaml/read_map.h"
+
+namespace kerf {
+
+/// Reads `constructions:`. A construction is made of landmarks that the procedure needs, and of those above it.
+/// @param landmarks   `needs.landmarks`
+[[nodiscard]] std::vector<Construction> read_constructions(const Node& node, const std::vector<std::string>& landmarks,
+                                                           Report& report);
+
+/// Reads `measures:`.
+[[nodiscard]] std::vector<Measure> read_measures(const Node& node, const std::vector<std::string>& landmarks,
+                                                 const std::vector<Construction>& constructions, Report& report);
+
+/// Refuses constructions and measures of landmarks that are of another sort in the anatomy, such as the angle of a
+/// point.
+void check_sorts(const std::vector<Construction>& constructions, const std::vector<Measure>& measures,
+                 const Anatomy& anatomy, const Document& document, Report& report);
+
+}  // namespace kerf

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "documents/solids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace kerf {
+
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+    using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;  // clang needs to be told before its version 17
+
+/// Distance of a cylinder cut flat: `side` to its wall, `end` to the nearer cap, both signed.
+double capped(double side, double end) noexcept {
+    const double out_side = std::max(side, 0.0), out_end = std::max(end, 0.0);
+    return std::min(std::max(side, end), 0.0) + std::sqrt(out_side * out_side + out_end * out_end);
+}
+
+struct Along {
+    Vec3 axis;      ///< unit
+    double length;  ///< [m]
+    double at;      ///< of the point along the axis, from `from` [m]
+    Vec3 across;    ///< from the axis to the point [m]
+};
+Along along(Vec3 from, Vec3 to, Vec3 p) noexcept {
+    const Vec3 axis = normalized(to - from);
+    const double at = dot(p - from, axis);
+    return {axis, length(to - from), at, p - from - at * axis};
+}
+
+}  // namespace
+
+double distance_to(const Solid& solid, Vec3 p) noexcept {
+    return std::visit(
+        Overloaded{[&](const BoxSolid& box) {
+                       const Vec3 d = p - box.centre;
+                       const Vec3 q{std::abs(d.x) - 0.5 * box.size.x, std::abs(d.y) - 0.5 * box.size.y,
+                                    std::abs(d.z) - 0.5 * box.size.z};
+                       return length(Vec3{std::max(q.x, 0.0), std::max(q.y, 0.0), std::max(q.z, 0.0)}) +
+                              std::min(std::max({q.x, q.y, q.z}), 0.0);
+                   },
+                   [&](const TubeSolid& tube) {
+                       const Along a = along(tube.from, tube.to, p);
+                       return capped(length(a.across) - tube.radius, std::abs(a.at - 0.5 * a.length) - 0.5 * a.length);
+                   },
+                   [&](const EllipticTubeSolid& tube) {
+                       const Along a = along(tube.from, tube.to, p);
+                       const Vec3 up = normalized(tube.up - dot(tube.up, a.axis) * a.axis);
+                       const Vec3 side = cross(up, a.axis);
+                       const double x = dot(a.across, side), y = dot(a.across, up);
+                       const double rx = 0.5 * tube.width, ry = 0.5 * tube.height;
+                       // k0 (k0 − 1) / k1: first order exact at the wall, never steeper than 1.
+                       const double k0 = std::sqrt(x * x / (rx * rx) + y * y / (ry * ry));
+                       const double k1 = std::sqrt(x * x / (rx * rx * rx * rx) + y * y / (ry * ry * ry * ry));
+                       const double wall = k1 > 0.0 ? k0 * (k0 - 1.0) / k1 : -std::min(rx, ry);
+                       return capped(std::max(wall, -std::min(rx, ry)),
+                                     std::abs(a.at - 0.5 * a.length) - 0.5 * a.length);
+                   },
+                   [&](const SphereSolid& sphere) { return length(p - sphere.centre) - sphere.radius; }},
+        solid);
+}
+
+double distance_to_any(const std::vector<Solid>& solids, Vec3 p) noexcept {
+    double d = HUGE_VAL;
+    for (const auto& solid : solids) d = std::min(d, distance_to(solid, p));
+    return d;
+}
+
+double distance_to(const Tissue& tissue, double depth, Vec3 p) noexcept {
+    const double in_shell = tissue.thickness > 0.0 ? depth - tissue.thickness : -HUGE_VAL;
+    return tissue.solids.empty() ? in_shell : std::max(in_shell, distance_to_any(tissue.solids, p));
+}
+
+double distance_to(const PhantomSource& phantom, Vec3 p) noexcept {
+    double d = HUGE_VAL;
+    for (const auto& part : phantom.parts) {
+        const double one = distance_to(part.solid, p);
+        d = part.subtract ? std::max(d, -one) : std::min(d, one);
+    }
+    return d;
+}
+
+Box bounds_of(const Solid& solid) noexcept {
+    const auto tube = [](Vec3 from, Vec3 to, double r) {
+        return Box{{std::min(from.x, to.x) - r, std::min(from.y, to.y) - r, std::min(from.z, to.z) - r},
+                   {std::max(from.x, to.x) + r, std::max(from.y, to.y) + r, std::max(from.z, to.z) + r}};
+    };
+    return std::visit(
+        Overloaded{[](const BoxSolid& box) {
+                       return Box{box.centre - 0.5 * box.size, box.centre + 0.5 * box.size};
+                   },
+                   [&](const TubeSolid& t) { return tube(t.from, t.to, t.radius); },
+                   [&](const EllipticTubeSolid& t) { return tube(t.from, t.to, 0.5 * std::max(t.width, t.height)); },
+                   [&](const SphereSolid& s) { return tube(s.centre, s.centre, s.radius); }},
+        solid);
+}
+
+Box bounds_of(const std::vector<Solid>& solids) noexcept {
+    Box all{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (const Solid& solid : solids) {
+        const Box one = bounds_of(solid);
+        all.low = {std::min(all.low.x, one.low.x), std::min(all.low.y, one.low.y), std::min(all.low.z, one.low.z)};
+        all.high = {std::max(all.high.x, one.high.x), std::max(all.high.y, one.high.y),
+                    std::max(all.high.z, one.high.z)};
+    }
+    return all;
+}
+
+}  // namespace kerf

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "text/read_codes.h"
+#include "text/source.h"
+
+/// A YAML document as a tree that knows where everything stands. Nothing is guessed: `yes` and `1.0` are text.
+namespace kerf {
+
+/// Bytes in the document's text. Turned into line and column only when somebody must read it.
+struct TextSpan {
+    std::size_t begin = 0;
+    std::size_t size = 1;
+    std::size_t source = 0;  ///< 0: the document itself; or a text that was added to it
+};
+
+struct Node {
+    enum class Kind { scalar, map, list };
+    Kind kind = Kind::scalar;
+    std::string text;  ///< of a scalar; empty for `~`, `null` and nothing
+    TextSpan span;
+    std::string key;             ///< in a map
+    TextSpan key_span;           ///< in a map
+    bool is_refused = false;     ///< an alias or the like, reported already: say no more about it
+    bool is_quoted = false;      ///< a scalar in quotation marks
+    bool is_removal = false;     ///< `~`
+    std::vector<Node> children;  ///< in the order of the file
+
+    const Node* find(std::string_view wanted) const noexcept;
+};
+
+class Document {
+public:
+    Document(std::string file, std::string text);
+
+    const std::string& file() const noexcept { return file_; }
+    const std::string& text() const noexcept { return text_; }
+    SourcePlace place(TextSpan span) const;
+    std::string source_line(TextSpan span) const;     ///< empty when too long to show
+    std::size_t line_begin(int line) const noexcept;  ///< of a line counted from 0
+
+    /// Takes in another text, as one that changes this document. Returns its tree, whose places lead there from now on.
+    Node add_source(Document added);
+    /// What stands at `now` took the place of what stands at `before`.
+    void note_replaced(TextSpan now, TextSpan before) { replaced_[{now.source, now.begin}] = before; }
+    std::optional<TextSpan> replaced_by(TextSpan now) const;
+
+    Node root;
+
+private:
+    std::size_t line_of(std::size_t at) const noexcept;
+    std::string_view line(std::size_t index) const noexcept;
+
+    std::string file_, text_;
+    std::vector<std::size_t> line_begins_;
+    std::vector<Document> added_;
+    std::map<std::pair<std::size_t, std::size_t>, TextSpan> replaced_;  ///< by source and begin
+};
+
+/// Collects what is wrong with one document. Shows at most 100 entries, then says that there are more. The same
+/// message at the same place is shown once: several rehearsals may follow one path.
+class Report {
+public:
+    Report(const Document& document, Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
+
+    void error(Code code, TextSpan span, std::string message, std::string write = {},
+               std::optional<Reason> reason = {});
+    void warning(Code code, TextSpan span, std::string message, std::string write = {});
+    Reason because(TextSpan span, std::string message) const;  ///< a reason that stands in this document
+    bool has_error() const noexcept { return errors_ > 0; }
+    int errors() const noexcept { return errors_; }
+    bool is_full() const noexcept { return shown_ > most_shown; }
+
+private:
+    static constexpr int most_shown = 100;
+
+    [[nodiscard]] bool is_reported(const std::string& code, TextSpan span, const std::string& message) const;
+    void add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write,
+             std::optional<Reason> reason);
+
+    const Document& document_;
+    Diagnostics& diagnostics_;
+    int shown_ = 0;
+    int errors_ = 0;
+    bool is_end_told_ = false;
+};
+
+/// A text that was read without complaint, once more: what is made of it keeps no places, its text still has them.
+/// [main]
+Document read_again(const std::string& file, const std::string& text);
+
+/// Reads a file of at most 1 MB as UTF-8 text. Empty when it cannot be read; says why.   [main]
+std::optional<std::string> read_text_file(const std::string& file, Diagnostics& diagnostics);
+
+/// Reads YAML: one document, no anchors, aliases or tags, no key twice, at most 64 levels.
+/// Every breach is reported. A tree comes back, without the offending parts, whenever the text is YAML at all, so
+/// that a reader can look for the remaining errors; whether there were any is in `diagnostics`. Never throws.   [main]
+std::optional<Document> parse_document(const std::string& file, std::string text, Diagnostics& diagnostics);
+
+}  // namespace kerf

@@ -1,0 +1,462 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "documents/yaml/read_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <utility>
+
+#include "documents/yaml/explain_syntax.h"
+#include "kerf/assert.hpp"
+#include "kerf/units.hpp"
+#include "text/look_alike.h"
+#include "text/printable.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t longest_word = 48;  // longer ones are no slip of the finger
+constexpr std::size_t most_candidates = 200;
+
+/// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+        std::swap(before, last);
+        std::swap(last, row);
+    }
+    return last[b.size()];
+}
+
+const char* kind_name(Node::Kind kind) {
+    switch (kind) {
+        case Node::Kind::map:
+            return "a map of keys";
+        case Node::Kind::list:
+            return "a list";
+        case Node::Kind::scalar:
+            break;
+    }
+    return "a single value";
+}
+
+/// How to write a value of this kind.
+const char* way_to(Node::Kind kind) {
+    switch (kind) {
+        case Node::Kind::map:
+            return "Write `key: value`, a line for each.";
+        case Node::Kind::list:
+            return "Put `[` and `]` around it, or `- ` before each item.";
+        case Node::Kind::scalar:
+            break;
+    }
+    return "Write a single value.";
+}
+
+/// The id nearest to `text`; empty if there is none.
+std::string id_of(std::string_view text) {
+    std::string id;
+    for (const char c : straightened(text.substr(0, 64))) {
+        const bool is_alphanumeric = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        if (is_alphanumeric || ((c == '.' || c == '_' || c == '-') && !id.empty()))
+            id += c;
+        else if (!id.empty() && id.back() != '-')
+            id += '-';
+    }
+    while (!id.empty() && id.back() == '-') id.pop_back();
+    return id;
+}
+
+bool is_absent(const Node& node) { return node.kind == Node::Kind::scalar && node.text.empty(); }
+
+bool is_id(std::string_view text) {
+    const auto is_alphanumeric = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    };
+    return !text.empty() && text.size() <= 64 && is_alphanumeric(text[0]) &&
+           std::all_of(text.begin(), text.end(),
+                       [&](char c) { return is_alphanumeric(c) || c == '.' || c == '_' || c == '-'; });
+}
+
+}  // namespace
+
+std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report) {
+    return report.is_full() ? std::string() : closest(word, candidates);
+}
+
+/// Whether two names differ by the side of the patient alone: the one is not meant by the other.
+bool is_other_side(std::string_view one, std::string_view other) {
+    constexpr std::string_view right = "right", left = "left";
+    const auto is_swapped = [&](std::string_view a, std::string_view b) {
+        const std::size_t at = a.find(right);
+        return at != std::string_view::npos && a.size() + left.size() == b.size() + right.size() &&
+               a.substr(0, at) == b.substr(0, at) && b.substr(at, left.size()) == left &&
+               a.substr(at + right.size()) == b.substr(at + left.size());
+    };
+    const auto ends_swapped = [](std::string_view a, std::string_view b) {
+        return a.ends_with("_r") && b.ends_with("_l") && a.substr(0, a.size() - 1) == b.substr(0, b.size() - 1);
+    };
+    return is_swapped(one, other) || is_swapped(other, one) || ends_swapped(one, other) || ends_swapped(other, one);
+}
+
+std::string closest(std::string_view word, const std::vector<std::string>& candidates) {
+    if (word.size() > longest_word) return {};
+    std::string best;
+    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+    for (std::size_t i = 0; i < std::min(candidates.size(), most_candidates); ++i) {
+        const std::string& candidate = candidates[i];
+        if (candidate.size() > longest_word || is_other_side(word, candidate)) continue;
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < best_distance && distance < std::max(word.size(), candidate.size())) {
+            best = candidate;
+            best_distance = distance;
+        }
+    }
+    return best;
+}
+
+std::string or_choose(const std::string& meant, const std::string& advice) {
+    return meant.empty() ? " " + advice : std::string();
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    constexpr std::size_t most = 8;
+    std::string text;
+    const std::size_t shown = std::min(words.size(), most);
+    for (std::size_t i = 0; i < shown; ++i) {
+        if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+        text += "`" + words[i] + "`";
+    }
+    return words.size() > most ? text + " or " + std::to_string(words.size() - most) + " more" : text;
+}
+
+namespace {
+
+/// " `−` is U+2212 (minus sign), not `-`." for a text with such a character.
+std::string named_look_alike(std::string_view text) {
+    const std::optional<LookAlike> found = find_look_alike(text);
+    if (!found) return {};
+    std::string named = about(*found);
+    if (named[0] == 'i') named[0] = 'I';
+    return " " + named + ".";
+}
+
+std::string got(std::string_view text) { return "got `" + excerpt(text, 40) + "`"; }
+
+}  // namespace
+
+void refuse_key(const Node& child, const Shape& shape, const std::string& meant, Report& report) {
+    std::vector<std::string> known, choices;
+    for (const KeyShape& key : shape.keys) {
+        known.push_back(key.name);
+        if (key.presence == Presence::one_of) choices.push_back(key.name);
+    }
+    // Where one of several keys is needed, an unknown one is most likely meant as one of them.
+    const bool is_choice = meant.empty() && !choices.empty();
+    report.error(
+        Code::unknown_key, child.key_span,
+        "The key `" + excerpt(child.key, 40) + "` is unknown" +
+            (known.empty() ? "; no key is allowed here." : ": expected " + listed(is_choice ? choices : known) + ".") +
+            named_look_alike(child.key) + or_choose(meant, is_choice ? "Write one of these." : "Remove it."),
+        meant.empty() ? "" : meant + ":");
+}
+
+bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report& report) {
+    if (node.is_refused) return false;
+    if (is_absent(node)) {
+        report.error(Code::empty_value, node.span,
+                     name + " is empty, expected " + kind_name(kind) + ". Fill it, or remove it.");
+        return false;
+    }
+    if (node.kind == kind) return true;
+    if (const auto mistake = kind == Node::Kind::scalar || node.kind != Node::Kind::scalar || node.is_quoted
+                                 ? std::nullopt
+                             : kind == Node::Kind::map ? find_missing_space(node.text)
+                                                       : find_missing_dash_space(node.text)) {
+        report.error(Code::syntax, node.span, mistake->message, mistake->write);
+        return false;
+    }
+    report.error(Code::wrong_shape, node.span,
+                 name + " has the wrong form: got " + kind_name(node.kind) + ", expected " + kind_name(kind) + ". " +
+                     way_to(kind));
+    return false;
+}
+
+std::optional<std::string> read_text(const Node& node, const std::string& name, Report& report) {
+    if (!is_kind(node, Node::Kind::scalar, name, report)) return std::nullopt;
+    return node.text;
+}
+
+std::optional<std::string> read_id(const Node& node, const std::string& name, Report& report) {
+    std::optional<std::string> text = read_text(node, name, report);
+    if (text && !is_id(*text)) {
+        report.error(Code::malformed_word, node.span,
+                     name + " is not a name: " + got(*text) +
+                         ", expected one word of at most 64 letters, digits, `.`, `_` and `-`, a letter or digit "
+                         "first." +
+                         named_look_alike(*text) + (id_of(*text).empty() ? " Choose one." : ""),
+                     id_of(*text));
+        return std::nullopt;
+    }
+    return text;
+}
+
+std::optional<bool> read_yes_no(const Node& node, const std::string& name, Report& report) {
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return std::nullopt;
+    if (*text == "true" || *text == "false") return *text == "true";
+    const bool is_yes =
+        *text == "yes" || *text == "on" || *text == "y" || *text == "True" || *text == "TRUE" || *text == "1";
+    const bool is_no =
+        *text == "no" || *text == "off" || *text == "n" || *text == "False" || *text == "FALSE" || *text == "0";
+    const std::string meant = is_yes ? "true" : is_no ? "false" : "";
+    report.error(Code::unknown_word, node.span,
+                 name + " is unknown: " + got(*text) + ", expected `true` or `false`." + named_look_alike(*text) +
+                     or_choose(meant, "Write one of the two."),
+                 meant);
+    return std::nullopt;
+}
+
+std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report,
+                                    std::optional<Reason> declared) {
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return std::nullopt;
+    Parsed<double> parsed = parse_quantity(*text, name, need);
+    if (parsed.problem.code != Code::out_of_range) declared.reset();
+    if (!parsed.value)
+        report.error(parsed.problem.code, node.span, parsed.problem.message, parsed.problem.write, std::move(declared));
+    return parsed.value;
+}
+
+std::optional<Vec3> read_vector(const Node& node, const std::string& name, const QuantityNeed& need, Report& report) {
+    if (node.kind == Node::Kind::list) {
+        if (node.children.size() != 3) {
+            report.error(Code::not_three_numbers, node.span,
+                         name + " is not three numbers: got a list of " + std::to_string(node.children.size()) +
+                             ", expected x, y and z. Write three.");
+            return std::nullopt;
+        }
+        std::array<std::optional<double>, 3> values;
+        for (std::size_t i = 0; i < 3; ++i) values[i] = read_quantity(node.children[i], name, need, report);
+        if (!values[0] || !values[1] || !values[2]) return std::nullopt;
+        return Vec3{*values[0], *values[1], *values[2]};
+    }
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return std::nullopt;
+    Parsed<Vec3> parsed = parse_vector(*text, name, need);
+    if (!parsed.value) report.error(parsed.problem.code, node.span, parsed.problem.message, parsed.problem.write);
+    return parsed.value;
+}
+
+std::string read_path(const Node& node, const std::string& name, const std::string& where, Report& report) {
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return {};
+    const std::filesystem::path path = std::filesystem::path(*text).lexically_normal();
+    const bool has_drive = text->find(':') != std::string::npos || text->find('\\') != std::string::npos;
+    if (!path.is_absolute() && !has_drive && (path.empty() || *path.begin() != "..")) return path.generic_string();
+    report.error(Code::path_outside, node.span,
+                 name + " leads outside: " + got(*text) + ", expected a path inside " + where +
+                     ", with `/` between folders. Put the file there, and write its path from there.");
+    return {};
+}
+
+const std::vector<Node>& read_list(const Node& node, const std::string& name, Report& report) {
+    static const std::vector<Node> none;
+    if (!is_kind(node, Node::Kind::list, name, report)) return none;
+    if (node.children.empty())
+        report.error(Code::empty_value, node.span, name + " is an empty list. Add an item, or remove it.");
+    return node.children;
+}
+
+std::vector<std::string> read_ids(const Node& node, const std::string& name, Report& report) {
+    std::vector<std::string> ids;
+    UniqueIds unique;
+    for (const Node& item : read_list(node, name, report))
+        if (const std::optional<std::string> id = read_id(item, "A name in " + name, report))
+            if (unique.add(*id, item.span, report)) ids.push_back(*id);
+    return ids;
+}
+
+bool UniqueIds::add(const std::string& id, TextSpan span, Report& report) {
+    const auto [first, is_new] = ids_.try_emplace(id, span);
+    if (is_new) return true;
+    report.error(Code::duplicate_id, span, "The name `" + id + "` is used twice. Give this one another name.", {},
+                 report.because(first->second, "it is used here first."));
+    return false;
+}
+
+std::string item_name(const Node& item, const std::string& sort) {
+    const Node* id = item.find("id");
+    return id && id->kind == Node::Kind::scalar && is_id(id->text) ? id->text : sort;
+}
+
+bool read_header(MapReader& document, const std::string& kind, Report& report) {
+    constexpr const char* api_version = "kerf/v1";
+    bool is_right = document.is_map();
+    if (const Node* node = document.required("apiVersion"))
+        if (const auto text = read_text(*node, "apiVersion", report); text && *text != api_version) {
+            report.error(Code::wrong_api_version, node->span,
+                         "The version of the format is unknown: " + got(*text) + ", expected `" + api_version + "`.",
+                         api_version);
+            is_right = false;
+        }
+    if (const Node* node = document.required("kind"))
+        if (const auto text = read_text(*node, "kind", report); text && *text != kind) {
+            // Only a slip of the pen is mended here; another document needs another file.
+            const std::string meant = closest(*text, {kind}, report);
+            report.error(Code::wrong_kind, node->span,
+                         "The document is of another kind: " + got(*text) + ", expected `" + kind + "`." +
+                             or_choose(meant, "Name another file."),
+                         meant);
+            is_right = false;
+        }
+    return is_right;
+}
+
+MapReader::MapReader(const Node& node, const Shape& shape, std::string name, Report& report)
+    : node_(node),
+      shape_(shape),
+      name_(std::move(name)),
+      report_(report),
+      span_(node.key.empty() ? node.span : node.key_span),
+      is_map_(is_kind(node, Node::Kind::map, name_.empty() ? "The document" : name_, report)) {}
+
+std::string MapReader::name_of(const std::string& key) const { return name_.empty() ? key : name_ + "." + key; }
+
+const KeyShape& MapReader::shape_of(const std::string& key) const {
+    const KeyShape* shape = shape_.find(key);
+    KERF_ASSERT(shape != nullptr, ("add `" + key + "` to the shape `" + shape_.id + "` in shapes.cpp").c_str());
+    return *shape;
+}
+
+const Node* MapReader::ask(const std::string& key) {
+    asked_.push_back(shape_of(key).name);
+    return is_map_ ? node_.find(key) : nullptr;
+}
+
+const Node* MapReader::find(const std::string& key) {
+    return shape_of(key).presence == Presence::required ? required(key) : ask(key);
+}
+
+const Node* MapReader::required(const std::string& key) {
+    const Node* found = ask(key);
+    if (!found && is_map_)
+        report_.error(Code::missing_key, span_,
+                      (name_.empty() ? "The document" : name_) + " has no `" + key + ":`. Add it, as in `" + key +
+                          ": " + shape_of(key).example + "`.");
+    return found;
+}
+
+std::string MapReader::text(const std::string& key) {
+    const Node* found = find(key);
+    return found ? read_text(*found, name_of(key), report_).value_or("") : "";
+}
+
+std::string MapReader::id(const std::string& key) {
+    const Node* found = find(key);
+    return found ? read_id(*found, name_of(key), report_).value_or("") : "";
+}
+
+std::vector<std::string> MapReader::ids(const std::string& key) {
+    const Node* found = find(key);
+    return found ? read_ids(*found, name_of(key), report_) : std::vector<std::string>{};
+}
+
+std::string MapReader::word(const std::string& key) {
+    const Node* found = find(key);
+    const std::string word = found ? read_text(*found, name_of(key), report_).value_or("") : "";
+    const std::vector<std::string>& words = shape_of(key).value.words;
+    if (word.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
+    const std::string meant = closest(straightened(word), words, report_);
+    report_.error(Code::unknown_word, found->span,
+                  name_of(key) + " is unknown: " + got(word) + ", expected " + listed(words) + "." +
+                      named_look_alike(word) + or_choose(meant),
+                  meant);
+    return {};
+}
+
+bool MapReader::yes_no(const std::string& key) {
+    const Node* found = find(key);
+    return found && read_yes_no(*found, name_of(key), report_).value_or(false);
+}
+
+double MapReader::quantity(const std::string& key) {
+    double value = need_of(key).min;
+    quantity(key, value);
+    return value;
+}
+
+void MapReader::quantity(const std::string& key, double& value) {
+    if (const Node* found = find(key))
+        value = read_quantity(*found, name_of(key), need_of(key), report_).value_or(value);
+}
+
+void MapReader::labels(const std::string& key, std::vector<int>& numbers, std::vector<std::string>& names) {
+    const Node* found = find(key);
+    if (!found) return;
+    const QuantityNeed& need = shape_of(key).value.item.front().need;
+    for (const Node& item : read_list(*found, name_of(key), report_)) {
+        const std::string name = "A label in " + name_of(key);
+        const bool is_number = item.text.find_first_not_of("+-.0123456789") == std::string::npos;
+        if (item.kind == Node::Kind::scalar && !is_number) {
+            names.push_back(item.text);
+            continue;
+        }
+        const std::optional<double> value = read_quantity(item, name, need, report_);
+        if (!value) continue;
+        if (*value == std::floor(*value))
+            numbers.push_back(static_cast<int>(*value));
+        else
+            report_.error(Code::not_a_number, item.span,
+                          name + " is not a whole number: " + got(item.text) + ". Remove the fraction.");
+    }
+}
+
+std::optional<Vec3> MapReader::vector(const std::string& key) {
+    const Node* found = find(key);
+    return found ? read_vector(*found, name_of(key), need_of(key), report_) : std::nullopt;
+}
+
+const Node* MapReader::one_of() {
+    const Node* found = nullptr;
+    std::vector<std::string> keys;
+    for (const KeyShape& key : shape_.keys) {
+        if (key.presence != Presence::one_of) continue;
+        keys.push_back(key.name);
+        const Node* candidate = ask(key.name);
+        if (candidate && found) {
+            report_.error(Code::one_of, candidate->key_span,
+                          (name_.empty() ? "The document" : name_) + " has both `" + found->key + "` and `" + key.name +
+                              "`, expected one of them. Remove one.",
+                          {}, report_.because(found->key_span, "the other one is here."));
+        } else if (candidate) {
+            found = candidate;
+        }
+    }
+    const bool has_unknown = std::any_of(node_.children.begin(), node_.children.end(),
+                                         [&](const Node& child) { return shape_.find(child.key) == nullptr; });
+    if (!found && is_map_ && !has_unknown)  // an unknown key was most likely meant as one of them: finish() reports it
+        report_.error(Code::one_of, span_,
+                      (name_.empty() ? "The document" : name_) + " has none of " + listed(keys) + ". Add one of them.");
+    return found;
+}
+
+void MapReader::finish() {
+    for (const KeyShape& key : shape_.keys)
+        KERF_ASSERT(std::find(asked_.begin(), asked_.end(), key.name) != asked_.end(),
+                    ("read `" + key.name + "`, or remove it from the shape `" + shape_.id + "` in shapes.cpp").c_str());
+    if (!is_map_) return;
+    for (const Node& child : node_.children)
+        if (shape_.find(child.key) == nullptr) refuse_key(child, shape_, "", report_);
+}
+
+}  // namespace kerf

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "session/packed_column.h"
+#include "session/session_tables.h"
+#include "session/sqlite_database.h"
+
+namespace kerf {
+
+/// Rows of one table in memory, column by column.
+class RowBlock {
+public:
+    explicit RowBlock(std::size_t columns) : cells_(columns * max_block_rows) {}
+
+    /// The next number of the present row, from left to right.
+    RowBlock& operator<<(double number) noexcept { return put(to_cell(number)); }
+    RowBlock& operator<<(std::int64_t number) noexcept { return put(to_cell(number)); }
+    void end_row() noexcept {
+        ++rows_;
+        column_ = 0;
+    }
+    void clear() noexcept { rows_ = column_ = 0; }
+
+    [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
+    [[nodiscard]] bool is_full() const noexcept { return rows_ == max_block_rows; }
+    [[nodiscard]] std::span<const std::uint64_t> column(std::size_t column) const noexcept {
+        return std::span(cells_).subspan(column * max_block_rows, rows_);
+    }
+
+private:
+    RowBlock& put(std::uint64_t cell) noexcept {
+        cells_[column_++ * max_block_rows + rows_] = cell;
+        return *this;
+    }
+
+    std::vector<std::uint64_t> cells_;
+    std::size_t rows_ = 0, column_ = 0;
+};
+
+/// Moves the rows of one table into compressed blocks of max_block_rows rows while a run writes them.
+///
+/// The caller inserts each row into the table, and adds it here. A full block is compressed a few columns at a time, so
+/// that the caller's commits are not late. Then one transaction adds the block and deletes its plain rows: at any
+/// moment each row is in the file once. Where a block cannot be written, the rows stay plain, those before and those to
+/// come.   [one thread at a time]
+class BlockWriter {
+public:
+    explicit BlockWriter(const Table& table);
+    void prepare(SqliteDatabase& database);
+    void finalize() noexcept;
+
+    /// The block that takes the next row. Pre: it is not full.
+    [[nodiscard]] RowBlock& next_rows() noexcept { return gathered_; }
+    [[nodiscard]] bool is_full() const noexcept { return gathered_.is_full(); }
+
+    /// After each commit, outside of a transaction: does a part of the work.
+    void work();
+    /// Compresses all rows that are left.
+    void finish();
+    /// Leaves all rows plain from here on: a transaction with some of them has failed.
+    void give_up(const std::string& why);
+
+    /// Why there are plain rows; empty while there is no reason.
+    [[nodiscard]] const std::string& error() const noexcept { return error_; }
+
+private:
+    struct PackedColumn {
+        int differences = 0;
+        std::vector<unsigned char> bytes;
+    };
+
+    void take_gathered();
+    void pack_columns(std::size_t count);
+    void write_block();
+
+    Table table_;
+    RowBlock gathered_, full_;
+    ColumnPacker packer_;
+    std::vector<std::optional<std::size_t>> like_;  ///< of each column: the one that guesses it
+    std::vector<PackedColumn> packed_;              ///< of `full_`, as far as it is compressed
+    std::int64_t block_ = 0;
+    std::string error_;
+    SqliteDatabase* database_ = nullptr;
+    SqliteStatement insert_, remove_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "session/recording.h"
+
+namespace kerf {
+
+/// Returns an exact surface as an object of summary.json and remesh.json. Millimetres are named in the keys.   [any]
+/// pure.
+[[nodiscard]] nlohmann::ordered_json exact_summary(const ExactRow& exact);
+
+}  // namespace kerf

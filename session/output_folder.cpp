@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/output_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "core/field/pieces/present_bone.h"
+#include "session/recorder.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// SQLite keeps the application id in bytes 68 … 71 of the file, most significant first.
+bool is_session(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::array<char, 72> head{};
+    if (!in.read(head.data(), head.size())) return false;
+    if (std::memcmp(head.data(), "SQLite format 3", 16) != 0) return false;
+    std::uint32_t id = 0;
+    for (std::size_t i = 68; i < 72; ++i) id = (id << 8) | static_cast<unsigned char>(head[i]);
+    return id == static_cast<std::uint32_t>(session_application_id);
+}
+
+/// All files that a run writes, the session last: as long as one of the others is there, it says whose they are.
+std::vector<std::string> files_of_a_run() {
+    std::vector<std::string> whole{"summary.json", "report.html", "bone.stl", "bone-exact.stl", "remesh.json"}, all;
+    for (std::size_t body = 1; body < most_bodies; ++body)
+        for (const char* of : {"bone-", "implant-", "bone-exact-"}) whole.push_back(of + std::to_string(body) + ".stl");
+    for (const std::string& name : whole) all.insert(all.end(), {name, name + ".part"});
+    for (const char* suffix : {".part-journal", ".part", "-journal", "-shm", "-wal", ""})
+        all.push_back(std::string("session.db") + suffix);
+    return all;
+}
+
+/// Whether a folder holds nothing but what a run leaves that ends while its session is made: files beside a session
+/// that is missing or empty.
+bool is_trace_of_a_run(const fs::path& folder) {
+    std::error_code error;
+    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (entry->symlink_status(error).type() != fs::file_type::regular || error) return false;
+        const bool is_beside = name == "session.db.part" || name == "session.db.part-journal" ||
+                               name == "session.db-journal" || name == "session.db-wal" || name == "session.db-shm";
+        const bool is_empty_session = name == "session.db" && entry->file_size(error) == 0;
+        if (!is_beside && !is_empty_session) return false;
+    }
+    return !error;
+}
+
+/// SQLite takes paths of 512 bytes at most, with what it adds to them.
+std::string refusal_of_length(const std::string& folder) {
+    constexpr std::size_t longest = 480;
+    std::error_code error;
+    const std::size_t length = fs::absolute(folder, error).string().size();
+    if (error) return "the working folder no longer exists (" + error.message() + "). Change into another one.";
+    return length <= longest ? ""
+                             : folder.substr(0, 60) + "… could not be made: its path has " + std::to_string(length) +
+                                   " bytes, expected at most " + std::to_string(longest) + ". Give a shorter one.";
+}
+
+}  // namespace
+
+std::string prepare_output(const std::string& folder, OutputLock& lock, MadeFolders& made) {
+    std::error_code error;
+    const fs::path path(folder);
+    const fs::file_status status = fs::status(path, error);
+
+    if (std::string why = refusal_of_length(folder); !why.empty()) return why;
+    if (!fs::exists(status)) {
+        const std::string why = made.make(folder);
+        return why.empty() ? lock.take(folder) : why;
+    }
+    if (!fs::is_directory(status)) return folder + " is a file; results need a folder. Give another one.";
+
+    // Before anything is looked at: another run would change it.
+    if (std::string taken = lock.take(folder); !taken.empty()) return taken;
+    const bool is_empty = fs::is_empty(path, error);
+    if (error) return folder + " could not be read: " + error.message();
+    if (is_empty) return {};
+    if (!is_session(path / "session.db") && !is_trace_of_a_run(path))
+        return folder + " holds other files and no Kerf session, so it was left alone. Give a new or empty folder.";
+
+    // Only what a run writes is ours to take away; anything else stops it before the first file is gone.
+    const std::vector<std::string> ours = files_of_a_run();
+    for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (std::find(std::begin(ours), std::end(ours), name) == std::end(ours))
+            return folder + " holds `" + name +
+                   "`, which no run has written, so it was left alone. Give a new or empty folder.";
+    }
+    for (const std::string& name : ours)
+        if (!error) fs::remove(path / name, error);
+    return error ? folder + " could not be emptied: " + error.message() : std::string();
+}
+
+}  // namespace kerf

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "session/drawn_surface.h"
+#include "session/recording.h"
+
+/// What a run's page shows of it. Ticks and events go by one at a time, so memory does not grow with the run.
+namespace kerf {
+
+/// Picks at most `most` of `total` rows: all of them if they are few, else those that have, in every stretch of time,
+/// the least and the greatest thrust, torque, lateral force and depth; and the first and the last row.   [any]
+class Thinning {
+public:
+    Thinning(std::uint64_t total, std::size_t most);
+
+    /// The next row. Rows beyond `total` are left out.
+    void add(const TickRow& row);
+    /// The rows picked of those that came so far, in order.
+    [[nodiscard]] std::vector<TickRow> rows() const;
+
+private:
+    static constexpr std::size_t quantities = 4;
+    struct Extreme {
+        std::uint64_t index = 0;
+        double value = 0.0;
+        TickRow row;
+    };
+    using Picked = std::vector<std::pair<std::uint64_t, TickRow>>;
+
+    void end_stretch(Picked& picked, bool with_last) const;
+
+    std::uint64_t total_, stretches_, next_ = 0, stretch_ = 0, stretch_end_ = 0;
+    bool is_whole_;
+    Picked picked_;
+    std::vector<Extreme> least_, greatest_;  ///< of this stretch, one for each quantity; empty before its first row
+    TickRow last_;
+};
+
+/// The part of a run that its page shows.
+class DrawnRun {
+public:
+    static constexpr std::size_t most_plotted = 20'000, most_pictured = 1'500, most_events = 2'000;
+
+    /// @param total   how many ticks will come
+    explicit DrawnRun(std::uint64_t total = 0) : plotted_(total, most_plotted), pictured_(total, most_pictured) {}
+
+    /// Before the first tick: how many will come.
+    void expect(std::uint64_t total);
+    void add(const TickRow& row);
+    void add(EventRow event);
+    void set_bone(DrawnSurface bone) { bone_ = std::move(bone); }
+
+    [[nodiscard]] std::uint64_t ticks() const noexcept { return ticks_; }
+    [[nodiscard]] const std::optional<TickRow>& last() const noexcept { return last_; }
+    [[nodiscard]] const std::optional<TickRow>& deepest() const noexcept { return deepest_; }  ///< the first of several
+    [[nodiscard]] std::vector<TickRow> plotted() const { return plotted_.rows(); }
+    [[nodiscard]] std::vector<TickRow> pictured() const { return pictured_.rows(); }  ///< where there are no scripts
+    [[nodiscard]] const std::vector<EventRow>& events() const noexcept { return events_; }  ///< the first most_events
+    [[nodiscard]] std::uint64_t event_count() const noexcept { return event_count_; }
+    [[nodiscard]] const DrawnSurface& bone() const noexcept { return bone_; }
+
+private:
+    Thinning plotted_, pictured_;
+    std::uint64_t ticks_ = 0, event_count_ = 0;
+    std::optional<TickRow> last_, deepest_;
+    std::vector<EventRow> events_;
+    DrawnSurface bone_;
+};
+
+/// Force across the shaft [N]: the modelled force without its part along the tool's axis.   [any]
+[[nodiscard]] double lateral_force(const TickRow& row) noexcept;
+/// Returns the torque about the handle's z that the device was sent, on the hand [N·m], device side.   [any]
+[[nodiscard]] double sent_torque(const TickRow& row) noexcept;
+
+}  // namespace kerf

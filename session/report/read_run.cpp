@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/report/read_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "session/record_checksum.h"
+#include "session/recorded_rows.h"
+#include "session/recorder.h"
+#include "session/session_file.h"
+#include "session/session_tables.h"
+#include "text/plain_numbers.h"
+
+namespace kerf {
+
+namespace {
+
+/// Whether a page shows a column of `ticks`, or is made with it. The others stay compressed.
+bool is_drawn(std::string_view column) {
+    constexpr std::array names{"tick", "time", "thrust", "torque", "depth", "tissue", "removed"};
+    constexpr std::array starts{"device_from_handle_", "world_from_tool_", "modelled_f", "commanded_m", "signal_"};
+    return std::ranges::find(names, column) != names.end() ||
+           std::ranges::any_of(starts, [&](std::string_view start) { return column.starts_with(start); });
+}
+
+/// Reads one session's tables; the first that is not as a run writes it is the error.
+class Reading {
+public:
+    Reading(const std::string& path, SessionFile& file) : path_(path), file_(file), bytes_left_(file.bytes()) {}
+
+    std::optional<RecordedRun> run(std::string& error) {
+        read_keys();
+        read_lists();
+        read_result();
+        read_ticks();
+        read_surface();
+        complete();
+        if (error_.empty()) check_rows();
+        error = error_;
+        return error.empty() ? std::optional(std::move(run_)) : std::nullopt;
+    }
+
+private:
+    void fail(const std::string& what) {
+        if (error_.empty())
+            error_ = path_ + ": " + what + ", so the file is damaged. Name a session.db that a run has written.";
+    }
+
+    /// A text. Rows that share their bytes could hold more text than the file has; a run's never do.
+    std::string text(const SessionQuery& query, int column) {
+        std::string value = query.text(column);
+        if (value.size() > bytes_left_) {
+            fail("holds more text than it has bytes");
+            return {};
+        }
+        bytes_left_ -= value.size();
+        return value;
+    }
+    /// A number; NaN where there is none, as SQLite keeps it.
+    double number(const SessionQuery& query, int column, const char* table) {
+        if (query.is_number(column)) return query.number(column);
+        if (!query.is_null(column)) fail(std::string("its table `") + table + "` has something else than a number");
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    static int small(std::int64_t integer) {
+        constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+        return static_cast<int>(std::clamp(integer, -most, most));
+    }
+
+    template <class Take>
+    void each(const char* table, const std::string& columns, const char* order, Take take) {
+        SessionQuery query(file_.handle(), "SELECT " + columns + " FROM " + table + " ORDER BY " + order);
+        while (error_.empty() && query.next()) take(query);
+        if (query.has_failed()) fail(std::string("its table `") + table + "` cannot be read");
+    }
+
+    void read_keys();
+    void read_lists();
+    void read_result();
+    void read_ticks();
+    void read_surface();
+    void complete();
+    void check_rows();
+
+    [[nodiscard]] std::string key(const std::string& name) const {
+        const auto found = keys_.find(name);
+        return found != keys_.end() ? found->second : std::string();
+    }
+    [[nodiscard]] double number_of(const std::string& name) const {
+        const PlainNumbers point;
+        const std::string value = key(name);
+        return value.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(value.c_str(), nullptr);
+    }
+    [[nodiscard]] std::uint64_t count_of(const std::string& name) const {
+        return std::strtoull(key(name).c_str(), nullptr, 10);
+    }
+
+    const std::string& path_;
+    SessionFile& file_;
+    std::uint64_t bytes_left_;
+    std::map<std::string, std::string> keys_;
+    EventRow last_event_;
+    RecordedRun run_;
+    std::string error_;
+};
+
+void Reading::read_keys() {
+    constexpr std::string_view version = "version.";
+    each("session", "key, value", "rowid", [&](const SessionQuery& row) {
+        std::string name = text(row, 0), value = text(row, 1);
+        if (name.compare(0, version.size(), version) == 0)
+            run_.summary.versions.emplace_back(name.substr(version.size()), value);
+        keys_[std::move(name)] = std::move(value);
+    });
+    RunSummary& summary = run_.summary;
+    summary.procedure = key("run.procedure");
+    summary.procedure_version = key("run.procedure_version");
+    summary.anatomy = key("run.anatomy");
+    summary.rehearsal = key("run.rehearsal");
+    summary.hand = key("run.hand");
+    summary.device = key("condition.device");
+    summary.variant = key("condition.variant");
+    run_.procedure = recorded_procedure(key("procedure_text"), summary.rehearsal);
+    run_.procedure.variant_title = key("run.variant_title");
+    summary.force_scale = number_of("condition.force_scale");
+    summary.coupling_stiffness = number_of("condition.coupling_stiffness");
+}
+
+void Reading::read_lists() {
+    each("tissues", "id", "position", [&](const SessionQuery& row) { run_.summary.tissues.push_back(text(row, 0)); });
+    each("signals", "id, help, display_unit, per_unit", "position", [&](const SessionQuery& row) {
+        run_.summary.signals.push_back({text(row, 0), text(row, 1), text(row, 2), number(row, 3, "signals")});
+    });
+    if (run_.summary.signals.size() > most_signal_columns)
+        fail("has more than " + std::to_string(most_signal_columns) + " signals");
+    each("events", "tick, time, id, detail", "rowid", [&](const SessionQuery& row) {
+        last_event_ = {static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2),
+                       text(row, 3)};
+        run_.drawn.add(last_event_);
+    });
+}
+
+/// What was judged when the run had ended.
+void Reading::read_result() {
+    RunSummary& summary = run_.summary;
+    summary.score = number_of("result.score");
+    summary.duration = number_of("result.duration");
+    summary.ticks = count_of("result.ticks");
+    summary.removed = number_of("result.removed");
+    summary.hash = std::strtoull(key("hash").c_str(), nullptr, 16);
+    for (const Verdict verdict : {Verdict::pass, Verdict::fail, Verdict::incomplete, Verdict::invalid})
+        if (key("result.verdict") == to_text(verdict)) summary.verdict = verdict;
+    each("reasons", "reason", "position", [&](const SessionQuery& row) { summary.reasons.push_back(text(row, 0)); });
+    each("removed", "tissue, volume", "position", [&](const SessionQuery& row) {
+        summary.removed_by_tissue.emplace_back(text(row, 0), number(row, 1, "removed"));
+    });
+    each("steps", "id, title, done, start, steps.\"end\", broken_limits", "position", [&](const SessionQuery& row) {
+        StepRow step{
+            text(row, 0), text(row, 1), row.integer(2) != 0, number(row, 3, "steps"), number(row, 4, "steps"), {}};
+        const std::string limits = text(row, 5);
+        for (std::size_t from = 0; from < limits.size();) {
+            const std::size_t end = std::min(limits.find('\n', from), limits.size());
+            step.broken_limits.push_back(limits.substr(from, end - from));
+            from = end + 1;
+        }
+        summary.steps.push_back(std::move(step));
+    });
+    each("metrics",
+         "id, revision, scope, occurrence, occurrences, value, display_unit, per_unit, uncertainty, status, help",
+         "rowid", [&](const SessionQuery& row) {
+             MetricRow metric;
+             metric.id = text(row, 0);
+             metric.revision = small(row.integer(1));
+             metric.scope = text(row, 2);
+             metric.occurrence = small(row.integer(3));
+             metric.occurrences = small(row.integer(4));
+             metric.value = number(row, 5, "metrics");
+             metric.unit = text(row, 6);
+             metric.per_unit = number(row, 7, "metrics");
+             metric.uncertainty = row.is_null(8) ? -1.0 : number(row, 8, "metrics");
+             metric.status = text(row, 9);
+             metric.help = text(row, 10);
+             summary.metrics.push_back(std::move(metric));
+         });
+}
+
+void Reading::read_ticks() {
+    const auto count = recorded_row_count(file_.handle(), ticks_table);
+    if (!count) return fail(std::string("its table `") + ticks_table + "` cannot be read");
+    run_.drawn.expect(*count);
+    const std::vector<Table> tables = recorded_tables(file_.handle());
+    const Table& ticks = find_table(tables, ticks_table);
+    std::vector<std::string> wanted;
+    for (const TableColumn& column : ticks.columns)
+        if (is_drawn(column.name)) wanted.push_back(column.name);
+    RecordedRows rows(file_.handle(), ticks, wanted);
+    while (error_.empty() && rows.next()) {
+        std::size_t column = 0;
+        const auto integer = [&] { return rows.integer(column++); };
+        const auto next = [&] {
+            const std::size_t at = column++;
+            if (rows.is_number(at)) return rows.number(at);
+            if (!rows.is_null(at)) fail("its table `ticks` has something else than a number");
+            return std::numeric_limits<double>::quiet_NaN();
+        };
+        const auto vector = [&] {
+            const double x = next(), y = next(), z = next();
+            return Vec3{x, y, z};
+        };
+        const auto pose = [&] {
+            const Vec3 position = vector();
+            const double w = next(), x = next(), y = next(), z = next();
+            return Pose{position, {w, x, y, z}};
+        };
+        TickRow row;
+        const std::int64_t tick = integer();
+        row.tick = static_cast<std::uint64_t>(tick);
+        row.time = next();
+        row.device_from_handle = pose();
+        row.world_from_tool = pose();
+        for (std::size_t i = 0; i < 3; ++i) row.modelled[i] = next();
+        for (std::size_t i = 3; i < 6; ++i) row.commanded[i] = next();
+        row.thrust = next();
+        row.torque = next();
+        row.depth = next();
+        row.tissue = small(integer());
+        row.removed = next();
+        for (std::size_t i = 0; i < run_.summary.signals.size(); ++i) row.signals[i] = next();
+        if (tick < 0 || (run_.drawn.last() && row.tick <= run_.drawn.last()->tick))
+            fail("tick " + std::to_string(tick) + " is there twice or before the first");
+        run_.drawn.add(row);
+    }
+    if (!rows.fault().empty()) fail(rows.fault());
+}
+
+void Reading::read_surface() {
+    bool is_there = false;
+    each("surface", "step, half_x, half_y, half_z, positions, normals, tissues, triangles", "rowid",
+         [&](const SessionQuery& row) {
+             if (is_there) return fail("has two surfaces");
+             is_there = true;
+             DrawnSurface surface;
+             surface.step = number(row, 0, "surface");
+             surface.half_size = {number(row, 1, "surface"), number(row, 2, "surface"), number(row, 3, "surface")};
+             surface.positions = row.bytes(4);
+             surface.normals = row.bytes(5);
+             surface.tissues = row.bytes(6);
+             surface.triangles = row.bytes(7);
+             if (!is_sound(surface)) return fail("its surface has triangles without vertices");
+             run_.drawn.set_bone(std::move(surface));
+         });
+}
+
+/// What the run itself did not live to write, and what was lost.
+void Reading::complete() {
+    RunSummary& summary = run_.summary;
+    const std::uint64_t lost = count_of("lost_ticks") + count_of("lost_events") + count_of("lost_cuts");
+    if (keys_.contains("result.verdict")) {
+        if (key("state") != "finished")
+            run_.missing = "The record is incomplete: " + std::to_string(lost) + " rows of it were lost.";
+        if (!run_.missing.empty()) summary.reasons.push_back(run_.missing);
+        return;
+    }
+    run_.missing =
+        "The run was cut short: its record ends without a result, so nothing was judged and the bone is not drawn.";
+    if (last_event_.id == plugin_failed_event)
+        run_.missing =
+            "A plugin ended the run. " + last_event_.detail + ". Nothing was judged and the bone is not drawn.";
+    summary.verdict = Verdict::incomplete;
+    summary.reasons = {run_.missing};
+    const auto& last = run_.drawn.last();
+    summary.ticks = run_.drawn.ticks();
+    summary.duration = last ? last->time : 0.0;
+    summary.removed = last ? last->removed : 0.0;
+}
+
+void Reading::check_rows() {
+    if (check_record(file_.handle()) == RecordCheck::changed)
+        error_ = path_ +
+                 ": its rows are not those that the run wrote: they do not give its checksum. The file is damaged, or "
+                 "was edited. Take an undamaged copy; or replay it with `kerf run --replay` to see what its inputs "
+                 "come to.";
+}
+
+}  // namespace
+
+std::optional<RecordedRun> read_run(const std::string& path, std::string& error, bool is_own) {
+    std::vector<std::string> tables;
+    for (const Table& table : session_tables({})) tables.push_back(table.name);
+    SessionFile file;
+    if (error = file.open(path, tables, is_own); !error.empty()) return std::nullopt;
+    return Reading(path, file).run(error);
+}
+
+}  // namespace kerf

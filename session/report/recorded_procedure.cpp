@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/report/recorded_procedure.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <system_error>
+
+#include "core/plugin/unit.h"
+#include "documents/yaml/document.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t longest_text = 1'000'000;  ///< [bytes] as of a procedure's file
+
+std::string text_of(const Node& map, std::string_view key) {
+    const Node* value = map.find(key);
+    return value != nullptr && value->kind == Node::Kind::scalar ? value->text : std::string();
+}
+
+/// The children of a list or map; none where there is no such key.
+const std::vector<Node>& children_of(const Node& map, std::string_view key) {
+    static const std::vector<Node> none;
+    const Node* found = map.find(key);
+    return found != nullptr ? found->children : none;
+}
+
+/// "3.2 mm" in SI. The recorded text was checked when it was run, so its unit needs no check here.
+/// @param unit   gets the unit; left as it is where there is none
+std::optional<double> quantity_of(const Node& map, std::string_view key, std::string& unit) {
+    const std::string text = text_of(map, key);
+    double number = 0.0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure != std::errc{} || !std::isfinite(number)) return std::nullopt;
+    const std::size_t unit_at = text.find_first_not_of(' ', static_cast<std::size_t>(end - text.data()));
+    if (unit_at == std::string::npos) return number;
+    const std::optional<Unit> parsed = parse_unit(std::string_view(text).substr(unit_at));
+    if (!parsed) return std::nullopt;
+    unit = text.substr(unit_at);
+    return number * parsed->factor;
+}
+
+/// `{depth: {at_least: 30 mm}}`, with a `reason:` beside it if it is a limit.
+std::optional<RecordedDemand> demand_of(const Node& item) {
+    for (const Node& quantity : item.children) {
+        if (quantity.kind != Node::Kind::map || quantity.key.empty()) continue;
+        RecordedDemand demand;
+        demand.quantity = quantity.key;
+        demand.of = text_of(quantity, demand.quantity == "signal"    ? "id"
+                                      : demand.quantity == "measure" ? "of"
+                                                                     : "zone");
+        demand.at_least = quantity_of(quantity, "at_least", demand.unit);
+        demand.at_most = quantity_of(quantity, "at_most", demand.unit);
+        std::string unit_of_diameter;
+        demand.diameter = quantity_of(quantity, "diameter", unit_of_diameter);
+        demand.reason = text_of(item, "reason");
+        return demand;
+    }
+    return std::nullopt;
+}
+
+std::vector<RecordedDemand> demands_of(const Node& step, std::string_view key) {
+    std::vector<RecordedDemand> demands;
+    for (const Node& item : children_of(step, key))
+        if (auto demand = demand_of(item)) demands.push_back(std::move(*demand));
+    return demands;
+}
+
+}  // namespace
+
+RecordedProcedure recorded_procedure(const std::string& text, std::string_view rehearsal) {
+    RecordedProcedure procedure;
+    if (text.empty() || text.size() > longest_text) return procedure;
+    Diagnostics ignored;
+    const std::optional<Document> document = parse_document("", text, ignored);
+    if (!document) return procedure;
+    const Node& root = document->root;
+    if (const Node* metadata = root.find("metadata")) procedure.title = text_of(*metadata, "title");
+    for (const Node& one : children_of(root, "rehearsals"))
+        if (!rehearsal.empty() && text_of(one, "id") == rehearsal) procedure.rehearsal_title = text_of(one, "title");
+    for (const Node& step : children_of(root, "steps"))
+        procedure.steps.push_back({text_of(step, "id"), demands_of(step, "goals"), demands_of(step, "limits")});
+    return procedure;
+}
+
+}  // namespace kerf

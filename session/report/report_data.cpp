@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/report/report_data.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ranges>
+#include <utility>
+
+#include "text/plain_numbers.h"
+#include "text/printable_lines.h"
+#include "text/telling_digits.h"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Bytes = std::vector<unsigned char>;
+
+/// The low `size` bytes, least significant first.
+void put(Bytes& bytes, std::uint32_t value, int size) {
+    for (int i = 0; i < size; ++i) bytes.push_back(static_cast<unsigned char>(value >> (8 * i)));
+}
+
+/// A session keeps neither the sign of a zero nor the bits of a NaN, so the page has neither: it is the same made from
+/// a session.
+float plain(double value) {
+    return std::isnan(value) ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value) + 0.0f;
+}
+
+template <class GetValue>
+std::string packed_floats(const std::vector<TickRow>& drawn, GetValue get_value) {
+    Bytes bytes;
+    bytes.reserve(4 * drawn.size());
+    for (const TickRow& row : drawn) put(bytes, std::bit_cast<std::uint32_t>(plain(get_value(row))), 4);
+    return base64(bytes);
+}
+
+Json rows_json(const std::vector<TickRow>& drawn) {
+    Bytes tissues;
+    for (const TickRow& row : drawn) put(tissues, static_cast<std::uint32_t>(std::clamp(row.tissue, -1, 127)), 1);
+    return {{"count", drawn.size()},
+            {"time", packed_floats(drawn, [](const TickRow& row) { return row.time; })},
+            {"thrust", packed_floats(drawn, [](const TickRow& row) { return row.thrust; })},
+            {"torque", packed_floats(drawn, [](const TickRow& row) { return row.torque * 1e3; })},
+            {"sent", packed_floats(drawn, [](const TickRow& row) { return sent_torque(row) * 1e3; })},
+            {"lateral", packed_floats(drawn, [](const TickRow& row) { return lateral_force(row); })},
+            {"depth", packed_floats(drawn, [](const TickRow& row) { return row.depth * 1e3; })},
+            {"tissue", base64(tissues)}};
+}
+
+Json signals_json(const std::vector<SignalColumn>& signals, const std::vector<TickRow>& drawn) {
+    Json list = Json::array();
+    for (std::size_t s = 0; s < std::min<std::size_t>(signals.size(), most_signal_columns); ++s) {
+        const double per_unit = signals[s].per_unit;
+        list.push_back(
+            {{"name", signals[s].id},
+             {"unit", unit_for_people(signals[s].unit)},
+             {"values", packed_floats(drawn, [&](const TickRow& row) { return row.signals[s] / per_unit; })}});
+    }
+    return list;
+}
+
+bool is_bad_news(const std::string& event_id) {
+    return std::ranges::any_of(std::array{"limit", "fault", "breach", "quarantine", "zone_entered"},
+                               [&](const char* word) { return event_id.find(word) != std::string::npos; });
+}
+
+Json events_json(const std::vector<EventRow>& events) {
+    Json list = Json::array();
+    for (const EventRow& event : events)
+        list.push_back(
+            {{"time", event.time}, {"id", event.id}, {"detail", event.detail}, {"isBad", is_bad_news(event.id)}});
+    return list;
+}
+
+/// From the bone towards the eye, so that the eye looks into the hole: back along the tool where it was deepest.
+Vec3 direction_of_view(const std::optional<TickRow>& deepest) {
+    const Vec3 from_the_front{0, -1, 0};
+    if (!deepest || !is_finite(deepest->world_from_tool)) return from_the_front;
+    const Vec3 back = Vec3{0, 0, 0} - normalized(rotate(deepest->world_from_tool.rotation,
+                                                        {0, 0, 1}));  // zeros without a sign, as above
+    return length(back) > 0.5 ? back : from_the_front;
+}
+
+Json mesh_json(const DrawnSurface& surface, Vec3 look) {
+    if (surface.is_empty()) return nullptr;
+    const Vec3 half = surface.half_size;
+    return {{"unit", surface.step * 1e3},         {"halfSize", {half.x * 1e3, half.y * 1e3, half.z * 1e3}},
+            {"look", {look.x, look.y, look.z}},   {"positions", base64(surface.positions)},
+            {"normals", base64(surface.normals)}, {"tissue", base64(surface.tissues)},
+            {"isShort", surface.is_short()},      {"triangles", base64(surface.triangles)}};
+}
+
+constexpr int most_decimals = 12;  ///< of a value beside its bound
+
+/// With "−" for minus, and none for zero.
+std::string with_minus(std::string digits) {
+    if (!digits.starts_with('-')) return digits;
+    const bool is_zero = digits.find_first_not_of("-0.") == std::string::npos;
+    return digits.replace(0, 1, is_zero ? "" : "−");
+}
+
+}  // namespace
+
+std::string base64(std::span<const unsigned char> bytes) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t three = 0;
+        for (std::size_t k = 0; k < 3; ++k) three = (three << 8) | (k < count ? bytes[i + k] : 0u);
+        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[(three >> (18 - 6 * k)) & 63u] : '=';
+    }
+    return text;
+}
+
+std::string html_escaped(std::string_view text) {
+    std::string safe;
+    for (const char c : printable_lines(text)) switch (c) {
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            case '\'':
+                safe += "&#39;";
+                break;
+            default:
+                safe += c;
+        }
+    return safe;
+}
+
+std::string sensible_number(double value, double uncertainty, std::span<const double> bounds) {
+    if (!std::isfinite(value)) return "–";
+    const auto decimals_for = [](double size, int digits) {
+        return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
+    };
+    int decimals = 0;
+    const bool is_known = uncertainty > 0.0 && std::isfinite(uncertainty);
+    if (is_known) {
+        decimals = decimals_for(uncertainty, 1);
+        if (uncertainty * std::pow(10.0, decimals) < 1.95) decimals = decimals_for(uncertainty, 2);  // 0.12, not 0.1
+    } else if (value != 0.0) {
+        decimals = decimals_for(std::abs(value), 3);
+    }
+    const PlainNumbers point;
+    const auto text_of = [](double number, int places) {
+        char digits[400];
+        std::snprintf(digits, sizeof digits, "%.*f", places, number);
+        return std::string(digits);
+    };
+    int enough = decimals;
+    for (const double bound : bounds)
+        enough = std::max(enough, telling_digits(value, bound, decimals, most_decimals, text_of));
+    std::string text = text_of(value, enough);
+
+    if (!is_known && text.find('.') != std::string::npos) {
+        text.erase(text.find_last_not_of('0') + 1);
+        if (text.back() == '.') text.pop_back();
+    }
+    return with_minus(std::move(text));
+}
+
+std::string number_as_written(double value) {
+    if (!std::isfinite(value)) return "–";
+    const PlainNumbers point;
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%.10g", value);
+    return with_minus(digits);
+}
+
+std::string unit_for_people(const std::string& unit) {
+    constexpr std::array<std::pair<const char*, const char*>, 8> pretty{{{"mm2", "mm²"},
+                                                                         {"mm3", "mm³"},
+                                                                         {"um", "µm"},
+                                                                         {"deg", "°"},
+                                                                         {"N*m", "N·m"},
+                                                                         {"N m", "N·m"},
+                                                                         {"N*mm", "N·mm"},
+                                                                         {"Nmm", "N·mm"}}};
+    for (const auto& [plain, nice] : pretty)
+        if (unit == plain) return nice;
+    return unit;
+}
+
+double round_step(double range) {
+    const double power = std::pow(10.0, std::floor(std::log10(range / 5.0)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= range / 5.0 * 0.999) return factor * power;
+    return 10.0 * power;
+}
+
+std::string_view tissue_colour(std::size_t tissue) noexcept {
+    constexpr std::array<std::string_view, 8> colours{"#e0bd82", "#c9785a", "#6f9fc8", "#82ad7c",
+                                                      "#a884b8", "#d3a0a8", "#93999e", "#5aa9a3"};
+    return colours[tissue % colours.size()];
+}
+
+std::string report_data_json(const RunSummary& summary, const DrawnRun& run) {
+    Json tissues = Json::array();
+    for (std::size_t i = 0; i < summary.tissues.size(); ++i)
+        tissues.push_back({{"name", summary.tissues[i]}, {"colour", tissue_colour(i)}});
+    const std::vector<TickRow> drawn = run.plotted();
+
+    const Json data{{"tissues", std::move(tissues)},
+                    {"rows", rows_json(drawn)},
+                    {"signals", signals_json(summary.signals, drawn)},
+                    {"events", events_json(run.events())},
+                    {"mesh", mesh_json(run.bone(), direction_of_view(run.deepest()))}};
+    const std::string text = printable_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
+
+    // "</script>" or "<!--" in a name must not end the element: in JSON "<" can only stand within a string.
+    std::string safe;
+    safe.reserve(text.size());
+    for (const char c : text)
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
+    return safe;
+}
+
+std::string thrust_over_depth_svg(const std::vector<TickRow>& drawn) {
+    constexpr double width = 720, height = 280, left = 56, right = 16, top = 28, bottom = 36;
+
+    // Ranges in mm and N. Most of the way through air is left out, as on the screen.
+    double shallow = 0.0, deep = 0.001, low = 0.0, high = 1.0;
+    for (const TickRow& row : drawn) {
+        const double depth = row.depth * 1e3, thrust = row.thrust;
+        if (!std::isfinite(depth) || !std::isfinite(thrust)) continue;
+        shallow = std::min(shallow, depth);
+        deep = std::max(deep, depth);
+        low = std::min(low, thrust);
+        high = std::max(high, thrust);
+    }
+    shallow = std::max(shallow, -0.15 * std::max(deep, 1.0));
+    high += 0.06 * (high - low);
+    const auto x = [&](double depth) { return left + (depth - shallow) / (deep - shallow) * (width - left - right); };
+    const auto y = [&](double thrust) {
+        return height - bottom - (thrust - low) / (high - low) * (height - top - bottom);
+    };
+
+    std::string svg;
+    const auto add = [&svg](const char* format, auto... values) {
+        char text[256];
+        const PlainNumbers point;
+        std::snprintf(text, sizeof text, format, values...);
+        svg += text;
+    };
+    add("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" role=\"img\" "
+        "font-family=\"sans-serif\" font-size=\"12\" fill=\"#444\"><title>Thrust over depth</title>",
+        width, height, width, height);
+    add("<rect width=\"%g\" height=\"%g\" fill=\"#fff\"/><text x=\"%g\" y=\"16\">thrust in N</text>", width, height,
+        left);
+    add("<text x=\"%g\" y=\"%g\" text-anchor=\"end\">depth in mm</text>", width - right, height - 4);
+    const double x_step = round_step(deep - shallow), y_step = round_step(high - low);
+    for (double tick = std::ceil(shallow / x_step) * x_step; tick <= deep; tick += x_step) {
+        add("<path d=\"M%.1f %g V%g\" stroke=\"#ddd\"/>", x(tick), top, height - bottom);
+        add("<text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\">%s</text>", x(tick), height - bottom + 15,
+            sensible_number(std::abs(tick) < 1e-9 ? 0.0 : tick).c_str());
+    }
+    for (double tick = std::ceil(low / y_step) * y_step; tick <= high; tick += y_step) {
+        add("<path d=\"M%g %.1f H%g\" stroke=\"#ddd\"/>", left, y(tick), width - right);
+        add("<text x=\"%g\" y=\"%.1f\" text-anchor=\"end\">%s</text>", left - 6, y(tick) + 4,
+            sensible_number(std::abs(tick) < 1e-9 ? 0.0 : tick).c_str());
+    }
+    svg += "<polyline fill=\"none\" stroke=\"#1f6f9f\" stroke-width=\"1.5\" stroke-linejoin=\"round\" points=\"";
+    for (const TickRow& row : drawn) {
+        const double depth = row.depth * 1e3, thrust = row.thrust;
+        if (std::isfinite(depth) && std::isfinite(thrust) && depth >= shallow) add("%.1f,%.1f ", x(depth), y(thrust));
+    }
+    return svg + "\"/></svg>";
+}
+
+}  // namespace kerf

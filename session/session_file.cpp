@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/session_file.h"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <system_error>
+
+#include "session/recorder.h"
+#include "text/write_file.h"
+
+namespace kerf {
+
+namespace {
+
+std::int64_t pragma(sqlite3* database, const char* sql) {
+    SessionQuery query(database, sql);
+    return query.next() ? query.integer(0) : -1;
+}
+
+/// Whether a table's rows are computed when they are read: a view, a virtual table, a computed column. They would be
+/// statements of whoever made the file, and may never end.
+bool computes(sqlite3* database, const std::string& table) {
+    SessionQuery sorts(database, "PRAGMA main.table_list(" + table + ")");
+    while (sorts.next())
+        if (sorts.text(2) != "table") return true;
+    SessionQuery columns(database, "PRAGMA main.table_xinfo(" + table + ")");
+    while (columns.next())
+        if (columns.integer(6) != 0) return true;
+    return false;
+}
+
+std::uint64_t size_of(const std::string& path) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    return error ? 0 : size;
+}
+
+/// A path as part of SQLite's `file:` names, in which `?`, `#` and `%` mean something.
+std::string in_uri(const std::string& path) {
+    std::string safe;
+    for (const char c : path) safe += c == '?' ? "%3f" : c == '#' ? "%23" : c == '%' ? "%25" : std::string(1, c);
+    return safe;
+}
+
+// Of SQLite's machine. A tick takes less than 100, and has at least 20 bytes.
+constexpr int steps_at_once = 1000;
+constexpr std::int64_t least_steps = 1'000'000, steps_per_byte = 16;
+
+}  // namespace
+
+// ---- a query -----------------------------------------------------------------------------------------------------
+
+SessionQuery::SessionQuery(sqlite3* database, const std::string& sql) {
+    code_ = sqlite3_prepare_v2(database, sql.c_str(), -1, &statement_, nullptr);
+}
+SessionQuery::~SessionQuery() { sqlite3_finalize(statement_); }
+
+bool SessionQuery::next() {
+    if (code_ != SQLITE_OK) return false;
+    code_ = sqlite3_step(statement_);
+    if (code_ != SQLITE_ROW) return false;
+    code_ = SQLITE_OK;
+    return true;
+}
+bool SessionQuery::has_failed() const noexcept { return code_ != SQLITE_DONE && code_ != SQLITE_OK; }
+int SessionQuery::columns() const { return sqlite3_column_count(statement_); }
+int SessionQuery::type(int column) const { return sqlite3_column_type(statement_, column); }
+bool SessionQuery::is_number(int column) const {
+    const int type = sqlite3_column_type(statement_, column);
+    return type == SQLITE_FLOAT || type == SQLITE_INTEGER;
+}
+bool SessionQuery::is_null(int column) const { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
+double SessionQuery::number(int column) const { return sqlite3_column_double(statement_, column); }
+std::int64_t SessionQuery::integer(int column) const { return sqlite3_column_int64(statement_, column); }
+std::string SessionQuery::text(int column) const {
+    const auto* bytes = sqlite3_column_text(statement_, column);
+    return bytes != nullptr ? std::string(reinterpret_cast<const char*>(bytes),
+                                          static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
+                            : std::string();
+}
+std::vector<unsigned char> SessionQuery::bytes(int column) const {
+    const auto* bytes = static_cast<const unsigned char*>(sqlite3_column_blob(statement_, column));
+    return bytes != nullptr ? std::vector<unsigned char>(bytes, bytes + sqlite3_column_bytes(statement_, column))
+                            : std::vector<unsigned char>();
+}
+
+std::string_view SessionQuery::bytes_in_place(int column) const {
+    const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
+    return bytes != nullptr
+               ? std::string_view(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
+               : std::string_view();
+}
+
+// ---- a file ------------------------------------------------------------------------------------------------------
+
+SessionFile::~SessionFile() { sqlite3_close(database_); }
+
+int SessionFile::is_over(void* self) {
+    auto& left = static_cast<SessionFile*>(self)->steps_left_;
+    left -= steps_at_once;
+    return left < 0 ? 1 : 0;
+}
+
+std::string SessionFile::open(const std::string& path, const std::vector<std::string>& tables, bool is_own) {
+    const std::string cannot = path + ": cannot be opened. Name a session.db that a run has written.";
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return cannot;
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    if (!is_own && is_being_written(folder.empty() ? "." : folder.string()))
+        return path + ": a run is writing it. Wait until that has ended.";
+
+    // A finished session is one file, and is read as one that nobody changes: without locks, so without files beside
+    // it. What a killed run has left in its -wal belongs to it: SQLite then keeps in memory what it would else write
+    // beside it.
+    const std::uint64_t of_wal = size_of(path + "-wal");
+    bytes_ = size_of(path) + of_wal;
+    const int code = of_wal == 0 ? sqlite3_open_v2(("file:" + in_uri(path) + "?immutable=1").c_str(), &database_,
+                                                   SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr)
+                                 : sqlite3_open_v2(path.c_str(), &database_, SQLITE_OPEN_READONLY, "unix-none");
+    if (code != SQLITE_OK) return cannot;
+    sqlite3_db_config(database_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+    if (of_wal > 0) sqlite3_exec(database_, "PRAGMA locking_mode=EXCLUSIVE", nullptr, nullptr, nullptr);
+    steps_left_ = least_steps + steps_per_byte * static_cast<std::int64_t>(bytes_);
+    sqlite3_progress_handler(database_, steps_at_once, &SessionFile::is_over, this);
+
+    if (pragma(database_, "PRAGMA application_id") != session_application_id)
+        return path + ": is not a Kerf session, or a damaged one. Name a session.db that a run has written.";
+    if (const auto version = pragma(database_, "PRAGMA user_version");
+        version < oldest_readable_schema_version || version > session_schema_version)
+        return path + ": has session schema " + std::to_string(version) + ", need " +
+               std::to_string(oldest_readable_schema_version) + " to " + std::to_string(session_schema_version) +
+               ". Record it anew with this Kerf, or take the one that wrote it.";
+    for (const std::string& table : tables)
+        if (computes(database_, table))
+            return path + ": computes its table `" + table +
+                   "`, as no run does. Name a session.db that a run has written.";
+    return {};
+}
+
+}  // namespace kerf

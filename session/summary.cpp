@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/summary.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "session/content_hash.h"
+#include "session/exact_summary.h"
+#include "session/recorder.h"
+#include "text/plain_numbers.h"
+#include "text/printable_lines.h"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Twelve digits: 0.0065 m is then 6.5 mm, not 6.499999999999999.
+Json plain_number(double value) {
+    if (!std::isfinite(value)) return nullptr;
+    const PlainNumbers point;
+    char text[40];
+    std::snprintf(text, sizeof text, "%.12g", value);
+    return std::strtod(text, nullptr);
+}
+
+Json to_json(const StepRow& step) {
+    return {{"id", step.id},
+            {"done", step.done},
+            {"start_s", plain_number(step.start)},
+            {"end_s", plain_number(step.end)},
+            {"limits", step.broken_limits}};
+}
+
+Json to_json(const MetricRow& metric) {
+    const bool is_uncertainty_known = metric.uncertainty >= 0.0;
+    return {{"id", metric.id},
+            {"revision", metric.revision},
+            {"scope", metric.scope},
+            {"occurrence", metric.occurrence},
+            {"occurrences", metric.occurrences},
+            {"value", plain_number(metric.value / metric.per_unit)},
+            {"unit", metric.unit},
+            {"uncertainty", is_uncertainty_known ? plain_number(metric.uncertainty / metric.per_unit) : Json(nullptr)},
+            {"status", metric.status}};
+}
+
+}  // namespace
+
+const char* to_text(Verdict verdict) noexcept {
+    switch (verdict) {
+        case Verdict::pass:
+            return "pass";
+        case Verdict::fail:
+            return "fail";
+        case Verdict::incomplete:
+            return "incomplete";
+        case Verdict::invalid:
+            return "invalid";
+    }
+    return "invalid";
+}
+
+std::string summary_json(const RunSummary& summary) {
+    Json steps = Json::array();
+    for (const StepRow& step : summary.steps) steps.push_back(to_json(step));
+    Json metrics = Json::array();
+    for (const MetricRow& metric : summary.metrics) metrics.push_back(to_json(metric));
+    Json pieces = Json::array();
+    for (const PieceRow& piece : summary.pieces)
+        pieces.push_back({{"body", piece.body},
+                          {"material", piece.is_metal ? "metal" : "bone"},
+                          {"volume_mm3", plain_number(piece.volume * 1e9)},
+                          {"file", piece.file}});
+    Json versions = Json::object();
+    for (const auto& [part, version] : summary.versions) versions[part] = version;
+
+    Json document{{"schema", 1},
+                  {"notice", notice_line},
+                  {"procedure", summary.procedure},
+                  {"verdict", to_text(summary.verdict)},
+                  {"reasons", summary.reasons},
+                  {"score", plain_number(summary.score)},
+                  {"duration_s", plain_number(summary.duration)},
+                  {"steps", std::move(steps)},
+                  {"metrics", std::move(metrics)},
+                  {"ticks", summary.ticks},
+                  {"removed_mm3", plain_number(summary.removed * 1e9)},
+                  {"pieces", std::move(pieces)},
+                  {"force_scale", plain_number(summary.force_scale)},
+                  {"hash", hex16(summary.hash)},
+                  {"versions", std::move(versions)},
+                  {"anatomy_notes", summary.anatomy_notes},
+                  {"variant", summary.variant}};
+    if (summary.exact) document["exact_surface"] = exact_summary(*summary.exact);
+    return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
+}  // namespace kerf

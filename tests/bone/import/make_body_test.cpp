@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/import/make_body.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kerf/units.hpp"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+Anatomy shelled_block() {
+    Anatomy anatomy;
+    anatomy.id = "block";
+    anatomy.phantom.parts = {{"block", BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""}};
+    anatomy.tissues = {{"cortical", 1850.0, 2.0_mm, ""}, {"cancellous", 250.0, 0.0, ""}};
+    return anatomy;
+}
+
+TEST(MakeBody, TellsHowFarItIsWithEachOfItsParts) {
+    // Given someone who listens
+    std::map<std::string, std::vector<double>> told;
+    std::vector<std::string> parts;
+    ImportOptions options;
+    options.progress = [&](double share, const std::string& what) {
+        if (parts.empty() || parts.back() != what) parts.push_back(what);
+        told[what].push_back(share);
+    };
+
+    // When a bone of two tissues is made
+    Diagnostics diagnostics;
+    ASSERT_TRUE(make_body(shelled_block(), 0.5_mm, diagnostics, nullptr, options)) << to_text(diagnostics);
+
+    // Then each part was told in its turn, from near its start to near its end, and begun anew once at most
+    EXPECT_EQ(parts, (std::vector<std::string>{"how thick its walls are", "distances to its surface",
+                                               "distances to the border of cortical"}));
+    for (const auto& [part, shares] : told) {
+        int times_begun = 1;
+        for (std::size_t i = 1; i < shares.size(); ++i) times_begun += shares[i] < shares[i - 1];
+        EXPECT_LE(times_begun, 2) << part;
+        EXPECT_LT(shares.front(), 0.2) << part;
+        EXPECT_GT(shares.back(), 0.8) << part;
+        EXPECT_LE(shares.back(), 1.0) << part;
+    }
+}
+
+TEST(MakeBody, PutsATissueWhereItsSolidsAre) {
+    // Given a rod of root in the block, and a cortex under the half of its top that is at positive x
+    Anatomy anatomy = shelled_block();
+    anatomy.tissues = {{"root", 2100.0, 0.0, "", {TubeSolid{{0, 0, -20.0_mm}, {0, 0, 20.0_mm}, 3.0_mm}}},
+                       {"cortical", 1850.0, 2.0_mm, "", {BoxSolid{{10.0_mm, 0, 0}, {20.0_mm, 40.0_mm, 40.0_mm}}}},
+                       {"cancellous", 250.0, 0.0, ""}};
+    Diagnostics diagnostics;
+    ImportReport report;
+    const auto body = make_body(anatomy, 0.5_mm, diagnostics, &report);
+    ASSERT_TRUE(body) << to_text(diagnostics);
+    const auto is_in = [&](std::size_t tissue, Vec3 at) {
+        return body->materials[tissue].border.at(locate(*body, at)) < 0.0;
+    };
+    EXPECT_TRUE(is_in(0, {2.5_mm, 0, 0}));
+    EXPECT_FALSE(is_in(0, {3.5_mm, 0, 0}));
+    EXPECT_TRUE(is_in(1, {6.0_mm, 0, 8.5_mm}));
+    EXPECT_FALSE(is_in(1, {6.0_mm, 0, 7.5_mm})) << "below the shell";
+    EXPECT_FALSE(is_in(1, {-6.0_mm, 0, 8.5_mm})) << "beside its solid";
+    EXPECT_NE(report.notes.at(1).find("within 1 solid;"), std::string::npos) << report.notes.at(1);
+}
+
+}  // namespace
+}  // namespace kerf

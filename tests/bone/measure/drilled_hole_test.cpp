@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// Holes whose axis, place and volume are known because they were made so.
+#include "bone/measure/drilled_hole.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/field/cut/cut_field.h"
+#include "core/field/cut/removed_volume.h"
+#include "tests/support/block.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double radius = 1.6_mm;
+const ToolSolid drill = test::drill_outline(radius, 59.0_deg, 60.0_mm);
+const double point = radius / std::tan(59.0_deg);
+
+/// Bone from z = 0 upwards, 24 mm wide and 40 mm deep, drilled along +z.
+struct DrilledBlock {
+    explicit DrilledBlock(double h = 0.25_mm) : spacing(h) {}
+
+    double spacing;
+    Body body = test::block({-12.0_mm, -12.0_mm, 0}, {12.0_mm, 12.0_mm, 40.0_mm}, spacing, {0.3, 0.1, 0.7});
+    CutField cut{body, 4096};
+    HolePlan plan{.entry = {0, 0, 0}, .along = {0, 0, 1}, .depth = 0.0, .cutting = drill};
+
+    /// From 5 mm above to `depth` along `direction`, through a point of the planned entry's plane.
+    void drill_in(Vec3 through, Vec3 direction, double depth) {
+        const Vec3 way = normalized(direction);
+        for (double at = -5.0_mm; at < depth; at += 1.0_mm) {
+            CutRecord record;
+            record.sequence = sequence++;
+            record.from = test::pointing(through + at * way, way);
+            record.to = test::pointing(through + std::min(at + 1.0_mm, depth) * way, way);
+            cut.reserve(512);
+            cut.stamp(record, drill);
+        }
+        plan.depth = std::max(plan.depth, depth * way.z);
+    }
+    [[nodiscard]] std::optional<DrilledHole> hole() const {
+        return measure_hole(body, plan, [this](Vec3 p) {
+            const BrickPlace place = locate(body, p);
+            const double bone = std::clamp(0.5 - uncut_distance(body, place) / spacing, 0.0, 1.0);
+            return bone * std::clamp(0.5 + cut.at(place) / spacing, 0.0, 1.0);
+        });
+    }
+
+private:
+    std::uint64_t sequence = 0;
+};
+
+TEST(DrilledHole, AHoleAlongItsAxisIsNowhereOffAndHoldsWhatThePlanTakes) {
+    DrilledBlock block;
+    block.drill_in({0, 0, 0}, {0, 0, 1}, 30.0_mm);
+    const auto hole = block.hole();
+    ASSERT_TRUE(hole);
+    EXPECT_LT(hole->entry_offset.value(), 0.02_mm);
+    EXPECT_LT(hole->narrowest_offset.value(), 0.02_mm);
+    EXPECT_LT(hole->end_offset, 0.02_mm);
+    ASSERT_TRUE(hole->angle);
+    EXPECT_LT(*hole->angle, 0.1_deg);
+    const double exact = pi * radius * radius * (30.0_mm - point + point / 3.0);
+    EXPECT_NEAR(hole->ideal / exact, 1.0, 0.01);
+    EXPECT_NEAR(hole->drilled / exact, 1.0, 0.01);
+    // The circle is whole from the face on, and bitten one diameter behind it.
+    EXPECT_NEAR(hole->entry_depth, 2.0 * radius, 1.0_mm) << "two sections";
+    EXPECT_NEAR(hole->end_depth, 30.0_mm - point, 0.6_mm);
+}
+
+// π R² (depth − 2/3 of the point), by voxels across the hole.
+TEST(BlindHole, HoldsItsVolumeTheBetterTheMoreVoxelsItIsWide) {
+    struct Case {
+        double spacing, most;  ///< [m], [–]
+    };
+    for (const auto [spacing, most] :
+         {Case{0.125_mm, 0.003}, Case{0.25_mm, 0.01}, Case{0.5_mm, 0.015}, Case{0.8_mm, 0.07}}) {
+        DrilledBlock block(spacing);
+        block.drill_in({0, 0, 0}, {0, 0, 1}, 15.0_mm);
+        const double removed = bone_volume(block.body, CutField(block.body, 0)) - bone_volume(block.body, block.cut);
+        const double exact = pi * radius * radius * (15.0_mm - 2.0 / 3.0 * point);
+        EXPECT_NEAR(removed / exact, 1.0, most) << spacing;
+    }
+}
+
+TEST(DrilledHole, AHoleBesideItsAxisIsOffByThatMuchAllTheWay) {
+    DrilledBlock block;
+    block.drill_in({1.2_mm, -0.9_mm, 0}, {0, 0, 1}, 25.0_mm);
+    const auto hole = block.hole();
+    ASSERT_TRUE(hole && hole->angle);
+    EXPECT_NEAR(hole->entry_offset.value(), 1.5_mm, 0.02_mm);
+    EXPECT_NEAR(hole->narrowest_offset.value(), 1.5_mm, 0.02_mm);
+    EXPECT_NEAR(hole->end_offset, 1.5_mm, 0.02_mm);
+    EXPECT_LT(*hole->angle, 0.1_deg);
+}
+
+TEST(DrilledHole, ATiltedHoleHasThatAngleAndLeavesTheAxisByItsTangent) {
+    for (const double tilt : {2.0_deg, 6.0_deg}) {
+        DrilledBlock block;
+        block.drill_in({0, 0, 0}, {std::sin(tilt), 0, std::cos(tilt)}, 30.0_mm);
+        const auto hole = block.hole();
+        ASSERT_TRUE(hole && hole->angle);
+        EXPECT_NEAR(*hole->angle, tilt, 0.1_deg);
+        EXPECT_NEAR(hole->end_offset, hole->end_depth * std::tan(tilt), 0.05_mm);
+        EXPECT_NEAR(hole->entry_offset.value(), hole->entry_depth * std::tan(tilt), 0.05_mm);
+    }
+}
+
+// A start that slid aside, and a second hole beside it: what was drilled beyond the plan shows as volume.
+TEST(DrilledHole, ASecondHoleInTheWindowDoublesWhatWasDrilled) {
+    DrilledBlock block;
+    block.drill_in({-2.5_mm, 0, 0}, {0, 0, 1}, 20.0_mm);
+    block.drill_in({2.5_mm, 0, 0}, {0, 0, 1}, 20.0_mm);
+    const auto hole = block.hole();
+    ASSERT_TRUE(hole);
+    EXPECT_NEAR(hole->drilled / hole->ideal, 2.0, 0.02);
+}
+
+TEST(DrilledHole, AShortHoleHasNoAngleAndAScratchIsNoHole) {
+    DrilledBlock block;
+    block.drill_in({0, 0, 0}, {0, 0, 1}, 6.0_mm);
+    const auto shallow = block.hole();
+    ASSERT_TRUE(shallow);
+    EXPECT_FALSE(shallow->angle);
+    DrilledBlock too_shallow;
+    too_shallow.drill_in({0, 0, 0}, {0, 0, 1}, 3.0_mm);
+    const auto start = too_shallow.hole();
+    ASSERT_TRUE(start);
+    EXPECT_FALSE(start->entry_offset) << "the drill has not bitten";
+    EXPECT_FALSE(start->narrowest_offset);
+    DrilledBlock scratched;
+    scratched.drill_in({0, 0, 0}, {0, 0, 1}, 0.5_mm);
+    EXPECT_FALSE(scratched.hole());
+}
+
+// 3 mm from the face x = 12 mm runs a hole; a screw of 8 mm along it reaches 1 mm beyond that face, and no other.
+TEST(DrilledHole, ACylinderAlongTheHoleBreachesByWhatItReachesBeyondTheFace) {
+    DrilledBlock block;
+    block.plan.entry = {8.0_mm, 0, 0};
+    block.drill_in({9.0_mm, 0, 0}, {0, 0, 1}, 30.0_mm);
+    const auto hole = block.hole();
+    ASSERT_TRUE(hole);
+    const Breach breach = breach_of(block.body, block.plan, *hole, 4.0_mm, {1, 0, 0}, {0, 1, 0});
+    EXPECT_NEAR(breach.towards[0], 1.0_mm, 0.05_mm);
+    EXPECT_EQ(breach.towards[1], 0.0);
+    EXPECT_EQ(breach.towards[2], 0.0);
+    EXPECT_EQ(breach.towards[3], 0.0);
+    EXPECT_EQ(breach.worst(), breach.towards[0]);
+    EXPECT_EQ(breach_of(block.body, block.plan, *hole, 2.9_mm, {1, 0, 0}, {0, 1, 0}).worst(), 0.0);
+}
+
+// An implant 9 mm off the middle of the block and tilted by 3 degrees towards its face, 12 mm away.
+TEST(DrilledHole, TheAxisOfAnImplantIsOffByItsPlaceAndItsTangent) {
+    DrilledBlock block;
+    const double tangent = std::tan(3.0_deg);
+    const Vec3 direction = normalized(Vec3{tangent, 0, 1});
+    const Vec3 tip{9.0_mm + 30.0_mm * tangent, 0, 30.0_mm};
+    block.plan.entry = {8.0_mm, 0, 0};
+    const auto hole = hole_along(block.body, block.plan, tip, direction);
+    ASSERT_TRUE(hole);
+    EXPECT_NEAR(hole->entry_offset.value(), 1.0_mm, 1e-9);
+    EXPECT_NEAR(hole->end_offset, 1.0_mm + 30.0_mm * tangent, 1e-9);
+    EXPECT_NEAR(hole->angle.value(), 3.0_deg, 1e-12);
+    EXPECT_EQ(hole->end_depth, 30.0_mm);
+    const double reach = 3.0_mm;
+    const Breach breach = breach_of(block.body, block.plan, *hole, reach, {1, 0, 0}, {0, 1, 0});
+    // Looked at across the implant: the face is nearer to its axis by the cosine
+    EXPECT_NEAR(breach.worst(), reach - (12.0_mm - tip.x) / std::cos(3.0_deg), 0.05_mm);
+    EXPECT_EQ(breach.worst(), breach.towards[0]);
+    EXPECT_FALSE(hole_along(block.body, block.plan, tip, normalized(Vec3{1, 0, 0.5}))) << "it lies across the plan";
+}
+
+// A waist of 3 mm radius 15 mm deep; the rim where the bone ends is none, however thin.
+TEST(DrilledHole, TheNarrowestPlaceIsAWaistAndNotTheFarEnd) {
+    const auto waisted = [](double waist) {
+        DrilledBlock block;
+        block.body.surface = LevelSet::build(block.body.grid(), [=](Vec3 p) {
+            const double narrower = waist * std::exp(-std::pow((p.z - 15.0_mm) / 4.0_mm, 2.0));
+            return std::max({std::hypot(p.x, p.y) - (6.0_mm - narrower), -p.z, p.z - 30.0_mm});
+        });
+        block.cut = CutField(block.body, 4096);
+        const double tilt = 3.0_deg;
+        block.drill_in({0, 0, 0}, {std::sin(tilt), 0, std::cos(tilt)}, 40.0_mm);
+        return block.hole();
+    };
+    const auto with = waisted(3.0_mm), without = waisted(0.0);
+    ASSERT_TRUE(with && without);
+    EXPECT_NEAR(with->narrowest_depth, 15.0_mm, 0.6_mm);
+    EXPECT_NEAR(with->narrowest_offset.value(), 15.0_mm * std::tan(3.0_deg), 0.1_mm);
+    EXPECT_EQ(without->narrowest_depth, without->entry_depth);
+}
+
+// Where the line itself is outside, only the side to which it strayed counts.
+TEST(DrilledHole, AHoleOutsideTheBoneBreachesOnTheSideToWhichItStrayed) {
+    DrilledBlock block;
+    block.drill_in({0, 0, 0}, {0, 0, 1}, 30.0_mm);
+    DrilledHole hole = block.hole().value();
+    hole.at = hole.at + Vec3{14.0_mm, 0, 0};
+    const Breach breach = breach_of(block.body, block.plan, hole, 3.0_mm, {1, 0, 0}, {0, 1, 0});
+    EXPECT_EQ(breach.towards[0], 3.0_mm);
+    for (const std::size_t side : {1u, 2u, 3u}) EXPECT_EQ(breach.towards[side], 0.0);
+}
+
+// Along a tilted hole the cylinder comes nearer to the face with every millimetre.
+TEST(DrilledHole, ATiltedCylinderBreachesMostWhereItEnds) {
+    DrilledBlock block;
+    const double tilt = 6.0_deg;
+    block.plan.entry = {7.0_mm, 0, 0};
+    block.drill_in({7.0_mm, 0, 0}, {std::sin(tilt), 0, std::cos(tilt)}, 30.0_mm);
+    const auto hole = block.hole();
+    ASSERT_TRUE(hole);
+    const Breach breach = breach_of(block.body, block.plan, *hole, 3.5_mm, {1, 0, 0}, {0, 1, 0});
+    // From the line at that depth the face stands (5 mm − depth · tan) cos away, across the line.
+    const double left = (5.0_mm - hole->end_depth * std::tan(tilt)) / std::cos(tilt);
+    EXPECT_NEAR(breach.towards[0], 3.5_mm - left, 0.1_mm);
+    EXPECT_NEAR(breach.depth, hole->end_depth, 0.6_mm);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bone/measure/propagate.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace kerf {
+namespace {
+
+TEST(Propagate, AddsIndependentInputsInQuadrature) {
+    constexpr std::array<double, 2> u{3.0, 4.0};
+    const auto sum = propagate(u, [](std::span<const double> x) { return std::optional(7.0 + x[0] - x[1]); });
+    ASSERT_TRUE(sum);
+    EXPECT_EQ(sum->value, 7.0);
+    EXPECT_NEAR(sum->uncertainty, 5.0, 1e-12);
+}
+
+TEST(Propagate, CancelsAnInputThatCountsTwice) {
+    constexpr std::array<double, 1> u{0.1};
+    const auto zero =
+        propagate(u, [](std::span<const double> x) { return std::optional((2.0 + x[0]) - (1.0 + x[0])); });
+    ASSERT_TRUE(zero);
+    EXPECT_NEAR(zero->uncertainty, 0.0, 1e-12);
+}
+
+TEST(Propagate, AgreesWithTheDerivativeOfACurve) {
+    constexpr std::array<double, 1> u{1e-3};
+    const auto root = propagate(u, [](std::span<const double> x) { return std::optional(std::sqrt(4.0 + x[0])); });
+    ASSERT_TRUE(root);
+    EXPECT_NEAR(root->uncertainty, 0.25e-3, 1e-9 /* terms of third order */);
+}
+
+TEST(Propagate, TakesTheSideThatExists) {
+    constexpr std::array<double, 1> u{1.0};
+    const auto one =
+        propagate(u, [](std::span<const double> x) { return x[0] < 0.0 ? std::nullopt : std::optional(2.0 * x[0]); });
+    ASSERT_TRUE(one);
+    EXPECT_NEAR(one->uncertainty, 2.0, 1e-12);
+    EXPECT_FALSE(
+        propagate(u, [](std::span<const double> x) { return x[0] != 0.0 ? std::nullopt : std::optional(1.0); }));
+}
+
+TEST(Propagate, ToleranceIsAnEvenlySpreadInterval) {
+    EXPECT_NEAR(standard_uncertainty_of(1.5e-3), 1.5e-3 / std::sqrt(3.0), 1e-15);
+}
+
+}  // namespace
+}  // namespace kerf
