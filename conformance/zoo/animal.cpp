@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The example's round burr with one fault, `kerf_how`, which each library brings along; the "saint" has none. Each test
-// of the kit has an animal here or in hostile_plugin.cpp that fails it first.
+// of the kit has an animal here or in tests/animals that fails it first.
 #include <fcntl.h>
 #include <pthread.h>
 #include <sys/syscall.h>

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "devices/simulated_hand/simulated_hand.h"
 #include "tests/support/probe.h"
 #include "tests/support/rig.h"
 
