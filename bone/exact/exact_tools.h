@@ -29,9 +29,9 @@ struct ExactTools {
     std::vector<std::vector<ExactStrategy>> strategies;
     std::vector<std::string> why_no_more;  ///< of each solid: why one more could not be started; part of a sentence
     std::vector<std::string> notes{};      ///< for people; part of the results
-    /// The bone that has a surface of its own in this anatomy; null: exact cuts begin with the surfaces of fields.
-    const Body* meshed = nullptr;
+    /// The anatomy whose `mesh:` is the surface of `meshed`; null: exact cuts begin with the surfaces of fields.
     const Anatomy* anatomy = nullptr;
+    const Body* meshed = nullptr;
     double volume_accuracy = 0.0;  ///< [–] of the procedure: difference of removed volumes that is allowed
     double tolerance = 20e-6;      ///< [m] that a straight stretch may be off the recorded path
     double window = 2e-3;          ///< [m] the longest stretch that is cut into a patch

@@ -74,8 +74,7 @@ std::vector<StrategyCost> compare_strategies(const Scene& scene, std::size_t ste
 
     std::vector<std::string> notes;
     std::string flaw;
-    const auto base =
-        base_surface(scene.fragment || !scene.anatomy.mesh ? nullptr : &scene.anatomy, scene.body, notes, flaw);
+    const auto base = base_surface(surface_anatomy(scene), scene.body, notes, flaw);
     TaggedMesh bone;
     if (base) bone = tagged(*base);
     for (const std::string& strategy : strategies) {

@@ -166,16 +166,18 @@ std::string ExactStrategies::start(const Procedure& procedure, const std::string
     return {};
 }
 
+const Anatomy* surface_anatomy(const Scene& scene) noexcept {
+    return scene.anatomy.mesh && !scene.fragment ? &scene.anatomy : nullptr;
+}
+
 ExactTools exact_tools(const Scene& scene) {
     ExactTools tools;
     for (const Tool& tool : scene.tools) tools.solids.push_back(&tool.outline.cutting);
     for (const Tool& tool : scene.tools) tools.solids.push_back(&tool.outline.crest);
     tools.strategies.resize(tools.solids.size());
     tools.why_no_more.resize(tools.solids.size());
-    if (scene.anatomy.mesh && !scene.fragment) {
-        tools.meshed = &scene.body;
-        tools.anatomy = &scene.anatomy;
-    }
+    tools.meshed = &scene.body;
+    tools.anatomy = surface_anatomy(scene);
     tools.volume_accuracy = scene.procedure.accuracy.volume;
     return tools;
 }

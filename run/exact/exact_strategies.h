@@ -28,6 +28,10 @@ struct StrategyHost {
 [[nodiscard]] std::unique_ptr<RemeshChild> start_strategy(const StrategyHost& host, const std::string& full_id,
                                                           const std::vector<ParameterSetting>& set, std::string& error);
 
+/// Returns the anatomy whose `mesh:` is the surface of the scene's bone; null: there is none, or the bone is broken.
+/// [any]
+[[nodiscard]] const Anatomy* surface_anatomy(const Scene& scene) noexcept;
+
 /// Returns the cutting solids of a scene, as records number them, without strategies. The scene must outlive them.
 /// [any]
 [[nodiscard]] ExactTools exact_tools(const Scene& scene);

@@ -60,7 +60,7 @@ compare() {   # PAGE PREFIX NAME…
 
 # The layers of cmake/check_layers.cmake, without the folders inside one: core/field, but not core/field/cut.
 layers=$(awk '/^set\(layers/ { inside = 1 } inside { print } inside && /\)/ { exit }' cmake/check_layers.cmake |
-    grep -oE '[a-z_]+(/[a-z_]+)*' | grep -vxE 'set|layers' | grep -vE '/.*/' | grep -vxF core/haptics/watch | paste -s -d ' ')
+    grep -oE '[a-z_]+(/[a-z_]+)*' | grep -vxE 'set|layers' | grep -vE '/.*/' | paste -s -d ' ')
 mapfile -t rooms < <(tr ' ' '\n' <<<"$layers" | sed 's,/.*,,' | sort -u)
 mapfile -t split < <(tr ' ' '\n' <<<"$layers" | grep / | sed 's,/.*,,' | sort -u)   # rooms of several layers
 is_split() { printf '%s\n' "${split[@]}" | grep -qxF -e "$1"; }
