@@ -31,7 +31,7 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) {
 
 void Simulation::follow() { follow_from(0); }
 
-/// The scene follows the records of `closed` from the one at `first` on.
+/// Lets the scene follow the records of `closed` from index `first` on.
 void Simulation::follow_from(std::size_t first) {
     std::vector<CutRecord> removing;
     for (const CutRecord& record : closed().subspan(first))
@@ -64,7 +64,7 @@ void Simulation::take_another(std::size_t tool, double back) {
 void Simulation::finish() {
     close_and_follow();
     flush();
-    take_separations_due(true);  // nobody cuts any more
+    take_separations_due(true);  // the last cut is done
 }
 
 // ---- changes of bodies --------------------------------------------------------------------------------------------

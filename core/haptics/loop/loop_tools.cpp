@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/loop/loop_tools.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "core/plugin/plugin_call.h"
+
+namespace kerf {
+
+LoopTools::LoopTools(std::vector<Tool> tools) : tools_(std::move(tools)) {
+    std::size_t size = 0;
+    for (const Tool& tool : tools_)
+        size = std::max<std::size_t>(size, tool.setup.force->force->state_size + tool.setup.force->force->state_align);
+    state_storage_ = std::make_unique<std::byte[]>(size);
+    resist_times_.resize(tools_.size());
+}
+
+std::vector<const ToolSolid*> LoopTools::cutting_solids() const {
+    std::vector<const ToolSolid*> solids;
+    for (std::size_t number = 0; number < 2 * tools_.size(); ++number) solids.push_back(&solid(number));
+    return solids;
+}
+
+void LoopTools::take(std::size_t tool) noexcept {
+    in_hand_ = tool;
+    law_ = {};
+}
+
+void LoopTools::begin(const kerf_bone_query& bone, double dt, std::uint64_t tick) noexcept {
+    const kerf_force& force = *setup().force->force;
+    void* aligned = state_storage_.get();
+    std::size_t space = force.state_size + force.state_align;
+    state_ = static_cast<std::byte*>(std::align(force.state_align, force.state_size, aligned, space));
+    solid_ = outline().solid();
+    std::fill(std::begin(signals_), std::end(signals_), 0.0);
+    drives_.fill(0.0);
+    std::copy(setup().drives.begin(), setup().drives.end(), drives_.begin());
+    const kerf_tick_in in = tick_in(bone, dt, tick);
+    call_begin(*setup().force, in, state_);
+}
+
+void LoopTools::command_drive(std::size_t drive, double value) noexcept {
+    if (drive >= setup().drives.size() || !(value == value)) return;
+    const kerf_drive& range = setup().tool->tool->drives[drive];
+    drives_[drive] = std::clamp(value, range.min, range.max);
+}
+
+kerf_tick_in LoopTools::tick_in(const kerf_bone_query& bone, double dt, std::uint64_t tick) const noexcept {
+    kerf_tick_in in = tick_in_of(setup(), bone, dt);
+    in.tick = tick;
+    in.drive = drives_.data();
+    in.outline = &solid_;
+    return in;
+}
+
+bool LoopTools::evaluate(const Surroundings& around, double dt, std::uint64_t tick) noexcept {
+    const LawFault fault = evaluate_law(*setup().force, tick_in(around.view.query(), dt, tick), state_, around,
+                                        resist_times_[in_hand_], law_);
+    return fault.what == LawFault::What::none || reject(fault);
+}
+
+bool LoopTools::reject(LawFault fault) noexcept {
+    fault.law = setup().force;
+    fault_ = fault;
+    return false;
+}
+
+CommittedLaw LoopTools::commit(const AppliedMotion& applied, const kerf_bone_query& bone, std::uint64_t tick) noexcept {
+    kerf_advance advance{};
+    advance.size = sizeof advance;
+    advance.channel_count = law_.law_count;
+    std::copy(applied.rate.begin(), applied.rate.end(), advance.rate);
+    advance.channel = law_.channel.data();
+    advance.lambda = applied.lambda;
+    std::copy(applied.following.begin(), applied.following.end(), advance.following);
+    advance.note = law_.note.data();
+
+    CommittedLaw committed;
+    kerf_commit_out out{};
+    out.size = sizeof out;
+    out.action = committed.action.data();
+    out.signal = signals_;
+    out.thread = &committed.thread;
+    const kerf_tick_in in = tick_in(bone, applied.dt, tick);
+    static_cast<void>(call_commit(*setup().force, in, advance, state_, out));
+    committed.action_count = std::min(out.action_count, KERF_MAX_ACTIONS);
+    committed.has_thread = out.thread_count > 0;
+    return committed;
+}
+
+std::vector<std::string> LoopTools::laws_over_budget() const {
+    std::vector<std::string> lines;
+    for (std::size_t t = 0; t < tools_.size(); ++t)
+        if (std::string line = over_budget(resist_times_[t], *tools_[t].setup.force, clock_scale_); !line.empty())
+            lines.push_back(std::move(line));
+    return lines;
+}
+
+}  // namespace kerf
