@@ -10,20 +10,21 @@
 #include "core/haptics/law/body_threads.h"
 #include "core/haptics/law/held_body.h"
 
-/// All bodies near a tool as one bone, which is how a plugin asks.
+/// All bodies near a tool, queried as one bone. Plugins see bone through this view.
 namespace kerf {
 
-/// An edge is answered by the body it is engaged in most of those that can be cut, a contact point by the body it is
-/// deepest in; the answer names it. With one body near, its own answer is handed through.
+/// Answers queries of several bodies. For an edge point it returns the sample of the cuttable body with the largest
+/// engagement. For a contact point it returns the deepest body. The answer contains the body's number. With one body
+/// near, that body's answer is returned unchanged.
 class BodiesView {
 public:
-    /// `threads` must outlive it.
+    /// Pre: `threads` outlives this view.
     BodiesView(const Body& first, const BodyThreads& threads);
     BodiesView(const BodiesView&) = delete;
     BodiesView& operator=(const BodiesView&) = delete;
 
-    /// Points are asked about at this pose until the next call, of the bodies that come near the tool, but for what it
-    /// holds. [haptic, nonblocking]
+    /// Sets the tool pose for the queries until the next call. Selects the bodies near the tool, without the held ones.
+    /// [haptic, nonblocking]
     void place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool,
                const HeldBody& held) noexcept;
     [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
@@ -35,7 +36,7 @@ public:
     }
     void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
     std::uint32_t threads(kerf_thread* out, std::uint32_t capacity) const noexcept;
-    /// Of the bodies that can be cut.
+    /// Returns the tool's poses in the near bodies that can be cut.
     [[nodiscard]] std::span<const ToolInBody> places() const noexcept { return {place_.data(), cuttable_count_}; }
 
 private:
@@ -55,8 +56,8 @@ private:
 
     const BodyThreads* threads_;
     std::array<LiveBody*, most_bodies> near_{};
-    std::array<ToolInBody, most_bodies> place_{};      ///< of the tool in each of those that can be cut
-    std::size_t near_count_ = 0, cuttable_count_ = 0;  ///< those that can be cut come first
+    std::array<ToolInBody, most_bodies> place_{};      ///< poses of the tool in the near cuttable bodies
+    std::size_t near_count_ = 0, cuttable_count_ = 0;  ///< cuttable bodies come first
     kerf_bone_query query_{};
 };
 

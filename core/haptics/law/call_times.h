@@ -14,11 +14,11 @@
 #include <x86intrin.h>
 #endif
 
-/// How long a law's calls take. Measured beside the tick: nothing of it enters a result, a record or a hash.
+/// Measures how long a law's calls take. The times never enter a result, a record or a hash.
 namespace kerf {
 
-/// A count that grows evenly with time. On x86-64 the processor's own, so that the tick makes no call for it.
-/// [any] nonblocking
+/// Returns a counter that increases at a constant rate. On x86-64 this is the processor's own counter, so the tick
+/// makes no system call. [any] nonblocking
 [[nodiscard]] inline std::uint64_t clock_count() noexcept {
 #if defined(__x86_64__)
     return __rdtsc();
@@ -27,7 +27,7 @@ namespace kerf {
 #endif
 }
 
-/// Finds how long one count lasts, by the time since it was made.
+/// Measures the duration of one count, from the counts and the time since its construction.
 class ClockScale {
 public:
     ClockScale() noexcept : start_(clock_count()), start_time_(std::chrono::steady_clock::now()) {}
@@ -38,7 +38,7 @@ private:
     std::chrono::steady_clock::time_point start_time_;
 };
 
-/// Durations, sorted into classes 6 % wide.
+/// Histogram of durations, with classes 6 % wide.
 class CallTimes {
 public:
     /// [haptic, nonblocking]
@@ -49,13 +49,13 @@ public:
     }
     [[nodiscard]] std::uint64_t calls() const noexcept { return calls_; }
     [[nodiscard]] std::uint64_t longest() const noexcept { return longest_; }
-    /// How many took longer, but for those of the same class.   [any]
+    /// Returns the number of calls longer than `counts`, without those in the same class.   [any]
     [[nodiscard]] std::uint64_t longer_than(std::uint64_t counts) const noexcept;
-    /// The upper end of the class within which `fraction` of the calls end.   [any]
+    /// Returns the upper end of the class below which `fraction` of the calls lie.   [any]
     [[nodiscard]] std::uint64_t within(double fraction) const noexcept;
 
 private:
-    static constexpr int parts = 16;  ///< of each power of two
+    static constexpr int parts = 16;  ///< classes of each power of two
 
     [[nodiscard]] static std::size_t class_of(std::uint64_t counts) noexcept {
         if (counts < parts) return static_cast<std::size_t>(counts);
@@ -68,8 +68,8 @@ private:
     std::array<std::uint32_t, 62 * parts> classes_{};
 };
 
-/// One line, where more than one call in a hundred of this law's `resist` took longer than its declared budget; else
-/// empty. Rarer ones are the system's, which interrupts any call.   [main]
+/// Returns one line if more than 1 % of this law's `resist` calls took longer than the declared budget, else an empty
+/// text. Fewer overruns are normal, because the operating system can interrupt any call.   [main]
 [[nodiscard]] std::string over_budget(const CallTimes& times, const kerf_component& law, const ClockScale& scale);
 
 }  // namespace kerf

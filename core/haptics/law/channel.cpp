@@ -59,7 +59,7 @@ ChannelFault fault_of(const kerf_channel& c) noexcept {
         size += c.d[i] * c.d[i];
     }
     if (!(size > 0.0)) return {"d", "a direction, which is not zero", size};
-    // Written so that a NaN fails.
+    // These comparisons are false for a NaN, so it is rejected.
     const auto is_coefficient = [](double v) { return v >= 0.0 && std::isfinite(v); };
     if (!is_coefficient(c.tau)) return {"tau", coefficient, c.tau};
     if (!is_coefficient(c.eta)) return {"eta", coefficient, c.eta};

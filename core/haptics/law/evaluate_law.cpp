@@ -14,7 +14,7 @@ namespace kerf {
 
 namespace {
 
-/// The first thing in a law with which the host may not solve.
+/// Returns the first fault in the plugin's answer, or `What::none`.
 LawFault fault_of(const kerf_component& force, kerf_status status, const kerf_law& law) noexcept {
     using What = LawFault::What;
     if (status != KERF_OK) return {.what = What::status, .law = &force, .value = static_cast<double>(status)};

@@ -18,20 +18,20 @@
 
 namespace kerf {
 
-/// What resists the tool at a pose: the channels of its law, then the walls of the host's own.
+/// The evaluated law at one pose: the plugin's channels, then the host's own walls.
 struct EvaluatedLaw {
     std::array<kerf_channel, most_channels> channel{};
-    std::uint32_t count = 0;                            ///< of the channels in use
-    std::uint32_t law_count = 0;                        ///< the first of them: those of the plugin's law
-    Vec6 wrench{};                                      ///< that the law applies beside its channels, tool frame
-    std::array<unsigned char, KERF_NOTE_BYTES> note{};  ///< of the law, for its commit
+    std::uint32_t count = 0;                            ///< number of channels in use
+    std::uint32_t law_count = 0;                        ///< number of them from the plugin's law; they come first
+    Vec6 wrench{};                                      ///< of the law, in addition to its channels, tool frame
+    std::array<unsigned char, KERF_NOTE_BYTES> note{};  ///< from the law, for its commit
     bool is_at_region_wall = false;
-    int metal_channel = -1;  ///< that of a body that cannot be cut; −1: none is near
+    int metal_channel = -1;  ///< index of the channel of a body that cannot be cut; −1: none is near
 
     [[nodiscard]] std::span<const kerf_channel> channels() const noexcept { return {channel.data(), count}; }
 };
 
-/// What is around the tool.
+/// Bodies and walls around the tool.
 struct Surroundings {
     const BodiesView& view;
     std::span<const std::unique_ptr<LiveBody>> bodies;
@@ -41,9 +41,9 @@ struct Surroundings {
     const Pose& world_from_tool;
 };
 
-/// Evaluates the law where the tool is and adds the walls of region, metal, sleeve and held body. Returns what is wrong
-/// with the law, `What::none` if it is sound; the result is then empty. `times` gets the duration of the plugin's call.
-/// [haptic, nonblocking]
+/// Evaluates the law at the tool's pose and adds the walls of region, metal, sleeve and held body. Returns the law's
+/// fault, or `What::none` if it is sound. With a fault, `result` has no channels. Adds the duration of the plugin's
+/// call to `times`. [haptic, nonblocking]
 [[nodiscard]] LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, const void* state,
                                     const Surroundings& around, CallTimes& times, EvaluatedLaw& result) noexcept;
 

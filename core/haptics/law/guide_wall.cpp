@@ -12,10 +12,10 @@ namespace kerf {
 
 namespace {
 
-constexpr double stiffness = 1e6;        // [N/m] of metal [assumed], as of an implant
-constexpr double near_contact = 0.3e-3;  // [m] farther away there is no channel
+constexpr double stiffness = 1e6;        // [N/m] of metal [assumed], same as for an implant
+constexpr double near_contact = 0.3e-3;  // [m] no channel beyond this distance
 
-/// Radius of an outline at `z` [m]; beyond its ends that of the end.
+/// Returns the radius of an outline at `z` [m]; beyond an end, the radius at that end.
 double radius_at(const ToolSolid& tool, double z) noexcept {
     const auto& outline = tool.outline();
     if (z >= outline.front().z) return outline.front().radius;
@@ -27,7 +27,7 @@ double radius_at(const ToolSolid& tool, double z) noexcept {
     return outline.back().radius;
 }
 
-/// Where the outline is first as wide as it gets on its way through the bore [m].
+/// Returns the foremost z at which the outline has its largest radius [m].
 double first_full_width(const ToolSolid& tool) noexcept {
     const auto& outline = tool.outline();
     const double widest = tool.largest_radius();
@@ -41,25 +41,25 @@ double first_full_width(const ToolSolid& tool) noexcept {
 std::size_t guide_wall(const Guide& guide, const ToolSolid& tool, const Pose& tool_from_body,
                        kerf_channel* channels) noexcept {
     const Vec3 mouth = tool_from_body * guide.mouth, along = rotate(tool_from_body.rotation, guide.along);
-    if (along.z < 0.5) return 0;  // no tool enters a bore at 60°
-    // The tool's axis is z, so where the bore's axis passes z is where the tool's passes it, to first order.
+    if (along.z < 0.5) return 0;  // excludes a tool at more than 60° to the bore
+    // To first order, the tool's axis (z) and the bore's axis are closest where the bore's axis has the same z.
     const auto place_at = [&](double behind_mouth) { return mouth - behind_mouth * along; };
     const double front = std::min(mouth.z, first_full_width(tool)), rear = place_at(guide.length).z;
     if (front <= rear) return 0;
     const auto bore_at = [&](double z) { return mouth + (z - mouth.z) / along.z * along; };
     const Vec3 at_front = bore_at(front);
-    if (std::hypot(at_front.x, at_front.y) > guide.bore_radius) return 0;  // beside it
+    if (std::hypot(at_front.x, at_front.y) > guide.bore_radius) return 0;  // the tool is outside the bore
 
     std::size_t count = 0;
     constexpr std::array ids{OwnContact::guide_front, OwnContact::guide_rear};
     const std::array places{front, rear};
     for (std::size_t i = 0; i < places.size(); ++i) {
-        if (places[i] < tool.end_z()) continue;  // behind the tool's own end
+        if (places[i] < tool.end_z()) continue;  // behind the tool's rear end
         const Vec3 bore = bore_at(places[i]);
         const double apart = std::hypot(bore.x, bore.y);
         const double depth = apart + radius_at(tool, places[i]) - guide.bore_radius;
         if (depth < -near_contact || apart < 1e-9) continue;
-        const Vec3 into{-bore.x / apart, -bore.y / apart, 0.0};  // the tool lies on this side of the bore's axis
+        const Vec3 into{-bore.x / apart, -bore.y / apart, 0.0};  // towards the tool's axis
         channels[count++] = contact_channel(ids[i], rate_at({0, 0, places[i]}, into), stiffness, depth);
     }
     return count;

@@ -5,9 +5,9 @@
 
 namespace kerf {
 
-/// How a tool is held: where, in how many hands, and how its shaft bends.
+/// How a tool is held: grip position, number of hands and bending of its shaft.
 struct Handling {
-    double grip_z = 0.0;  ///< [m]
+    double grip_z = 0.0;  ///< [m] of the grip, tool frame
     int hands = 1;        ///< 1 or 2
     TipBending bending{};
 };

@@ -14,9 +14,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double stiffness = 2e5;        // [N/m] of bone on bone, for each octant [assumed]
-constexpr double near_contact = 0.3e-3;  // [m] farther away there is no channel
-constexpr double nearly = 20e-6;         // [m] behind the deepest, or half as deep: shares its channel
+constexpr double stiffness = 2e5;        // [N/m] bone on bone, per octant [assumed]
+constexpr double near_contact = 0.3e-3;  // [m] no channel beyond this distance
+constexpr double nearly = 20e-6;         // [m] points within this, or half the depth, of the deepest enter its channel
 
 std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
     std::array<Vec3, 8> corners;
@@ -25,7 +25,8 @@ std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
     return corners;
 }
 
-/// Whether a box comes within `margin` of a body's; errs towards yes.
+/// Returns whether the box around `corners` comes within `margin` of a body's box. May return true for a box that does
+/// not.
 bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, const Pose& other_from_corners,
                     double margin) noexcept {
     Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
@@ -37,7 +38,7 @@ bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, c
     return other.is_near_box(low, high, margin);
 }
 
-/// The first vertex in each cube of a lattice, as many cubes as there is room for.
+/// Returns the first vertex in each cube of a lattice. Widens the lattice until there are at most `most` cubes.
 std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t most, double apart) {
     for (;; apart *= 1.25) {
         std::map<std::tuple<int, int, int>, Vec3> cubes;
@@ -139,8 +140,8 @@ std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, ke
             if (answers_[i].body >= 0 && answers_[i].normal != Vec3{})
                 t.deepest = std::max(t.deepest, -answers_[i].distance);
         }
-        // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would
-        // chatter.
+        // The channel averages all points nearly as deep as the deepest. With a single point, the choice between two
+        // equally deep points would chatter.
         for (std::size_t i = 0; i < asked; ++i) {
             const kerf_surface_point& answer = answers_[i];
             Touch& t = touch[octant_of_asked_[i]];

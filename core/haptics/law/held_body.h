@@ -13,50 +13,51 @@
 
 namespace kerf {
 
-/// What the tool holds: a body, and those it is fused to. They are rigid to the tool, and stopped by other bodies where
-/// points of their surface touch them.
+/// The body that the tool grips, with the bodies fused to it. They move rigidly with the tool. Other bodies stop them
+/// at points of their surface.
 class HeldBody {
 public:
     using Bodies = std::span<const std::unique_ptr<LiveBody>>;
-    /// Points of a surface at most: about 1.5 mm apart on a piece the size of a hand.
+    /// Maximum number of surface points: about 1.5 mm apart on a piece the size of a hand.
     static constexpr std::size_t most_points = 2048;
 
     HeldBody();
 
     [[nodiscard]] bool is_any() const noexcept { return members_ != 0; }
-    /// Whether a body is held, or fused to the one that is.
+    /// Returns whether a body is held, or fused to the held one.
     [[nodiscard]] bool holds(std::size_t body) const noexcept { return (members_ >> body & 1u) != 0; }
-    [[nodiscard]] std::size_t body() const noexcept { return body_; }  ///< the one that was gripped
+    [[nodiscard]] std::size_t body() const noexcept { return body_; }  ///< the gripped one
 
-    /// It touches nothing until `find_points`.   [haptic, nonblocking]
+    /// Grips a body and the bodies fused to it. They touch nothing until `find_points`.   [haptic, nonblocking]
     void take(Bodies bodies, std::size_t body, const Pose& world_from_tool) noexcept;
     void let_go() noexcept { members_ = 0; }
-    /// Its shape has changed.   [haptic, nonblocking]
+    /// Discards the contact points after a change of shape.   [haptic, nonblocking]
     void forget_points() noexcept { count_ = 0; }
 
-    /// Where it may touch: on its surface as it is committed, after `take` or a change of its shape.   [main] between
-    /// ticks
+    /// Finds the contact points on the committed surface. Needed after `take` and after each change of shape.
+    /// [main] between ticks
     void find_points(Bodies bodies);
     [[nodiscard]] bool lacks_points() const noexcept { return is_any() && count_ == 0; }
 
-    /// Puts what is held to where the tool is.   [haptic, nonblocking]
+    /// Moves the held bodies with the tool.   [haptic, nonblocking]
     void move(Bodies bodies, const Pose& world_from_tool) const noexcept;
-    /// How far a point of it moves between two poses of the tool, at most [m].   [haptic, nonblocking]
-    [[nodiscard]] double largest_motion(const Pose& from, const Pose& to) const noexcept;
-    /// Whether it comes within `margin` [m] of another body.   [haptic, nonblocking]
-    [[nodiscard]] bool is_near_another(Bodies bodies, const Pose& world_from_tool, double margin) const noexcept;
-    /// A contact channel for each of its eight octants that touches: room for `most_held_channels`. How many there are.
+    /// Returns an upper bound of the distance that a contact point moves between two tool poses [m].
     /// [haptic, nonblocking]
+    [[nodiscard]] double largest_motion(const Pose& from, const Pose& to) const noexcept;
+    /// Returns whether the held bodies come within `margin` [m] of another body.   [haptic, nonblocking]
+    [[nodiscard]] bool is_near_another(Bodies bodies, const Pose& world_from_tool, double margin) const noexcept;
+    /// Writes one contact channel for each of the eight octants that touches, at most `most_held_channels`. Returns
+    /// their number. [haptic, nonblocking]
     std::size_t add_contact(Bodies bodies, const Pose& world_from_tool, kerf_channel* channels) noexcept;
 
 private:
     std::size_t body_ = 0;
-    std::uint32_t members_ = 0;                  ///< a bit for each body
-    std::array<Pose, most_bodies> tool_from_{};  ///< each member
-    std::vector<Vec3> points_;  ///< tool frame [m]; room for `most_points`, the first `count_` are in use
+    std::uint32_t members_ = 0;                  ///< bit i: body i is held
+    std::array<Pose, most_bodies> tool_from_{};  ///< poses of the bodies
+    std::vector<Vec3> points_;                   ///< tool frame [m]; size `most_points`, the first `count_` are in use
     std::vector<std::uint8_t> octant_;
     std::size_t count_ = 0;
-    Vec3 low_{}, high_{};  ///< a box around them
+    Vec3 low_{}, high_{};  ///< bounding box of the points, tool frame [m]
     std::vector<Vec3> asked_;
     std::vector<std::uint8_t> octant_of_asked_;
     std::vector<kerf_surface_point> answers_;

@@ -8,23 +8,25 @@
 
 namespace kerf {
 
-/// Why the host released the force: which number of which law. Plain values, so that the tick can keep it.
+/// The reason why the host released the force: the faulty value and its law. Plain values, so that the tick can store
+/// it.
 struct LawFault {
     enum class What : std::uint8_t { none, status, count, channel, wrench, solve };
     What what = What::none;
     const kerf_component* law = nullptr;
-    std::uint32_t index = 0;    ///< of the channel, of the wrench's component
+    std::uint32_t index = 0;    ///< of the channel, or of the wrench's component
     std::uint32_t id = 0;       ///< of the channel
     const char* field = "";     ///< of the channel; a literal
     const char* expected = "";  ///< of that field; a literal
     double value = 0.0;
 };
 
-/// "`burring` of stranger.burr: channel 0 (id 7): `delta` is nan, expected a finite number." Empty for none.   [main]
-/// while its plugin is loaded
+/// Returns the message for a fault, empty for none. "`burring` of stranger.burr: channel 0 (id 7): `delta` is nan,
+/// expected a finite number."   [main] while its plugin is loaded
 [[nodiscard]] std::string text_of(const LawFault& fault);
 
-/// "`burring` of stranger.burr", or the component's id alone where it is no loaded plugin's.   [main]
+/// Returns the name of a law, "`burring` of stranger.burr", or the component's id alone if no loaded plugin has it.
+/// [main]
 [[nodiscard]] std::string name_of_law(const kerf_component& law);
 
 }  // namespace kerf

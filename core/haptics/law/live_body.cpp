@@ -34,7 +34,7 @@ void LiveBody::find_box() {
     low = g.sample_position(first[0] * brick_edge, first[1] * brick_edge, first[2] * brick_edge);
     high = g.sample_position((last[0] + 1) * brick_edge, (last[1] + 1) * brick_edge, (last[2] + 1) * brick_edge);
     if (!bone->region.is_bounded()) return;
-    // Bone goes on beyond a face that it reaches.
+    // Bone that reaches a face of the region continues beyond it.
     constexpr double far = 1.0;  // [m]
     const auto reach = [&](double& l, double& h, double face_low, double face_high) {
         if (l <= face_low) l -= far;

@@ -6,9 +6,9 @@
 
 namespace kerf {
 
-/// A body that cannot be cut stops what would cut it, and the head of an implant. One contact channel of the host's
-/// own, at the point of the cutting outline, or of what stays, that is deepest in it. Returns false, and leaves the
-/// channel as it was, where there is none. Pre: its view is placed at the tool. [haptic, nonblocking]
+/// Sets one contact channel of the host that keeps a tool out of a body that cannot be cut. The channel is at the
+/// deepest point of the cutting outline, or of an implant's part that stays in bone. Returns false and leaves `channel`
+/// unchanged if the tool is not near. Pre: the body's view is placed at the tool. [haptic, nonblocking]
 [[nodiscard]] bool metal_wall(const LiveBody& body, const ToolOutline& tool, kerf_channel& channel) noexcept;
 
 }  // namespace kerf

@@ -11,29 +11,29 @@
 #include "core/haptics/law/channel.h"
 #include "kerf/force.hpp"
 
-/// What stands in the way of a cutting outline as a wall of the host's own, whatever law the tool has.
+/// A wall of the host that keeps a cutting outline out of an obstacle, whatever law the tool has.
 namespace kerf {
 
-/// What an outline may not enter: at a point of it.
+/// Penetration of an outline point into an obstacle.
 struct Entered {
     double depth = 0.0;  ///< [m]
-    Vec3 into{};         ///< unit; zero: nothing is there
+    Vec3 into{};         ///< unit, into the obstacle; zero: no obstacle there
 };
 
-/// One channel at the point of a cutting outline that is deepest in what it may not enter. Returns false, and leaves
-/// the channel as it was, where none is deeper than `least`.
+/// Sets one channel at the point of a cutting outline that is deepest in an obstacle. Returns false and leaves
+/// `channel` unchanged if no point is deeper than `least`.
 /// @param view     placed at the tool
-/// @param apart    [m] from ring to ring of the outline
-/// @param least    [m] negative: also what is so near
-/// @param concerns (ring) -> bool, whether any of it may be deeper: else the bone is not asked
+/// @param apart    [m] distance between rings of the outline
+/// @param least    [m] smallest depth; a negative value includes near points
+/// @param concerns (ring) -> bool, false if no point of the ring can be deeper: then it is not sampled
 /// @param entered  (point, kerf_surface_point) -> Entered, tool frame
-/// @param is_seat  a face across the axis carries all around: the channel is on the axis then
+/// @param is_seat  true: contact with a face across the axis puts the channel on the axis
 /// [haptic, nonblocking]
 template <typename Concerns, typename Enters>
 [[nodiscard]] bool outline_wall(OwnContact id, const ToolSolid& cutting, const BoneView& view, double apart,
                                 double least, const Concerns& concerns, const Enters& entered, kerf_channel& channel,
                                 bool is_seat = false) noexcept {
-    constexpr double stiffness = 1e6;  // [N/m] of what is not to be entered, bone or metal [assumed]
+    constexpr double stiffness = 1e6;  // [N/m] of the obstacle, bone or metal [assumed]
     Entered deepest{least, {}};
     Vec3 at{};
     cutting.for_each_ring(apart, [&](const std::array<Vec3, 8>& ring) {
@@ -48,7 +48,7 @@ template <typename Concerns, typename Enters>
         }
     });
     if (deepest.into == Vec3{}) return false;
-    constexpr double across = 0.95;  // [–] of a normal along the axis
+    constexpr double across = 0.95;  // [–] cosine between normal and axis
     if (is_seat && std::abs(deepest.into.z) > across) at.x = at.y = 0.0;
     channel = contact_channel(id, rate_at(at, deepest.into), stiffness, deepest.depth);
     return true;

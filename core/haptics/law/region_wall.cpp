@@ -20,8 +20,8 @@ bool region_wall(const Body& body, const BoneView& view, const ToolSolid& cuttin
     const auto leaves = [&](const std::array<Vec3, 8>& ring) {
         return std::any_of(ring.begin(), ring.end(), [&](Vec3 p) { return beyond(p) > 0.0; });
     };
-    // Out of the bone leads the shorter of two ways: back over the region's face, or to the bone's own surface beyond
-    // it.
+    // The wall pushes along the shorter of two directions out of that bone: back over the region's face, or to the
+    // bone's own surface beyond it.
     const auto entered = [&](Vec3 point, const kerf_surface_point& bone) -> Entered {
         const double over = beyond(point), below = -bone.distance;
         if (over <= 0.0 || below <= 0.0) return {};

@@ -6,9 +6,9 @@
 
 namespace kerf {
 
-/// Bone beyond a body's region cannot be cut: it stands like a wall. One contact channel of the host's own, at the
-/// point of the cutting outline that lies deepest in it. Returns false, and leaves the channel as it was, where there
-/// is none. [haptic, nonblocking]
+/// Sets one contact channel of the host that keeps a tool out of bone beyond the body's region, which cannot be cut.
+/// The channel is at the point of the cutting outline that is deepest in that bone. Returns false and leaves `channel`
+/// unchanged if the outline does not enter it. [haptic, nonblocking]
 [[nodiscard]] bool region_wall(const Body& body, const BoneView& view, const ToolSolid& cutting,
                                const Pose& body_from_tool, kerf_channel& channel) noexcept;
 

@@ -8,8 +8,8 @@ namespace kerf {
 
 namespace {
 
-/// Lower Cholesky factor of a symmetric positive definite matrix, with one over what belongs on its diagonal there.
-/// False where a pivot is not positive.
+/// Replaces a symmetric positive definite matrix by its lower Cholesky factor, with inverted diagonal elements. Returns
+/// false if a pivot is not positive.
 bool factorise(Mat6& a) noexcept {
     for (std::size_t j = 0; j < 6; ++j) {
         for (std::size_t k = 0; k < j; ++k) a[j][j] -= a[j][k] * a[j][k];
@@ -45,23 +45,24 @@ Vec6 stepped(const Vec6& u, double t, const Vec6& p) noexcept {
     return out;
 }
 
-/// Rate of the centre from the rate of the tip.
+/// Returns the velocity of the centre from the rate of the tip.
 Vec3 centre_velocity(const Balance& b, const Vec6& u) noexcept { return linear(u) + cross(angular(u), b.centre); }
-/// Wrench about the tip of a force at the centre.
+/// Returns the wrench about the tip of a force and a torque at the centre.
 Vec6 at_tip(const Balance& b, Vec3 force, Vec3 torque) noexcept {
     return make_vec6(force, torque + cross(b.centre, force));
 }
 
 using Mat3 = std::array<std::array<double, 3>, 3>;
 
-/// Of a block's drag, what counts along a part that is saturated. Next to none is right near the answer; but where
-/// nothing else resists that part, steps are then so long that they wander about the kinks of the channels.
+/// Returns the fraction of a block's drag that the Hessian keeps along a saturated part. Almost none is right near the
+/// solution. If nothing else resists that part, such steps are too long and wander about the kinks of the channels.
+/// Later iterations therefore also try larger fractions.
 double kept_in(int iteration) noexcept {
     constexpr double usual = 1e-3, other[] = {1e-3, 0.1, 1.0};
     return iteration <= 12 ? usual : other[iteration % 3];
 }
 
-/// −∂f/∂(rate) of a block: drag, less along y once a limit is reached.
+/// Returns −∂f/∂(rate) of a block: its drag, reduced along y once a limit is reached.
 Mat3 stiffness(const CouplingBlock& block, Vec3 y, double kept_when_saturated) noexcept {
     Mat3 d{};
     d[2][2] = (std::abs(y.z) > block.limit.along ? kept_when_saturated : 1.0) * block.drag.along;
@@ -78,7 +79,7 @@ Mat3 stiffness(const CouplingBlock& block, Vec3 y, double kept_when_saturated) n
     return d;
 }
 
-/// Adds Jᵀ diag(f, t) J, with the centre's lever, about the tip.
+/// Adds Jᵀ diag(f, t) J, with the lever of the centre, about the tip.
 void add_coupling(const Balance& b, const Mat3& f, const Mat3& t, Mat6& h) noexcept {
     // centre velocity = v + ω × r = v − [r]ω
     const double r[3][3] = {{0, -b.centre.z, b.centre.y}, {b.centre.z, 0, -b.centre.x}, {-b.centre.y, b.centre.x, 0}};
@@ -97,7 +98,7 @@ void add_coupling(const Balance& b, const Mat3& f, const Mat3& t, Mat6& h) noexc
         }
 }
 
-/// Adds M/T, M the tool's mass matrix about the tip.
+/// Adds M/T, with the tool's mass matrix M about the tip.
 void add_inertia(const Balance& b, Mat6& h) noexcept {
     const double m = b.inertia.mass / b.dt, c = b.inertia.centre_z, k = b.inertia.gyration;
     for (const std::size_t i : {0u, 1u}) {
@@ -110,11 +111,11 @@ void add_inertia(const Balance& b, Mat6& h) noexcept {
     h[3][1] -= m * c;
 }
 
-/// Everything at one rate: −gradient (what is out of balance), and what the Hessian and the caller need of it.
+/// All forces at one rate: −gradient (the force out of balance) and the terms of the Hessian.
 struct At {
     Vec6 out_of_balance;
     Vec3 force_pull, torque_pull;
-    std::array<ChannelForce, most_channels> channel;  ///< as many as there are
+    std::array<ChannelForce, most_channels> channel;  ///< one for each channel of the balance
 };
 
 double release_force(const Balance& b, const Vec6& u) noexcept {
@@ -122,7 +123,7 @@ double release_force(const Balance& b, const Vec6& u) noexcept {
 }
 
 At evaluate(const Balance& b, const Vec6& u) noexcept {
-    At at;  // all of it is set below, but for channels that there are not
+    At at;  // all members are set below, except unused channels
     at.force_pull = b.force.pull - b.force.drag * centre_velocity(b, u);
     at.torque_pull = b.torque.pull - b.torque.drag * angular(u);
     Vec6 g = at_tip(b, clamped(at.force_pull, b.force.limit), clamped(at.torque_pull, b.torque.limit));
@@ -164,12 +165,13 @@ Mat6 hessian(const Balance& b, const Vec6& u, const At& at, double kept_when_sat
     return h;
 }
 
-/// The share of `step` at which the slope along it vanishes, and what is there if it was looked at last. The slope
-/// falls monotonically: bracket, then close in.
+/// Result of the line search: the fraction of `step` at which the slope along it is zero. `is_last` means that the last
+/// evaluation was at that fraction.
 struct Found {
     double share;
     bool is_last;
 };
+// The slope falls monotonically: find a bracket, then narrow it.
 Found exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, double slope_at_start, At& last) noexcept {
     const auto slope = [&](double t) {
         last = evaluate(b, stepped(u, t, step));
@@ -185,7 +187,7 @@ Found exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, doubl
         high_slope = slope(high);
     }
     if (std::abs(high_slope) <= small) return {high, true};
-    // Illinois' false position: monotone, so it cannot leave the bracket.
+    // Regula falsi (Illinois variant). The slope is monotone, so the root cannot leave the bracket.
     int kept_side = 0;
     for (int i = 0; i < 80; ++i) {
         double t = (low * high_slope - high * low_slope) / (high_slope - low_slope);
@@ -203,7 +205,7 @@ Found exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, doubl
             if (kept_side == -1) low_slope *= 0.5;
             kept_side = -1;
         }
-        if (i % 8 == 7) {  // a kink can stall it: halve
+        if (i % 8 == 7) {  // a kink can stall it: bisect
             t = 0.5 * (low + high);
             const double half = slope(t);
             if (half > 0.0) {
@@ -219,7 +221,7 @@ Found exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, doubl
     return {low > 0.0 ? low : 0.5 * (low + high), false};
 }
 
-/// What everything carries there.
+/// Stores the forces of all parts at this rate.
 void carry(const Balance& b, const Vec6& rate, const At& at, Motion& motion) noexcept {
     motion.rate = rate;
     motion.force = clamped(at.force_pull, b.force.limit);
@@ -234,11 +236,12 @@ Motion solve(const Balance& balance) noexcept { return solve_from(balance, Vec6{
 
 Motion solve_from(const Balance& b, const Vec6& start) noexcept {
     constexpr double tolerance = 1e-8;
-    // A channel at the floor w = 1 µm/s has slopes of 3e8 N·s/m: rounding of the rate alone can leave this much.
+    // A channel with the smallest w, 1 µm/s, has slopes of 3e8 N·s/m: rounding of the rate alone can leave this
+    // residual.
     constexpr double rounding = 1e-6;
     Motion motion;
 
-    // The norm xᵀA⁻¹x of the unsaturated problem makes newtons and newton metres comparable.
+    // The norm √(xᵀA⁻¹x) of the unsaturated problem makes newtons and newton metres comparable.
     Mat6 norm{};
     Mat3 force_drag{}, torque_drag{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -252,7 +255,8 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
         const Vec6 y = forward(norm, x);
         return std::sqrt(dot(y, y));
     };
-    // Relative to the forces at rest, each for itself: at rest in contact they cancel to nearly nothing.
+    // The residual is relative to the sum of the forces' sizes at rest. In contact at rest the forces themselves cancel
+    // to nearly zero.
     double scale = 1e-9 + size(at_tip(b, b.force.pull, b.torque.pull)) + size(b.following) +
                    size(scaled(1.0 / b.dt, momentum(b.inertia, b.previous_rate)));
     for (const auto& channel : b.channels) {

@@ -5,12 +5,13 @@
 
 namespace kerf {
 
-/// One value across the tool's shaft and one along it; of rotations, about lines across it and about itself.
+/// One value across the tool's shaft and one along it. For rotations: about lines across the shaft and about the shaft
+/// itself.
 struct Split {
     double across = 0.0, along = 0.0;
 
     constexpr Split() = default;
-    constexpr Split(double both) : across(both), along(both) {}  // NOLINT: a number is the same in every direction
+    constexpr Split(double both) : across(both), along(both) {}  // NOLINT: a number applies to all directions
     constexpr Split(double is_across, double is_along) : across(is_across), along(is_along) {}
 };
 
@@ -18,17 +19,17 @@ struct Split {
 [[nodiscard]] constexpr Split operator+(Split a, Split b) noexcept { return {a.across + b.across, a.along + b.along}; }
 [[nodiscard]] constexpr Split operator/(Split a, Split b) noexcept { return {a.across / b.across, a.along / b.along}; }
 
-/// A vector in the tool's frame, each of its two parts times its own.
+/// Returns a tool-frame vector with its two parts scaled separately.
 [[nodiscard]] constexpr Vec3 operator*(Split s, Vec3 v) noexcept {
     return {s.across * v.x, s.across * v.y, s.along * v.z};
 }
-/// Returns `v`, or as much of it as is `limit` long.   [any] pure.
+/// Returns `v`, shortened to the length `limit` if it is longer.   [any] pure.
 [[nodiscard]] inline Vec3 clamped(Vec3 v, double limit) noexcept {
     const double size = length(v);
     return size > limit ? (limit / size) * v : v;
 }
-/// Returns `v`, tool frame, each of its two parts cut to its own limit. With a damper that differs by part this is
-/// still the gradient of a function; cut to one length it would be none.   [any] pure.
+/// Returns `v`, tool frame, with its parts across and along the shaft clamped separately. With a damper that differs by
+/// part, the result is still the gradient of a function. Clamped as one vector it would not be.   [any] pure.
 [[nodiscard]] inline Vec3 clamped(Vec3 v, Split limit) noexcept {
     const Vec3 across = clamped(Vec3{v.x, v.y, 0.0}, limit.across);
     return {across.x, across.y, v.z > limit.along ? limit.along : v.z < -limit.along ? -limit.along : v.z};

@@ -18,7 +18,7 @@ namespace kerf {
 
 namespace {
 
-/// The index of the entry of a table with this id and dimension.
+/// Returns the index of the table entry with this id and dimension.
 template <class Entry>
 std::optional<std::uint32_t> find(const Entry* table, std::uint32_t count, const kerf_need& need) {
     for (std::uint32_t i = 0; i < count; ++i)
@@ -89,7 +89,7 @@ kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, dou
 
 namespace {
 
-/// In a plugin's words, as far as they are fit to print.
+/// Returns the plugin's own reason, with control characters replaced.
 std::string why_refused(const kerf_tool_shape& shape) {
     const char* end = std::find(std::begin(shape.refusal), std::end(shape.refusal), '\0');
     std::string words(shape.refusal, end);
@@ -110,7 +110,8 @@ std::string point(std::uint32_t i, const char* field, double value, const std::s
     return "point " + std::to_string(i) + ": `" + field + "` is " + in_mm(value) + ", expected " + expected + ".";
 }
 
-/// A shaft bends one way, and less than a blade of grass.
+/// Returns the fault in the bending values, or an empty text. A force bends a shaft in its own direction, and only up
+/// to a limit.
 std::string fault_of_bending(const kerf_tool_shape& shape) {
     constexpr double softest = 0.1, steepest = 10.0;  // [m/N], [rad/N]
     const auto out_of = [](const char* field, double value, double most, const char* unit) {
@@ -127,7 +128,7 @@ std::string fault_of_bending(const kerf_tool_shape& shape) {
     return {};
 }
 
-/// A bore leaves a wall all around.
+/// Returns the fault in the bore, or an empty text. A bore must leave a wall all around.
 std::string fault_of_bore(const kerf_tool_shape& shape) {
     if (shape.bore == 0.0) return {};
     if (shape.kind != KERF_SOLID_REVOLUTION)
@@ -143,7 +144,8 @@ std::string fault_of_bore(const kerf_tool_shape& shape) {
            ", the narrowest radius of what cuts. Make the tool wider or the bore narrower.";
 }
 
-/// Gaps lie within what cuts, with a part before, between and behind them.
+/// Returns the fault in the gaps, or an empty text. Gaps lie within the cutting part, with a cutting part before,
+/// between and behind them.
 std::string fault_of_gaps(const kerf_tool_shape& shape) {
     if (shape.gap_count > KERF_MAX_GAPS)
         return "`gap_count` is " + std::to_string(shape.gap_count) + ", expected 0 … " + std::to_string(KERF_MAX_GAPS) +
@@ -164,8 +166,8 @@ std::string fault_of_gaps(const kerf_tool_shape& shape) {
     return {};
 }
 
-/// What the carver cannot take. It follows every outline that does not turn back along the axis, however its radius
-/// rises and falls (tests/core/field/outline_sweep_test.cpp), so nothing else is asked of one.
+/// Returns the fault in the outline, or an empty text. The carver takes every outline that does not turn back along the
+/// axis, whatever its radius (tests/core/field/outline_sweep_test.cpp). So only this is checked.
 std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacity) {
     const auto count = [](const char* field, std::uint32_t is, std::uint32_t least, std::uint32_t most) {
         return std::string("`") + field + "` is " + std::to_string(is) + ", expected " + std::to_string(least) + " … " +
@@ -202,7 +204,8 @@ std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacit
     return fault_of_bending(shape);
 }
 
-/// A prism's faces meet in planes, so its outline may bend towards the axis only.
+/// Returns the fault in a prism, or an empty text. A prism's faces are planes, so its outline may bend towards the axis
+/// only.
 std::string fault_of_prism(const kerf_tool_shape& shape) {
     for (std::uint32_t i = 2; i < shape.profile_count; ++i) {
         const auto &a = shape.profile[i - 2], &b = shape.profile[i - 1], &c = shape.profile[i];
@@ -218,7 +221,7 @@ std::string fault_of_prism(const kerf_tool_shape& shape) {
     return {};
 }
 
-/// A thread stands on what goes through the bone.
+/// Returns the fault in the thread, or an empty text. A thread is on the part that enters the bone.
 std::string fault_of_thread(const kerf_tool_shape& shape) {
     if (shape.thread_radius == 0.0)
         return shape.stay_count == 0 ? ""
@@ -282,7 +285,7 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     out.thread_lead = shape.thread_lead;
     out.thread_count = shape.thread_count;
     out.stay_count = shape.stay_count;
-    if (shape.cutting_count == 0) shape.cutting_count = 2;  // it removes nothing: a tip is enough
+    if (shape.cutting_count == 0) shape.cutting_count = 2;  // a tool that removes nothing: the tip is enough
     out.inertia = {shape.mass, shape.centre_z, shape.gyration};
     const bool has_mass = shape.mass > 0.0 && shape.mass <= heaviest && std::abs(shape.centre_z) < 1.0 &&
                           shape.gyration > 0.0 && shape.gyration < 1.0;
@@ -312,7 +315,7 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     for (const auto& [first, last] : out.gaps) gaps.push_back({points[first].z, points[last].z});
     out.cutting = ToolSolid::parts(region, shape.bore, gaps);
     if (out.has_thread())
-        out.crest = ToolSolid({{points[shape.thread_count > 2 ? 1 : 0].z, out.thread_radius},  // behind the tip
+        out.crest = ToolSolid({{points[shape.thread_count > 2 ? 1 : 0].z, out.thread_radius},  // without the tip
                                {points[shape.thread_count - 1].z, out.thread_radius}});
     if (out.is_implant()) out.staying = ToolSolid({points, points + out.stay_count});
     out.whole = ToolSolid({points, points + shape.profile_count});

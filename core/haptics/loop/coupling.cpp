@@ -10,13 +10,14 @@
 namespace kerf {
 
 namespace {
-constexpr double release_from = 5e-3;  // [m/s] faster than the hand by more: released (R5)
-constexpr double release_time = 0.15;  // [s] (R5)
-/// A damper rendered a tick late shakes a mass m from 0.8 m/T on; the hand's rate is later still (`kerf stability`).
+constexpr double release_from = 5e-3;  // [m/s] the release damper acts above the hand's speed plus this
+constexpr double release_time = 0.15;  // [s] of the release damper: B_x / K_c
+/// [–] Maximum B_x T/m. A damper rendered one tick late shakes a mass m from 0.8 m/T on, and the filtered hand rate is
+/// later still (`kerf stability`).
 constexpr double sampled_damper = 0.22;
 constexpr double nominal_period = 1e-3;  // [s]
-constexpr double loose = 0.01;           // [–] of the damping about the shaft that loose fingers keep [assumed]
-/// What one count of the encoders may change the force by: more is heard and felt while a hand holds still (S-06).
+constexpr double loose = 0.01;  // [–] fraction of the damping about the shaft that loose fingers keep [assumed]
+/// Maximum change of force by one encoder count. A larger one is heard and felt while the hand is still (S-06).
 constexpr double felt_count = 0.08;  // [N]
 }  // namespace
 
@@ -27,7 +28,7 @@ CouplingGains gains_for(const DeviceRecord& device, double force_scale, int late
     gains.damping = std::clamp(nominal_period * (felt_count / device.resolution - gains.stiffness), 0.0,
                                0.5 * device.largest_damping);
     gains.force_limit = device.peak_force;
-    // Without actuated torque the rotation is dragged through a slip coupling that carries next to nothing.
+    // Without actuated torque the rotation follows through a slip coupling with a negligible limit.
     gains.has_torque = device.peak_torque > 0.0;
     gains.torque_limit = gains.has_torque ? device.peak_torque : 0.01;
     if (const TorqueAxis& axis = device.axis; axis.peak_torque > 0.0) {
@@ -51,7 +52,8 @@ namespace {
 
 constexpr double handpiece_mass = 0.5, handpiece_gyration = 50e-3;  // [kg], [m] about its centre [assumed]
 
-/// Returns the damping of a handpiece's inertia on a spring, in series with what the device does; none if that is 0.
+/// Returns the damping of a handpiece's inertia on a spring, in series with the device's damping `of_device`. 0 if that
+/// is 0.
 double damped(const Hold& held, double stiffness, double inertia, double of_device) noexcept {
     const double own = 2.0 * held.damping_ratio * std::sqrt(stiffness * inertia);
     return own / (1.0 + own / of_device);
@@ -78,7 +80,7 @@ Spring folded(const CouplingGains& gains, const std::optional<Hold>& held, doubl
                   .turn_damping = (b / k) * Split(across.turn, about)};
     if (held) {
         constexpr double turning = handpiece_mass * handpiece_gyration * handpiece_gyration;
-        spring.damping = {damped(*held, across.shift, handpiece_mass, b), b};  // along the shaft hands stiffen
+        spring.damping = {damped(*held, across.shift, handpiece_mass, b), b};  // along the shaft, hands stiffen
         const double most = gains.has_torque ? arm2 * b : HUGE_VAL;
         const double most_about = shaft.is_driven() ? shaft.damping / gains.force_scale : most;
         spring.turn_damping = {damped(*held, across.turn, turning, most), damped(*held, about, turning, most_about)};
@@ -113,7 +115,7 @@ void Coupling::hold(const Pose& handle, const Vec6& hand_rate, const Pose& tool,
     if (pull == 0.0) return;
     out.release_along = {0, 0, pull > 0.0 ? 1.0 : -1.0};
     out.release_damping = gains_.release_damping / gains_.force_scale;
-    // From the hand's speed towards the tool on, or from rest: a hand that backs off a wall is not let go by it.
+    // The threshold is never below zero: a hand that moves away from a wall is not released by it.
     out.release_from = std::max(0.0, dot(out.hand_velocity, out.release_along)) + release_from;
 }
 
@@ -155,7 +157,8 @@ double Coupling::stored(const Pose& handle, const Pose& tool) const noexcept {
         const Vec3 turn = clamped(small_rotation_vector(twist(handle, tool)), most / spring_.turn_stiffness);
         energy += 0.5 * dot(turn, spring_.turn_stiffness * turn);
     } else if (gains_.shaft.is_driven() && !is_loose_) {
-        // The motor's torque grows with the turn up to its limit, and then stays: the hand is given what is under it.
+        // The motor's torque grows with the turn up to its limit and is constant above: the energy is the area under
+        // it.
         const double stiffness = spring_.turn_stiffness.along, most = shaft_limit() / gains_.force_scale;
         const double turn =
             std::min(std::abs(small_rotation_vector(twist(handle, tool)).z), most_torque().along / stiffness);

@@ -11,9 +11,9 @@ namespace kerf {
 namespace {
 using namespace literals;
 
-constexpr double unknown_share = 0.25;  // continuous force where no datasheet is known: a quarter of peak [assumed]
+constexpr double unknown_share = 0.25;  // continuous force without a datasheet: a quarter of peak [assumed]
 
-// Limits: [chai3d]; masses, friction and resolution from memory of datasheets, to be checked on a unit.
+// Limits: [chai3d]. Masses, friction and resolution are not from a datasheet; check them on a device.
 constexpr DeviceRecord devices[] = {
     {"touch",
      3.3,

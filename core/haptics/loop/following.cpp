@@ -8,7 +8,7 @@ namespace kerf {
 
 namespace {
 
-/// Of its limits, what a vector takes.
+/// Returns the used fraction of the limits.
 double share_of(Split limit, Vec3 v) noexcept {
     return std::max(length(Vec3{v.x, v.y, 0.0}) / limit.across, std::abs(v.z) / limit.along);
 }

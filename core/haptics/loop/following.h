@@ -9,16 +9,17 @@
 
 namespace kerf {
 
-/// What follows a law without working against the tool's rate: reaction torque, lateral imbalance.
+/// Loads that follow a law without resisting the tool's rate: reaction torque and lateral imbalance.
 ///
-/// It goes with λ̄, a filtered λ kept by the channels' ids: taken with λ itself it diverges from μ = 1.1 on (R1).
+/// They follow λ̄, a filtered λ stored by channel id. With λ itself the iteration diverges from μ = 1.1 on.
 class Following {
 public:
-    /// `own` and Σ follow λ̄ for the balance's channels, tool frame. The coupling alone holds what follows; more than it
-    /// can carry has no balance, so at most half of that is given.   [haptic, nonblocking]
+    /// Returns `own` + Σ follow λ̄ over the balance's channels, tool frame. Only the coupling carries this load. A
+    /// larger load has no balance, so the result is scaled to at most half of the coupling's limits.
+    /// [haptic, nonblocking]
     [[nodiscard]] Vec6 wrench(const Balance& balance, const Vec6& own) const noexcept;
-    /// λ̄ ← λ̄ + α(λ − λ̄), α = 1/(1 + μ²), μ = max |follow|/|d| in the coupling's own norm. A channel that is gone is
-    /// forgotten.   [haptic, nonblocking]
+    /// Updates λ̄ ← λ̄ + α(λ − λ̄), with α = 1/(1 + μ²) and μ = max |follow|/|d| in the coupling's own norm. Drops
+    /// channels that are absent from the balance.   [haptic, nonblocking]
     void update(const Balance& balance, const Motion& motion) noexcept;
     void forget() noexcept { count_ = 0; }
 

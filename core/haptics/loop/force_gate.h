@@ -5,14 +5,14 @@
 
 namespace kerf {
 
-/// Takes the force away after a fault and gives it back: to nothing in 5 ms, then, once all is well, up in 50 ms and by
-/// 0.4 N a millisecond at most, whatever the hand runs into. What was stored in the coupling is let go in between:
-/// force is never ramped back into a stretch (resolutions A10).
+/// Fades the force out after a fault and in again. The force falls to zero in 5 ms. Once the fault has ended it rises
+/// within 50 ms, by at most 0.4 N per millisecond, whatever the hand touches. The loop releases the coupling's stretch
+/// in between, so force never ramps back into a stretched spring.
 class ForceGate {
 public:
     enum class State { open, closing, shut, opening };
 
-    /// One tick: `is_sound` is false while the fault lasts.   [haptic, nonblocking]
+    /// Advances the gate by one tick. `is_sound` is false while the fault lasts.   [haptic, nonblocking]
     void step(bool is_sound, double dt) noexcept {
         if (!is_sound && state_ != State::shut) state_ = State::closing;
         if (is_sound && state_ == State::shut) {
@@ -36,9 +36,8 @@ public:
                 break;
         }
     }
-    /// Of a force limit [N], the share that may be used in the next step of `dt`, after one that made `force` [N]. As
-    /// long as the bound on the rise is what holds the force, the gate goes on opening.   [haptic, nonblocking] once a
-    /// tick
+    /// Returns the usable fraction of a force limit [N] in the next step of `dt`, after a step that made `force` [N].
+    /// The gate stays in `opening` as long as its rate limit bounds the force.   [haptic, nonblocking] once a tick
     [[nodiscard]] double share(double limit, double force, double dt) noexcept {
         if (state_ != State::opening) return gain_;
         const bool is_held = force >= (1.0 - 1e-9) * share_ * limit;
@@ -49,14 +48,15 @@ public:
     }
     [[nodiscard]] double gain() const noexcept { return gain_; }  ///< [–] 0 … 1
     [[nodiscard]] State state() const noexcept { return state_; }
-    /// The tool is not led by the hand: the force of before the fault is fading, or gone.
+    /// Returns whether the gate closes or is shut. The hand then does not guide the tool; the force from before the
+    /// fault fades or is zero.
     [[nodiscard]] bool is_barred() const noexcept { return state_ == State::closing || state_ == State::shut; }
 
 private:
     static constexpr double closing_time = 5e-3, opening_time = 50e-3;  // [s]
-    static constexpr double fastest_rise = 400.0;  // [N/s]; 0.5 N a millisecond is not to be passed (S-21)
+    static constexpr double fastest_rise = 400.0;  // [N/s]; the limit of S-21 is 0.5 N per millisecond
     double gain_ = 1.0;
-    double share_ = 1.0;  ///< allowed last, while it opens
+    double share_ = 1.0;  ///< last allowed fraction while opening
     State state_ = State::open;
 };
 

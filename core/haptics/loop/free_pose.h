@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// How far the tool must be drawn back along its own axis, at most 0.3 m, until no point of its outline lies in the
-/// bone as it was before any cut [m]; 0 where it is free already, nothing where it never is.   [main]
+/// Returns the distance by which the tool must retract along its own axis until its outline is outside the uncut bone
+/// [m]. Returns 0 if it is outside already, and no value if 0.3 m is not enough.   [main]
 [[nodiscard]] std::optional<double> way_out_of_bone(const Body& body, const ToolSolid& whole,
                                                     const Pose& body_from_tool);
 

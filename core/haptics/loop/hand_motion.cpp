@@ -12,8 +12,8 @@ namespace kerf {
 namespace {
 
 constexpr double filter_hz = 50.0;
-constexpr std::uint32_t too_many_missed = 3;  // (A10)
-constexpr double leap = 20e-3;                // [m] between two ticks (B9)
+constexpr std::uint32_t too_many_missed = 3;  // ticks
+constexpr double leap = 20e-3;                // [m] maximum motion of a hand between two ticks
 
 bool is_pose(const Pose& p) noexcept {
     constexpr double room = 10.0;  // [m]

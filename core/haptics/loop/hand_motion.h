@@ -3,21 +3,21 @@
 
 #include "kerf/device.hpp"
 
-/// Where the hand is and how fast, out of encoder counts.
+/// Pose and rate of the hand from encoder counts.
 namespace kerf {
 
-/// Takes a device's samples as they come: estimates the rate, and tells a hand from a fault.
+/// Checks the poses that a device reports and estimates the hand's rate.
 class HandMotion {
 public:
     explicit HandMotion(const Pose& start) : pose_(start) {}
 
-    /// One tick's sample. A pose that is none is left out; a leap of more than 20 mm between two ticks is no hand's,
-    /// and after three missed ticks it may have been anywhere. Returns false for any of these, and for the first sample
-    /// after a pose that was none: then nothing may follow from the difference to the last one.   [haptic, nonblocking]
+    /// Takes one tick's pose. Ignores an invalid pose. Returns false for an invalid pose, for the first pose after one,
+    /// for a jump of more than 20 mm between two ticks, and after three missed ticks. In these cases the difference to
+    /// the last pose has no meaning and the rate is zero.   [haptic, nonblocking]
     bool take(const DeviceSample& sample, double dt) noexcept;
 
-    [[nodiscard]] const Pose& pose() const noexcept { return pose_; }  ///< the last good one
-    /// World frame [m/s, rad/s]: differences through two poles at 50 Hz, never raw ones.
+    [[nodiscard]] const Pose& pose() const noexcept { return pose_; }  ///< the last valid one
+    /// Returns the rate, world frame [m/s, rad/s]: pose differences through two poles at 50 Hz.
     [[nodiscard]] const Vec6& rate() const noexcept { return rate_; }
 
 private:

@@ -6,10 +6,10 @@
 
 namespace kerf {
 
-/// The body that each thing of the anatomy belongs to and moves with.
+/// The owner of each zone and step of a procedure: the body with which it moves.
 struct Owners {
-    std::vector<std::size_t> zone;  ///< of each of the anatomy's zones
-    std::vector<std::size_t> step;  ///< of the frame of each step
+    std::vector<std::size_t> zone;  ///< for each of the anatomy's zones
+    std::vector<std::size_t> step;  ///< for the frame of each step
 };
 
 }  // namespace kerf

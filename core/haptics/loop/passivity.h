@@ -7,57 +7,56 @@
 
 namespace kerf {
 
-/// Observer and controller of what the loop gives the hand, on the device's side.
+/// Limits the energy that the loop gives the hand: observer and controller, in device newtons.
 ///
-/// The port may give back what the coupling's spring holds and what the tool's motor did, and no more. What the hand
-/// put in beyond that was spent on the bone and is not credited: a balance that only sums would hide a fault behind all
-/// the work of drilling. Where more comes out, a damper takes it back.
+/// The loop may give back at most the energy of the coupling's spring and of the tool's motor. Further work of the hand
+/// was spent on the bone and is not credited. A plain energy sum would hide a fault behind all the work of drilling. A
+/// damper takes back any excess.
 ///
 ///     W ← min(W − f·Δx + supplied, V),      f_c = −c v,  c = clamp((−tolerance − W) / (T v²), 0, c_max),  v = Δx/T
 ///
-/// The difference of one tick is taken for v, coarse as it is: a filtered rate still points inwards when the hand has
-/// turned, and would give more. After [hannaford-ryu-2002], with the
-/// spring's V as its ceiling.
+/// v is the plain difference over one tick, coarse as it is. After the hand has reversed, a filtered rate still points
+/// inwards and would add energy. After [hannaford-ryu-2002], with the spring's V as the ceiling.
 class PassivityGuard {
 public:
     static constexpr double tolerance = 1e-4;  ///< [J]
-    /// `unseen` [J]: what a spring gives and takes within one count of the encoders, K Δ². A hand that flickers between
-    /// two counts is credited with it, or the balance would fall for ever under a hand that stands still.
+    /// `unseen` [J] is the energy that a spring exchanges within one encoder count, K Δ². A hand that flickers between
+    /// two counts gets it as credit. Otherwise the balance would fall without end under a still hand.
     explicit PassivityGuard(double largest_damping, double unseen = 0.0, double count = 0.0)
         : PassivityGuard({largest_damping, unseen, count}, {}) {}
-    /// How a port is damped and measured: of forces, or of a motor about the shaft.
+    /// Damping limit and resolution of a port: the forces, or a motor about the shaft.
     struct Port {
-        double largest_damping = 0.0;  ///< [N·s/m] or [N·m·s/rad]; 0: nothing is taken back there
-        double unseen = 0.0;           ///< [J] as above
-        double count = 0.0;            ///< [m] or [rad]
+        double largest_damping = 0.0;  ///< [N·s/m] or [N·m·s/rad]; 0: no correction at this port
+        double unseen = 0.0;           ///< [J] see above
+        double count = 0.0;            ///< [m] or [rad] of one encoder count
     };
     PassivityGuard(const Port& forces, const Port& shaft) : forces_(forces), shaft_(shaft) {}
 
-    /// Another tool: its shaft is held by another spring.   [haptic, nonblocking]
+    /// Sets the port of the shaft after a tool change.   [haptic, nonblocking]
     void serve(const Port& shaft) noexcept { shaft_ = shaft; }
 
-    /// Since the last tick the hand moved by `moved` [m, rad] under `wrench` [N, N·m]; the motor put `supplied` [J]
-    /// into the port, and the spring now holds `stored` [J].   [haptic, nonblocking]
-    /// `turned` [rad]: of that, about the shaft; for a port whose motor acts there.
+    /// Updates W after the hand moved by `moved` [m, rad] under `wrench` [N, N·m]. The motor put `supplied` [J] into
+    /// the port, and the spring now stores `stored` [J]. `turned` [rad] is the part of the motion about the shaft, for
+    /// a port with a motor there.   [haptic, nonblocking]
     void observe(const Vec6& wrench, const Vec6& moved, double supplied, double stored, double turned = 0.0) noexcept;
-    /// The coupling is anchored anew: what a fault gave while it faded is not taken back from a hand that is not to
-    /// blame. [haptic, nonblocking]
-    void restart() noexcept { energy_ = 0.0; }
-    /// The force on the hand that takes back what came out too much. [N]   [haptic, nonblocking]
-    [[nodiscard]] Vec3 correction(double dt) noexcept;
-    /// The torque about the shaft on the hand that takes back what `correction` of the same tick leaves. [N·m]
+    /// Resets W when the coupling is anchored anew: the hand does not pay for energy that a fault gave while it faded.
     /// [haptic, nonblocking]
+    void restart() noexcept { energy_ = 0.0; }
+    /// Returns the force on the hand that takes back the excess [N].   [haptic, nonblocking]
+    [[nodiscard]] Vec3 correction(double dt) noexcept;
+    /// Returns the torque on the hand about the shaft that takes back the excess left by `correction` in the same tick
+    /// [N·m]. [haptic, nonblocking]
     [[nodiscard]] double shaft_correction(double dt) noexcept;
 
     [[nodiscard]] double energy() const noexcept { return energy_; }       ///< [J] W
-    [[nodiscard]] double least_energy() const noexcept { return least_; }  ///< [J] the lowest W has been
+    [[nodiscard]] double least_energy() const noexcept { return least_; }  ///< [J] the minimum of W so far
     [[nodiscard]] std::uint64_t corrections() const noexcept { return corrections_; }
 
 private:
     Port forces_, shaft_;
     Vec3 moved_{};
     double turned_ = 0.0;  ///< [rad] about the shaft
-    double left_ = 0.0;    ///< [J] of the excess, after the last `correction`
+    double left_ = 0.0;    ///< [J] excess left after the last `correction`
     double energy_ = 0.0, least_ = 0.0;
     std::uint64_t corrections_ = 0;
 };

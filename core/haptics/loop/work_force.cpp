@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-/// No bone anywhere.
+/// Samples air everywhere.
 void sample_air(const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t,
                 kerf_bone_sample* out) {
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -22,7 +22,7 @@ void sample_air(const kerf_bone*, const kerf_vec3*, std::uint32_t count, const k
     }
 }
 
-/// Bone everywhere, of one material: answers the same to every question.
+/// Infinite bone of one material: every sample is the same.
 struct EndlessBone {
     std::size_t material;
     double density;
@@ -39,7 +39,7 @@ void sample_endless(const kerf_bone* bone, const kerf_vec3*, std::uint32_t count
     }
 }
 
-/// The hole already fits: nothing touches the shank.
+/// The hole already fits: the shank touches nothing.
 void nearest_endless(const kerf_bone*, const kerf_vec3*, std::uint32_t count, kerf_surface_point* out) {
     for (std::uint32_t i = 0; i < count; ++i) {
         out[i] = kerf_surface_point{};
@@ -48,7 +48,7 @@ void nearest_endless(const kerf_bone*, const kerf_vec3*, std::uint32_t count, ke
     }
 }
 
-/// Lets a powered tool come to its speed in air.
+/// Lets a powered tool reach its speed in air.
 void run_up(const ToolSetup& setup, kerf_tick_in in, void* state) {
     constexpr int longest = 10000;  // ticks
     double signals[KERF_MAX_SIGNALS];

@@ -9,16 +9,16 @@
 
 namespace kerf {
 
-/// A law in bone without end, all edges engaged and the motor at its speed.   [main]
+/// A law in infinite bone, with all edges engaged and the motor at its speed.   [main]
 class EndlessBoneLaw {
 public:
-    /// Keeps a reference to `setup`. `tissues`: of the body.
+    /// Pre: `setup` outlives this object. `tissues`: their number in the body.
     EndlessBoneLaw(const ToolSetup& setup, std::size_t tissues);
     ~EndlessBoneLaw();
     EndlessBoneLaw(const EndlessBoneLaw&) = delete;
     EndlessBoneLaw& operator=(const EndlessBoneLaw&) = delete;
 
-    /// Returns the force along the tool's axis in a material of `density` [kg/m³] at a steady `feed_rate` [m/s]. [N]
+    /// Returns the force along the tool's axis in a material of `density` [kg/m³] at a steady `feed_rate` [m/s] [N].
     [[nodiscard]] double force(std::size_t material, double density, double feed_rate) const;
 
 private:
@@ -26,10 +26,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The force along the tool's axis that a plugin's law asks for in the body's hardest tissue at a steady `feed_rate`
-/// [m/s]: what the device's force scale is set by. [N]
-///
-/// "Hardest" is whichever material gives the largest force.   [main]
+/// Returns the largest force along the tool's axis in any of the body's materials, at a steady `feed_rate` [m/s] [N].
+/// The device's force scale is derived from it.   [main]
 [[nodiscard]] double work_force(const ToolSetup& setup, const Body& body, double feed_rate);
 
 }  // namespace kerf

@@ -53,7 +53,7 @@ void BoneScene::leave_bone() {
     if (!begun_) return;
     Moment before = std::move(*begun_);
     begun_.reset();
-    // Who passes by bone changes distances in the air, and that is no cut.
+    // A tool that passes near the bone changes distances in air. This is no cut.
     if (bone_.removed() != removed_in(before.bone)) keep(std::move(before));
 }
 
@@ -146,7 +146,7 @@ Offer BoneScene::fusion(std::size_t held, const Placings& now, std::string& why_
     const Placing& holding = now.of[held];
     const auto bone_of = [&](std::size_t id) { return CutBone{bone_.piece(id).bone, &bone_.cut(id)}; };
     std::optional<Bridge> nearest;
-    std::uint16_t beyond = 0;  // the group of the piece that it leads to
+    std::uint16_t beyond = 0;  // group of the piece at the far end
     for (std::size_t other = 0; other < now.count; ++other) {
         const Placing& there = now.of[other];
         if (there.group == holding.group || !there.is_present || !there.is_cuttable) continue;
@@ -189,7 +189,7 @@ Offer BoneScene::subtraction(std::uint16_t solid, const Pose& world_from_tool, c
     return offer;
 }
 
-// ---- what the loop has taken over ---------------------------------------------------------------------------------
+// ---- changes taken over by the loop --------------------------------------------------------------------------------
 
 void BoneScene::taken(const Offer& offer, const Placings& before, std::uint64_t next_sequence) {
     switch (offer.change) {
@@ -213,7 +213,7 @@ void BoneScene::taken(const Offer& offer, const Placings& before, std::uint64_t 
         case Offer::Change::subtraction:
             leave_bone();
             apply(offer.subtracted, before);
-            leave_bone();  // a change of its own
+            leave_bone();  // the subtraction is an undo step of its own
             break;
     }
     belongings_.owners = offer.owners;

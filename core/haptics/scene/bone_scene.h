@@ -12,42 +12,44 @@
 
 #include "core/haptics/loop/offer.h"
 
-/// The bone without lag and what happens to its bodies.
+/// The present bone and all changes of its bodies.
 namespace kerf {
 
-/// What belongs to bodies, and who inherits it.
+/// Owners of zones and steps, and the rule by which separated bodies inherit them.
 struct Belongings {
-    /// Finds new owners of the zones and steps that belonged to body `from`, which has become `bodies`.
+    /// Finds new owners of the zones and steps of body `from`, which has split into `bodies`.
     using PassOn =
         std::function<void(Owners&, std::size_t from, const std::vector<std::size_t>& bodies, const PresentBone& bone)>;
     Owners owners;     ///< before any change
     PassOn pass_on{};  ///< empty: owners never change
 };
 
-/// Applies cut records to the present bone and makes every change of bodies. A change is made in two steps: the scene
-/// makes an `Offer` and stays as it is; once the haptic loop has taken the offer over, `taken` makes the same change
-/// here. Belongs to one thread at a time: the loop's in lock-step, a worker's beside a loop on the clock.
+/// Applies cut records to the present bone and makes all changes of bodies. A change has two steps. The scene makes an
+/// `Offer` and stays unchanged. After the haptic loop has taken the offer over, `taken` makes the same change here. One
+/// thread uses it at a time: the loop's in lock-step, a worker's with a loop on the clock.
 class BoneScene {
 public:
-    /// Changes that can be taken back, at most; before that the oldest is forgotten.
+    /// Maximum number of undo steps; the oldest is dropped.
     static constexpr std::size_t most_undo = 16;
 
-    /// All of `body` is body 0. It and the cutting solids, as records number them, must outlive this.   [main]
+    /// All bone of `body` is body 0. Pre: `body` and the cutting solids, in the order of the records' indices, outlive
+    /// this object.   [main]
     BoneScene(const Body& body, std::vector<const ToolSolid*> cutting);
-    /// Makes bodies of bone that comes apart, if it is larger than `crumb` [m³]. Pre: nothing has been applied. [main]
+    /// Makes separated bone larger than `crumb` [m³] into bodies. Pre: no record has been applied. [main]
     void look_for_pieces(double crumb, Belongings belongings = {});
 
     [[nodiscard]] const PresentBone& bone() const noexcept { return bone_; }
     [[nodiscard]] PresentBone& bone() noexcept { return bone_; }
     [[nodiscard]] const Owners& owners() const noexcept { return belongings_.owners; }
 
-    /// Applies records, one after the other; `now`: where the bodies are.   [worker]
+    /// Applies records in their order. `now` are the present states of the bodies.   [worker]
     void apply(std::span<const CutRecord> records, const Placings& now);
-    /// The tool touches no bone: what was removed since it last did not is a cut, and can be taken back.   [worker]
+    /// Ends a cut when the tool touches no bone. If bone was removed since the last call, the cut becomes an undo step.
+    /// [worker]
     void leave_bone();
-    /// These threads are in bone while the tool touches none: what the next cut is taken back to.   [worker]
+    /// Sets the threads while the tool touches no bone: undoing the next cut restores them.   [worker]
     void know_threads(const BodyThreads& threads) noexcept { threads_ = threads; }
-    /// What was done so far cannot be taken back any more.   [worker]
+    /// Drops all undo and redo steps.   [worker]
     void forget_changes() noexcept {
         undo_.clear();
         redo_.clear();
@@ -55,38 +57,41 @@ public:
     [[nodiscard]] bool is_in_a_cut() const noexcept { return begun_.has_value(); }
     [[nodiscard]] bool can(Turn turn) const noexcept { return !moments(turn).empty(); }
 
-    /// The first separation that the loop has not taken over yet; null: none waits.
+    /// Returns the first separation that the loop has not taken over, or null.
     [[nodiscard]] const Separation* waiting() const noexcept {
         return waiting_.empty() ? nullptr : &waiting_.front().separation;
     }
 
-    /// Returns the first separation that waits. Pre: there is one.   [worker]
+    /// Returns an offer of the first waiting separation. Pre: there is one.   [worker]
     [[nodiscard]] Offer separation() const;
-    /// Returns all bodies as they were before the last cut, or after it. Pre: `can`, and not in a cut.   [worker]
+    /// Returns an offer of all bodies before the last cut (undo), or after it (redo). Pre: `can(turn)`, and not in a
+    /// cut.   [worker]
     [[nodiscard]] Offer turn(Turn turn) const;
-    /// Returns another body, which must outlive this and the loop; if it is not `cuttable`, it stops what would cut it.
-    /// No change in the offer: the reason is in `why_not`. There are sixteen, or its tissues are others. Pre: nothing
-    /// waits.   [worker]
+    /// Returns an offer of another body. `body` must outlive this object and the loop. A body that is not `cuttable`
+    /// stops cutting tools. With sixteen bodies already, or other tissues than the bone's, the offer is empty and
+    /// `why_not` has the reason. Pre: no separation waits.   [worker]
     [[nodiscard]] Offer insertion(const Body& body, const Pose& world_from_body, bool is_cuttable, const Placings& now,
                                   std::string& why_not) const;
-    /// Returns a bridge of bone between the body `held` and the piece nearest to it, which become one group. No change
-    /// in the offer: as above. Pre: nothing waits.   [worker]
+    /// Returns an offer of a bone bridge between body `held` and the piece nearest to it, which become one group. With
+    /// sixteen bodies already, or no piece near enough, the offer is empty and `why_not` has the reason. Pre: no
+    /// separation waits.   [worker]
     [[nodiscard]] Offer fusion(std::size_t held, const Placings& now, std::string& why_not);
-    /// Returns every body without what a cutting solid holds at a pose.   [worker]
+    /// Returns an offer in which the cutting solid at a pose is removed from every body.   [worker]
     [[nodiscard]] Offer subtraction(std::uint16_t solid, const Pose& world_from_tool, const Placings& now) const;
 
-    /// Makes the change that the loop has taken over. The bodies of the offer are gone by then.
-    /// @param before         where the bodies were before it
+    /// Makes the change that the loop has taken over. The offer's live bodies are with the loop by then.
+    /// @param before         states of the bodies before it
     /// @param next_sequence  number of the loop's next record: `HapticLoop::next_sequence`   [worker]
     void taken(const Offer& offer, const Placings& before, std::uint64_t next_sequence);
 
 private:
-    /// A separation that waits. Its owners are found at once: they must not depend on when the loop takes it over.
+    /// A separation that waits for the loop. Its owners are found at once: they must not depend on the time of the
+    /// takeover.
     struct Waiting {
         Separation separation;
         Owners owners;
     };
-    /// Everything that a cut changes.
+    /// A snapshot of everything that a cut changes.
     struct Moment {
         BoneImage bone;
         Placings placings;
@@ -108,13 +113,13 @@ private:
     std::vector<const ToolSolid*> cutting_;
     Belongings belongings_;
     PresentBone bone_;
-    std::vector<std::uint64_t> next_;  ///< of each body: number of its first record not yet seen
-    std::uint64_t removing_ = 0;       ///< records that removed bone
+    std::vector<std::uint64_t> next_;  ///< for each body: number of its next record
+    std::uint64_t removing_ = 0;       ///< number of records that removed bone
     std::vector<Waiting> waiting_;
-    std::optional<Moment> begun_;  ///< what was before the cut that goes on
-    BodyThreads threads_;          ///< before it
+    std::optional<Moment> begun_;  ///< before the present cut
+    BodyThreads threads_;          ///< before the present cut
     std::vector<Moment> undo_, redo_;
-    std::vector<std::unique_ptr<Body>> grown_;  ///< bridges
+    std::vector<std::unique_ptr<Body>> grown_;  ///< bones of bridges
 };
 
 }  // namespace kerf

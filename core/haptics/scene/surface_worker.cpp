@@ -9,9 +9,9 @@ namespace kerf {
 
 namespace {
 constexpr std::size_t queue_records = 4096;                   // 4 s at 1 kHz
-constexpr std::size_t queue_margin = 64;                      // kept free for what must not be lost
-constexpr auto poll_time = std::chrono::milliseconds(2);      // the loop wakes nobody: that would be a system call
-constexpr auto surface_time = std::chrono::milliseconds(16);  // no screen shows more
+constexpr std::size_t queue_margin = 64;                      // slots kept free for messages that must not be lost
+constexpr auto poll_time = std::chrono::milliseconds(2);      // the loop sends no wake-up, which would be a system call
+constexpr auto surface_time = std::chrono::milliseconds(16);  // no screen refreshes faster
 }  // namespace
 
 SurfaceWorker::SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options,
@@ -65,11 +65,11 @@ SurfaceWorker::TakenOver SurfaceWorker::exchange(HapticLoop& loop, std::uint64_t
     if (separation_.is_out(turns_) && separation_.offer.tick + delay <= loop.ticks()) {
         taken.separation = take(separation_, loop);
         separation_.set(taken.separation ? Slot::taken : Slot::refused, turns_);
-        // In the queue, so that the worker knows which records came before.
+        // Sent through the queue, so that the worker knows which records came before.
         if (taken.separation) (void)send({.kind = Message::Kind::parted});
     }
     if (turn_.is_out(turns_)) take_turn(loop, taken);
-    if (asked_) {  // after what tells that the tool has left the bone
+    if (asked_) {  // after the message that the tool has left the bone
         sent_turn_ = *asked_;
         is_asked_ = send({.kind = sent_turn_ == Turn::undo ? Message::Kind::undo : Message::Kind::redo});
         asked_.reset();
@@ -103,7 +103,7 @@ void SurfaceWorker::tell_placings(const HapticLoop& loop) noexcept {
 
 bool SurfaceWorker::take(Slot& slot, HapticLoop& loop) noexcept {
     if (!loop.take(slot.offer)) return false;
-    owners_ = slot.offer.owners;  // as many as before: nothing is allocated
+    owners_ = slot.offer.owners;  // same sizes as before: no allocation
     return true;
 }
 
@@ -111,7 +111,7 @@ void SurfaceWorker::take_turn(HapticLoop& loop, TakenOver& taken) noexcept {
     is_asked_ = false;
     tell_placings(loop);
     const bool has_gone = turn_.offer.is_any() && take(turn_, loop);
-    tell_cuts(loop);  // what it closed
+    tell_cuts(loop);  // the records that the takeover closed
     turn_.set(Slot::taken, turns_);
     (has_gone ? taken.turn : taken.refused_turn) = sent_turn_;
     Message message{.kind = has_gone ? Message::Kind::turned : Message::Kind::dropped};
@@ -166,7 +166,7 @@ void SurfaceWorker::work() {
     }
 }
 
-/// How many messages there were.
+/// Returns the number of messages taken.
 std::uint64_t SurfaceWorker::take_all() {
     std::uint64_t taken = 0;
     for (; const Message* message = queue_.front(); ++taken) {
@@ -220,7 +220,7 @@ void SurfaceWorker::offer_separation() {
     separation_.set(Slot::out, turned_);
 }
 
-/// Ends what the loop had before, which came back in it, and offers the next one.
+/// Destroys the replaced objects that the loop left in the offer, and makes the next offer.
 void SurfaceWorker::withdraw_separation() {
     separation_.offer = {};
     separation_.set(Slot::none, turned_);
@@ -249,7 +249,7 @@ void SurfaceWorker::make_surface() {
     ++surface->version;
     PresentBone& bone = scene_.bone();
     bool has_changed = last == nullptr || surface->patches.size() > bone.count();
-    if (surface->patches.size() > bone.count()) {  // a cut was taken back
+    if (surface->patches.size() > bone.count()) {  // after an undo
         patches_.erase(patches_.begin() + static_cast<std::ptrdiff_t>(bone.count()), patches_.end());
         surface->patches.erase(surface->patches.begin() + static_cast<std::ptrdiff_t>(bone.count()),
                                surface->patches.end());

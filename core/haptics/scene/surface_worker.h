@@ -15,79 +15,81 @@
 #include "core/haptics/loop/haptic_loop.h"
 #include "core/haptics/scene/bone_scene.h"
 
-/// The thread beside the loop.
+/// The worker thread of a scene.
 namespace kerf {
 
-/// Stamps the loop's records into bone of its own, without lag; finds what has come apart and makes bodies of it; keeps
-/// what was before each cut; makes the surface anew where it changed. It shares no voxel with the loop: records go
-/// there, and finished bodies come back whole.
+/// Follows the loop on another thread. It stamps the loop's records into the present bone, finds separated pieces and
+/// makes bodies of them, stores undo steps, and updates the surface where it changed. It has no voxel in common with
+/// the loop: records go in, and complete bodies come back.
 ///
-/// The loop's bits do not depend on when it does so, but for the ticks at which a separation is adopted or a cut is
-/// taken back: those are inputs, and are recorded. In lock-step `Simulation` does the same with the same `BoneScene`.
+/// The loop's bits do not depend on the worker's timing, except for the ticks at which a separation or an undo is taken
+/// over. Those ticks are inputs and are recorded. In lock-step, `Simulation` does the same with the same `BoneScene`.
 class SurfaceWorker {
 public:
-    /// What a viewer draws: who holds it may read it on any thread for as long as he likes.
+    /// A surface for a viewer. It never changes, so any thread may read it.
     struct Surface {
         std::uint64_t version = 0;
-        std::vector<PatchTable> patches;  ///< of each body
+        std::vector<PatchTable> patches;  ///< for each body
     };
     struct Options {
-        double crumb = 0.0;  ///< [m³] smaller pieces are no bodies
+        double crumb = 0.0;  ///< [m³] smaller pieces do not become bodies
         bool looks_for_pieces = true, makes_surface = true;
     };
 
-    /// `body` and the cutting solids, as records number them, must outlive it.   [main]
+    /// Pre: `body` and the cutting solids, in the order of the records' indices, outlive this worker.   [main]
     SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options, Belongings belongings = {});
     ~SurfaceWorker();
     SurfaceWorker(const SurfaceWorker&) = delete;
     SurfaceWorker& operator=(const SurfaceWorker&) = delete;
 
-    /// What the loop took over from the worker.
+    /// The offers that the loop took over from the worker.
     struct TakenOver {
         bool separation = false;
-        std::optional<Turn> turn;          ///< a cut was taken back, or done again
-        std::optional<Turn> refused_turn;  ///< there is none, or the tool touches bone or has cut since `ask`
+        std::optional<Turn> turn;  ///< the undo or redo that was made
+        /// An undo or redo that was impossible: no step is left, or the tool touches bone or has cut since the request.
+        std::optional<Turn> refused_turn;
     };
-    /// Follows every tick: hands over what the loop has cut, and takes over what the worker has made, a separation not
-    /// before `delay` ticks have passed. A loop has one worker.   [haptic, nonblocking]
+    /// Exchanges one tick's data: sends the loop's new records to the worker, and takes over the worker's offers. A
+    /// separation is taken over `delay` ticks after its record at the earliest. A loop has one worker.
+    /// [haptic, nonblocking]
     TakenOver exchange(HapticLoop& loop, std::uint64_t delay = HapticLoop::adoption_delay) noexcept;
-    /// The body that each zone and step belongs to after the last `exchange`.   [haptic, nonblocking]
+    /// Returns the owners of zones and steps after the last `exchange`.   [haptic, nonblocking]
     [[nodiscard]] const Owners& owners() const noexcept { return owners_; }
-    /// Undo or redo, as soon as it is made: an `exchange` will say so. False while another is under way.   [haptic,
-    /// nonblocking]
+    /// Requests an undo or redo. A later `exchange` returns the result. Returns false while another request is pending.
+    /// [haptic, nonblocking]
     bool ask(Turn turn) noexcept;
-    /// What came apart, if it is made by now.   [haptic, nonblocking]
+    /// Returns the offer of a separation that is ready, or null.   [haptic, nonblocking]
     [[nodiscard]] const Offer* offered() const noexcept {
         return separation_.is_out(turns_) ? &separation_.offer : nullptr;
     }
 
-    /// A record that removes bone; `exchange` does it. False when the queue is full: it is lost, and what the worker
-    /// knows is no longer true.   [haptic, nonblocking] one thread only
+    /// Sends a record that removes bone; `exchange` calls this. Returns false when the queue is full: the record is
+    /// lost, and the worker's bone is wrong from then on.   [haptic, nonblocking] one thread only
     bool push(const CutRecord& record) noexcept;
 
-    /// Until everything pushed is done and in the surface, and an offer that is due has been made.   [not the loop's
-    /// thread on the clock; may block]
+    /// Waits until all records are applied and in the surface, and every due offer is made.   [not the loop's thread on
+    /// the clock; may block]
     void wait_for_all();
-    /// The newest surface; while bone is cut there is a new one sixty times a second.   [any, but not the loop: it may
-    /// wait for the worker to hand it out]
+    /// Returns the newest surface. During a cut there is a new one sixty times a second.   [any thread except the
+    /// loop's: it may wait for the worker]
     [[nodiscard]] std::shared_ptr<const Surface> surface() const;
-    /// The bone as the worker has it. Only after `wait_for_all`, and before anything else is handed over.   [main]
+    /// Returns the worker's bone. Pre: `wait_for_all` has returned, and no record was sent since.   [main]
     [[nodiscard]] PresentBone& bone() noexcept { return scene_.bone(); }
     [[nodiscard]] std::uint64_t lost() const noexcept { return lost_.load(std::memory_order_relaxed); }
 
 private:
     struct Message {
         enum class Kind { cut, placed, clear_of_bone, undo, redo, parted, turned, dropped } kind;
-        CutRecord record{};       ///< of `turned`: only from which number on records are numbered
-        std::uint16_t count = 0;  ///< of bodies
+        CutRecord record{};       ///< `turned`: only its `sequence` is used, the next record's number
+        std::uint16_t count = 0;  ///< number of bodies
         Placing placing{};        ///< of the record's body
     };
-    /// An offer, which is the loop's from when it is out until it is answered.
+    /// An offer with its owner: the loop's from `out` until `taken` or `refused`, else the worker's.
     struct Slot {
         enum State : std::uint64_t { none, out, taken, refused };
         Offer offer;
-        /// Offers made before the loop took a turn over are void; the count of turns is in the state, so that the loop
-        /// need not look at what the worker may be making anew.
+        /// An offer made before the loop took over an undo or redo is void. The state contains the count of those, so
+        /// the loop need not read an offer that the worker may be rewriting.
         std::atomic<std::uint64_t> state{none};
 
         void set(State now, std::uint64_t turns) noexcept { state.store(turns << 2 | now, std::memory_order_release); }
@@ -114,31 +116,31 @@ private:
     void withdraw_turn();
     void make_surface();
 
-    // The loop's own.
-    Placings told_;                 ///< where the worker knows the bodies to be
-    std::size_t told_records_ = 0;  ///< of those that the loop has closed in this tick
+    // Members used by the loop's thread.
+    Placings told_;                 ///< states last sent to the worker
+    std::size_t told_records_ = 0;  ///< number of the records closed in this tick that are sent
     bool is_told_clear_ = true;
-    std::optional<Turn> asked_;  ///< to be told
+    std::optional<Turn> asked_;  ///< requested, not yet sent
     Turn sent_turn_ = Turn::undo;
-    bool is_asked_ = false;  ///< the worker knows of it
+    bool is_asked_ = false;  ///< sent to the worker, not yet answered
     std::uint64_t turns_ = 0;
     Owners owners_;
 
-    // The worker's own.
+    // Members used by the worker's thread.
     Options options_;
     BoneScene scene_;
     Placings placings_;
-    std::vector<SurfacePatches> patches_;  ///< of each body
+    std::vector<SurfacePatches> patches_;  ///< for each body
     std::uint64_t turned_ = 0;
 
     Slot separation_, turn_;
     SpscRing<Message> queue_;
     std::atomic<std::uint64_t> lost_{0}, pushed_{0}, done_{0};
-    mutable std::mutex mutex_;  ///< of what follows; the loop never takes it
+    mutable std::mutex mutex_;  ///< guards the members below; the loop never locks it
     std::condition_variable wake_, idle_;
     std::shared_ptr<const Surface> surface_;
-    bool is_surface_old_ = false;  ///< something was done since it was made; only the worker sets it
-    int waiting_for_all_ = 0;      ///< threads that do
+    bool is_surface_old_ = false;  ///< bone changed after the last surface; only the worker sets it
+    int waiting_for_all_ = 0;      ///< number of threads in `wait_for_all`
     bool is_stopping_ = false;
     std::thread thread_;
 };

@@ -31,7 +31,7 @@ struct Watch {
     Watched seen;
     kerf::conformance::Counts counts{};
 };
-// No first use of it may allocate.
+// This model makes the first access free of allocation.
 thread_local Watch watch __attribute__((tls_model("initial-exec")));
 
 void note(Forbidden kind, const char* function) noexcept {
@@ -49,14 +49,14 @@ void note(Forbidden kind, const char* function) noexcept {
 
 namespace {
 
-/// The library's own function.
+/// A function of the library, found at its first use.
 template <class Function>
 class Real {
 public:
     explicit constexpr Real(const char* name) noexcept : name_(name) {}
     template <class... Arguments>
     auto operator()(Arguments... arguments) noexcept {
-        if (function_ == nullptr) find();  // called by another library's constructor
+        if (function_ == nullptr) find();  // a constructor of another library may call it early
         return function_(arguments...);
     }
     bool find() noexcept {
@@ -105,7 +105,8 @@ void free(void* memory) {
     __libc_free(memory);
 }
 
-// A function that is noted and passed on. The library's is looked up before `main`, since that may allocate.
+// Defines a function that notes the call and passes it on. The library's function is found before `main`, because the
+// search may allocate.
 #define KERF_WATCH(kind, result, name, parameters, ...)          \
     static constinit Real<result parameters> real_##name(#name); \
     static const bool has_##name = real_##name.find();           \
@@ -152,7 +153,7 @@ int fprintf(FILE* file, const char* format, ...) {
     va_end(list);
     return count;
 }
-// What <stdio.h> makes of them with _FORTIFY_SOURCE.
+// With _FORTIFY_SOURCE, <stdio.h> calls these instead.
 int __printf_chk(int, const char* format, ...) {
     va_list list;
     va_start(list, format);
@@ -210,7 +211,7 @@ namespace {
 volatile char selector = SYSCALL_DISPATCH_FILTER_ALLOW;
 volatile long first_call = -1;
 
-/// The call is not done; what follows it is allowed, so that the handler can return.
+/// The kernel skips the caught call. Later calls are allowed, so that the handler can return.
 void on_system_call(int, siginfo_t* info, void*) {
     selector = SYSCALL_DISPATCH_FILTER_ALLOW;
     if (first_call < 0) first_call = info->si_syscall;
