@@ -10,33 +10,34 @@ namespace kerf::simulated_hand {
 namespace {
 
 constexpr int substeps = 20;         // of the plant per tick
-constexpr double letting_go = 10.0;  // [1/s] how quickly the lean goes when the tip runs ahead [assumed]
-constexpr double let_go = 0.2e-3;    // [m] of lean left: from then on it plans on from where the tip is [assumed]
-constexpr double patience = 3e-3;    // [m] of lag the plan lets build up before it waits [assumed]
-constexpr double surprise = 0.5e-3;  // [m] ahead of the plan that makes it let go [assumed]
-constexpr double arrived = 0.2e-3;   // [m] short of a leg's end that counts as there [assumed]
+constexpr double letting_go = 10.0;  // [1/s] decay of the lean when the tip runs ahead [assumed]
+constexpr double let_go = 0.2e-3;    // [m] lean below which the plan continues from the tip [assumed]
+constexpr double patience = 3e-3;    // [m] lag at which the plan waits [assumed]
+constexpr double surprise = 0.5e-3;  // [m] lead of the tip over the plan at which the lean decays [assumed]
+constexpr double arrived = 0.2e-3;   // [m] distance from a leg's end that counts as reached [assumed]
 
-constexpr double correcting = 1.0;        // [1/s] of a tip beside the leg [assumed]
-constexpr double farthest_beside = 3e-3;  // [m] that it aims beside the leg: 2 N on a drill in a hole [assumed]
-constexpr double unfelt = 0.02;  // of the device's friction: from such a pull on, all of it is made up for [assumed]
-constexpr double turning = 1.0;  // [rad/s] of the wrist [assumed]
-constexpr double turning_back = 2.0;  // [rad/s] of the wrist that has let the driver go [assumed]
+constexpr double correcting = 1.0;        // [1/s] correction of a tip off the leg [assumed]
+constexpr double farthest_beside = 3e-3;  // [m] maximum offset of the aim: 2 N on a drill in a hole [assumed]
+// [–] Pull, as a fraction of device friction, from which friction is fully compensated [assumed].
+constexpr double unfelt = 0.02;
+constexpr double turning = 1.0;       // [rad/s] of the wrist [assumed]
+constexpr double turning_back = 2.0;  // [rad/s] of the wrist after it has released the driver [assumed]
 
 constexpr double arm_in_bone = 5e3, leaning_in_bone = 17e3;  // [N/m], [N/(m·s)] [assumed]
 constexpr double stiffest_arm = 600.0;                       // [N/m] at the device [assumed]
 
-/// From one rotation towards another, by an angle at most [rad].
+/// Returns `from`, turned towards `to` by at most `most` [rad].
 Quat turned_towards(Quat from, Quat to, double most) {
     if (from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z < 0.0) to = {-to.w, -to.x, -to.y, -to.z};
     const double w = to.w - from.w, x = to.x - from.x, y = to.y - from.y, z = to.z - from.z;
-    const double angle = 2.0 * std::sqrt(w * w + x * x + y * y + z * z);  // of a small one
+    const double angle = 2.0 * std::sqrt(w * w + x * x + y * y + z * z);  // for small angles
     if (angle <= most) return to;
     const double share = most / angle;
     return normalized(Quat{from.w + share * w, from.x + share * x, from.y + share * y, from.z + share * z});
 }
 
-/// To the bit: a product of the two rounds, and would leave some turn over for ever. A quaternion and its opposite are
-/// one rotation.
+/// Compares bit for bit: a product of the two rounds, and would leave a small turn for ever. A quaternion and its
+/// negative are one rotation.
 bool are_same(Quat a, Quat b) noexcept {
     const auto is = [&](double sign) {
         return a.w == sign * b.w && a.x == sign * b.x && a.y == sign * b.y && a.z == sign * b.z;
@@ -44,7 +45,7 @@ bool are_same(Quat a, Quat b) noexcept {
     return is(1.0) || is(-1.0);
 }
 
-/// `spring` up to `most`, and what the device's friction takes of it [N].
+/// Returns `spring`, limited to `most`, plus the force that the device's friction takes [N].
 Vec3 pulled(Vec3 spring, double most, double friction) noexcept {
     const double strength = length(spring);
     if (strength <= 0.0) return {};
@@ -52,7 +53,7 @@ Vec3 pulled(Vec3 spring, double most, double friction) noexcept {
     return (std::min(strength, most) + made_up) / strength * spring;
 }
 
-/// Without a jump of its sign: a quaternion is itself again after two turns.
+/// Returns a rotation without a jump of the quaternion's sign, which has a period of two turns.
 Quat turned_about_z(double angle) noexcept {
     constexpr double two_turns = 4.0 * std::numbers::pi;
     return quat_from_rotation_vector({0, 0, std::remainder(angle, two_turns)});
@@ -64,7 +65,7 @@ double quantised(double x, double step) { return step > 0.0 ? std::floor(x / ste
 
 Plant in_bone(Plant plant, double force_scale) noexcept {
     const double stiffness = std::min(force_scale * arm_in_bone, stiffest_arm);
-    plant.arm_damping *= std::max(1.0, std::sqrt(stiffness / plant.arm_stiffness));  // stiffer, it swings no longer
+    plant.arm_damping *= std::max(1.0, std::sqrt(stiffness / plant.arm_stiffness));  // same damping ratio
     plant.arm_stiffness = stiffness;
     plant.leaning = force_scale * leaning_in_bone;
     return plant;
@@ -109,7 +110,7 @@ const std::string& SimulatedHand::awaited_event() const noexcept {
 bool SimulatedHand::turn(const Leg& leg, double felt_torque) {
     if (is_regripping_) {
         const double most = turning_back * dt_;
-        if (turned_ == grip_) {  // the wrist is back: it takes hold, and turns on in the next tick
+        if (turned_ == grip_) {  // the wrist is back: it grips, and turns on in the next tick
             is_regripping_ = false;
             turn_end_ = turned_ + driver_end_ - driver_turned_;
         }
@@ -207,7 +208,7 @@ Pose SimulatedHand::step(const DeviceCommand& command, const Felt& felt) {
         }
         const Vec3 drag = (plant_.arm_damping + plant_.device_viscosity) * velocity_;
         Vec3 force = pull - drag + force_on_hand;
-        // Coulomb friction: it stops the handle, and never turns it back.
+        // Coulomb friction stops the handle but never reverses it.
         const double speed = length(velocity_), size = length(force);
         if (speed > 1e-6)
             force = force - (plant_.device_friction / speed) * velocity_;
