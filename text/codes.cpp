@@ -150,7 +150,7 @@ constexpr CodeEntry entries[] = {
      .meaning = "A patch removes with `~` something that does not exist.",
      .why = "The line would have no effect: most likely a name is misspelt or has changed.",
      .write = "Correct the path, or remove the line."},
-    // ---- what it refers to
+    // ---- references
     {.number = 301,
      .name = "unknown plugin",
      .meaning = "Kerf found no plugin of this name.",
@@ -314,7 +314,7 @@ constexpr CodeEntry entries[] = {
      .meaning = "At this spacing the bone would take more memory than is allowed.",
      .why = "Half the spacing takes up to eight times the memory. A run that uses up the memory would be lost.",
      .write = "Write the spacing that the message names, or a coarser one."},
-    // ---- what the procedure needs of the anatomy
+    // ---- requirements on the anatomy
     {.number = 501,
      .name = "landmark missing in the anatomy",
      .meaning = "The anatomy has no landmark of a name that the procedure needs.",
@@ -852,7 +852,7 @@ constexpr CodeEntry entries[] = {
      .meaning = "The name of a markup is not an id, or another landmark has the same name.",
      .why = "Procedures name landmarks by one word each.",
      .write = "Give it another id under `names:`."},
-    // ---- what it requires of a run
+    // ---- requirements on a run
     {.number = 701,
      .name = "unknown device",
      .meaning = "Kerf has no record of a device of this name.",

@@ -6,7 +6,7 @@
 #include "core/plugin/unit.h"
 #include "kerf/units.hpp"
 
-/// Foreign units, which are named and converted in advice.
+/// Foreign units: Kerf refuses them, and converts them in its advice.
 namespace kerf {
 
 inline constexpr double inch = 0.0254;               // [m] exact by definition
@@ -14,7 +14,7 @@ inline constexpr double pound = 0.45359237;          // [kg] exact by definition
 inline constexpr double standard_gravity = 9.80665;  // [m/s²] exact by definition
 inline constexpr double pound_force = pound * standard_gravity;
 
-/// Units that no document may use. A message names them and says the value in a unit that it may.
+/// Units that no document may use. A message names the unit and converts the value to an allowed one.
 inline constexpr std::array foreign_unit_symbols{
     UnitSymbol{"in", inch, 1, dimension::length},
     UnitSymbol{"in.", inch, 1, dimension::length},

@@ -17,10 +17,10 @@ std::filesystem::path resolved(const std::string& path) {
 bool is_inside_folder(const std::string& path, const std::string& folder) {
     try {
         std::filesystem::path root = resolved(folder);
-        if (!root.has_filename()) root = root.parent_path();  // a separator at the end is a component of its own
+        if (!root.has_filename()) root = root.parent_path();  // a trailing separator is a component of its own
         const std::filesystem::path target = resolved(path);
         return std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first == root.end();
-    } catch (const std::exception&) {  // a loop of links, a folder that may not be searched
+    } catch (const std::exception&) {  // a cycle of links, or a folder without permission to search
         return false;
     }
 }

@@ -5,8 +5,8 @@
 
 namespace kerf {
 
-/// Whether a path leads into a folder once all links on the way are followed. Neither needs to exist. An empty folder
-/// is the working folder. Never throws; what cannot be resolved is outside.   [main]
+/// Returns whether a path leads into a folder after all links are resolved. Neither needs to exist. An empty folder
+/// means the working folder. A path that cannot be resolved is outside. Never throws.   [main]
 [[nodiscard]] bool is_inside_folder(const std::string& path, const std::string& folder);
 
 }  // namespace kerf

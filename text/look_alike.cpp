@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-/// Of UTF-8 that was checked before; a byte out of place is a character of its own.
+/// Returns the first code point of checked UTF-8. A byte out of sequence is a character of its own.
 std::uint32_t decoded(std::string_view text, std::size_t& size) noexcept {
     const auto byte = [&](std::size_t i) { return std::uint32_t{static_cast<unsigned char>(text[i])}; };
     const std::uint32_t first = byte(0);
@@ -107,7 +107,7 @@ std::optional<LookAlike> look_alike(std::uint32_t code) {
     return std::nullopt;
 }
 
-template <class Visit>  // visit(code, begin, size); true to go on
+template <class Visit>  // visit(code, begin, size) returns true to continue
 void for_each_character(std::string_view text, const Visit& visit) {
     for (std::size_t at = 0, size = 1; at < text.size(); at += size) {
         const std::uint32_t code = decoded(text.substr(at), size);

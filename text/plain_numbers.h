@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-/// While this lives, the C library writes and reads numbers on this thread with a decimal point, whatever the locale of
-/// the program: a library that is linked into it, or a program that Kerf is linked into, may have set one with a comma.
+/// While an object of this class lives, the C library reads and writes numbers on this thread with a decimal point. The
+/// program's locale does not matter: a library in the program, or a program around Kerf, may have set a decimal comma.
 /// [any]
 class PlainNumbers {
 public:

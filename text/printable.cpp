@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-/// One character of a text: its code point and the bytes it takes. A byte that is not UTF-8 is a character of its own.
+/// One character of a text: its code point and its number of bytes. A byte that is not UTF-8 is a character of its own.
 struct Character {
     std::uint32_t code = 0;
     std::size_t size = 1;
@@ -33,8 +33,8 @@ Character first_of(std::string_view text) noexcept {
     return {code, size, true};
 }
 
-/// Control characters, and what Unicode calls format characters, separators of lines and code points without a
-/// character.
+/// Returns whether the code is a control character, or in Unicode a format character, a line separator or a code point
+/// without a character.
 bool is_hidden(std::uint32_t code) noexcept {
     constexpr std::array<std::pair<std::uint32_t, std::uint32_t>, 15> ranges{{{0x00, 0x1F},
                                                                               {0x7F, 0x9F},
@@ -114,7 +114,7 @@ std::string yaml_quoted(std::string_view text) {
 std::string yaml_word(std::string_view text) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const auto is_part = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-'; };
-    // What YAML or a reader of it takes for a truth value or for nothing.
+    // Words that YAML or its readers take for a truth value or null.
     constexpr std::array<std::string_view, 8> reserved{"true", "false", "yes", "no", "on", "off", "null", "y"};
     std::string lower(text);
     for (char& c : lower)

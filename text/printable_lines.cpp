@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-/// The escape of JSON for one of `printable`: `\x9b`, `\u202e` or `\U000e0001`.
+/// Returns the JSON form of an escape of `printable`: `\x9b`, `\u202e` or `\U000e0001`.
 std::string json_escape(const std::string& escape) {
     const unsigned long code = std::strtoul(escape.c_str() + 2, nullptr, 16);
     std::array<char, 48> text{};

@@ -25,12 +25,12 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Takes a number off the front of `text`. Empty if there is none, or none that a computer can hold.
+/// Removes and returns the number at the start of `text`. Empty if there is none, or if it is not finite.
 std::optional<double> take_number(std::string_view& text) {
     text = trimmed(text);
     const std::size_t digit = !text.empty() && text[0] == '-' ? 1 : 0;
     const bool is_figure = text.size() > digit && ((text[digit] >= '0' && text[digit] <= '9') || text[digit] == '.');
-    if (!is_figure) return std::nullopt;  // from_chars would take "inf" and "nan"
+    if (!is_figure) return std::nullopt;  // from_chars would accept "inf" and "nan"
     double value = 0.0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (failure != std::errc{} || !std::isfinite(value)) return std::nullopt;
@@ -45,10 +45,10 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-/// A unit of which at least one part is foreign: "in", "lbf/in", "rev/min".
+/// Parses a unit with at least one foreign part: "in", "lbf/in", "rev/min".
 std::optional<Unit> parse_foreign_unit(std::string_view text) { return parse_unit(text, foreign_unit_symbols); }
 
-/// A value of the file: shortened, since it may be a whole paragraph, and without what a terminal would obey.
+/// Returns a value of the file, shortened because it may be long, and without control characters.
 std::string quoted(std::string_view text) { return "`" + excerpt(text, 40) + "`"; }
 
 std::string number_text(double value) {
@@ -63,7 +63,7 @@ std::string with_unit(std::string number, std::string_view unit) {
     return number;
 }
 
-/// "a length"; empty for a kind without a short name.
+/// Returns "a length"; empty for a dimension without a short name.
 std::string name_of(const kerf_dimension& d) {
     const std::array<std::pair<kerf_dimension, const char*>, 11> names{{{dimension::none, "a plain number"},
                                                                         {dimension::length, "a length"},
@@ -87,28 +87,28 @@ std::string what_is_needed(const QuantityNeed& need) {
     return (name.empty() || need.dimension == dimension::none ? "a number" : name) + " in " + need.unit;
 }
 
-/// A value to show how one is written.
+/// Returns a valid value for an example in a message.
 double example_of(const QuantityNeed& need) {
     const std::optional<Unit> unit = parse_unit(need.unit);
     return std::clamp(unit ? unit->factor : 1.0, need.min, need.max);
 }
 
 bool in_range(double value, const QuantityNeed& need) {
-    // 0.1 mm must not fail against a limit of 0.1e-3 m for its last bit.
+    // 0.1 mm must not fail against a limit of 0.1e-3 m because of the last bit.
     const double slack = 1e-12 * std::max(std::abs(need.min), std::abs(need.max));
     return value >= need.min - slack && value <= need.max + slack;
 }
 
 // ---- reading
 
-/// The unit that a text is; empty text is that of a plain number.
+/// Returns the SI factor of a unit, if it has the needed dimension. An empty text is the unit of a plain number.
 std::optional<double> factor_of(std::string_view unit_text, const QuantityNeed& need) {
     if (unit_text.empty()) return need.unit.empty() ? std::optional(1.0) : std::nullopt;
     const std::optional<Unit> unit = parse_unit(unit_text);
     return unit && unit->dimension == need.dimension ? std::optional(unit->factor) : std::nullopt;
 }
 
-/// A number, or a fraction of two, off the front of `text`.
+/// Removes and returns the number, or the fraction of two numbers, at the start of `text`.
 std::optional<double> take_fraction(std::string_view& text) {
     std::optional<double> value = take_number(text);
     if (!value || !trimmed(text).starts_with('/')) return value;
@@ -119,7 +119,7 @@ std::optional<double> take_fraction(std::string_view& text) {
     return *below != 0.0 ? std::optional(*value / *below) : std::nullopt;
 }
 
-/// A value in SI with its unit, in range or not; nothing if the text is anything else.
+/// Returns a value in SI, in range or not. Empty if the text is not one value with its unit.
 std::optional<double> value_of(std::string_view text, const QuantityNeed& need) {
     std::string_view rest = trimmed(text);
     const std::optional<double> number = need.unit.empty() ? take_fraction(rest) : take_number(rest);
@@ -133,7 +133,7 @@ bool is_readable(std::string_view text, const QuantityNeed& need) {
     return value && in_range(*value, need);
 }
 
-/// Three numbers off the front of `text`, blanks between them.
+/// Removes and returns three numbers, separated by blanks, at the start of `text`.
 std::optional<std::array<double, 3>> take_three(std::string_view& text) {
     std::array<double, 3> number{};
     for (double& component : number) {
@@ -160,9 +160,9 @@ bool is_readable_vector(std::string_view text, const QuantityNeed& need) {
     return v && in_range(v->x, need) && in_range(v->y, need) && in_range(v->z, need);
 }
 
-// ---- what is wrong
+// ---- problems
 
-/// One value or three, as the text `of` it is written. Says of a text whether it could be read.
+/// A text of one value or three that could not be read, with its requirements.
 struct Wrong {
     std::string_view text;
     const std::string& name;
@@ -185,7 +185,7 @@ struct Wrong {
     }
 };
 
-/// The problem with what to write, if that can be read; else with `advice`.
+/// Returns the problem with `write` as its correction, if that is readable; else with `advice`.
 QuantityProblem problem_of(Code code, const Wrong& wrong, std::string message, std::string write,
                            const std::string& advice) {
     if (!wrong.reads(write)) write.clear();
@@ -193,7 +193,7 @@ QuantityProblem problem_of(Code code, const Wrong& wrong, std::string message, s
     return {code, std::move(message), std::move(write)};
 }
 
-/// "1 000 rpm", "12'345.6", "1,000,000" and "1.234,5 mm" without the signs between thousands; empty for others.
+/// Returns "1 000 rpm", "12'345.6", "1,000,000" and "1.234,5 mm" without the separators of thousands; empty for others.
 std::string without_thousands(std::string_view text) {
     const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
     std::size_t at = text.starts_with('-') ? 1 : 0;
@@ -222,7 +222,7 @@ std::string without_thousands(std::string_view text) {
 }
 
 QuantityProblem not_a_number(const Wrong& wrong) {
-    // "3,2 mm" is how half of the world writes it.
+    // "3,2 mm": the decimal comma is common in many countries.
     std::string with_point(wrong.text.substr(0, 40));
     std::replace(with_point.begin(), with_point.end(), ',', '.');
     std::string_view rest = with_point;
@@ -235,11 +235,11 @@ QuantityProblem not_a_number(const Wrong& wrong) {
                       wrong.advice());
 }
 
-/// What stands behind the numbers of `unit_text`, which is no unit of the kind needed.
+/// Returns the problem of a unit, `unit_text`, that does not have the needed dimension.
 QuantityProblem unfit_unit(std::string_view unit_text, const std::vector<double>& numbers, const Wrong& wrong) {
     const QuantityNeed& need = wrong.need;
     if (unit_text.empty()) {
-        // Of 0.2 for a percentage nobody knows whether a fifth is meant.
+        // For a percentage, a plain 0.2 may mean 20 % or 0.2 %.
         const bool may_be_share = need.unit == "%" && std::abs(numbers.front()) <= 1.0;
         return problem_of(Code::missing_unit, wrong, wrong.name + " has no unit: " + wrong.got() + ".",
                           may_be_share ? "" : with_unit(std::string(wrong.text), need.unit),
@@ -276,7 +276,7 @@ QuantityProblem unfit_unit(std::string_view unit_text, const std::vector<double>
                               quantity_text(need.max, need.unit) + ".");
 }
 
-/// What was probably meant by a value out of range, and what slipped.
+/// The probably intended value of a value out of range, and the kind of mistake.
 struct Slip {
     double value = 0.0;
     std::string unit;
@@ -290,7 +290,7 @@ std::optional<Slip> likely_slip(double value, const std::string& unit, const Qua
     if (written && own && unit != need.unit && written->factor != own->factor)
         if (const double other = value / written->factor * own->factor; fits(other))
             return Slip{other, need.unit, "the unit"};
-    // A value that is just beyond an end is no slip of the point.
+    // A value just beyond a limit is no misplaced decimal point.
     const double farthest = std::max(std::abs(need.min), std::abs(need.max)), size = std::abs(value);
     const bool is_large = size > 1.5 * farthest, is_small = value > 0.0 && value < need.min / 1.5;
     for (double shift = 10.0; shift < 1001.0; shift *= 10.0) {
@@ -300,14 +300,14 @@ std::optional<Slip> likely_slip(double value, const std::string& unit, const Qua
     return std::nullopt;
 }
 
-/// Whether a person reads it at a glance: one end of a range in minutes may be a second.
+/// Returns whether a value is short enough to read at a glance. A limit of one second is not, in minutes.
 bool is_short(double value, const std::string& unit) {
     const std::string text = quantity_text(value, unit);
     return std::count_if(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }) <= 7;
 }
 
-/// The range in the unit the value was written in; empty for the one of `need`, which it is too where the other has no
-/// short number for an end.
+/// Returns the problem of a value out of range. The range is in the unit of the value, or in the unit of `need` if
+/// `unit` is empty or a limit has too many digits in it.
 QuantityProblem out_of_range(double value, std::string_view unit, const std::string& name, const QuantityNeed& need) {
     const std::string written_in(unit.empty() ? std::string_view(need.unit) : unit);
     const std::string shown_in =
@@ -315,13 +315,13 @@ QuantityProblem out_of_range(double value, std::string_view unit, const std::str
     std::string message = name + " is out of range: got " + quantity_text(value, written_in) + ", expected " +
                           quantity_text(need.min, shown_in) + " … " + quantity_text(need.max, shown_in) + ".";
     const std::optional<Slip> slip = likely_slip(value, written_in, need);
-    // The value in another unit may round to just outside of the range.
+    // The value in another unit may round to just outside the range.
     const std::string write = slip ? quantity_text(slip->value, slip->unit) : "";
     if (!slip || !is_readable(write, need)) return {Code::out_of_range, message + " Write a value in this range.", {}};
     return {Code::out_of_range, message + " Did " + slip->what + " slip?", write};
 }
 
-/// A text with commas between its numbers as it would be read; empty if commas are not what is wrong.
+/// Returns a text with commas between its numbers in the readable form; empty if commas are not the problem.
 std::string without_commas(std::string_view text, const QuantityNeed& need) {
     std::string meant;
     for (std::size_t i = 0; i < std::min<std::size_t>(text.size(), 80); ++i) {
@@ -337,7 +337,7 @@ QuantityProblem not_three_numbers(const Wrong& wrong) {
                       without_commas(wrong.text, wrong.need), " Write x, y and z.");
 }
 
-/// What is wrong with a single value that cannot be read.
+/// Returns the problem of a single value that cannot be read.
 QuantityProblem problem_of_value(const Wrong& wrong) {
     std::string_view rest = wrong.text;
     const std::optional<double> number = take_fraction(rest);
@@ -366,7 +366,7 @@ QuantityProblem problem_of_value(const Wrong& wrong) {
     return unfit_unit(rest, {*number}, wrong);
 }
 
-/// The same of three numbers.
+/// Returns the problem of three numbers that cannot be read.
 QuantityProblem problem_of_vector(const Wrong& wrong) {
     std::string_view rest = wrong.text;
     const auto numbers = take_three(rest);
@@ -384,7 +384,8 @@ QuantityProblem problem_of_vector(const Wrong& wrong) {
     return not_three_numbers(wrong);
 }
 
-/// Names a character that only looks like what is needed; what stands behind it may be all that is wrong.
+/// Returns the problem of a text, and names a look-alike character in it if there is one. That character may be the
+/// only problem.
 QuantityProblem explain(const Wrong& wrong) {
     const auto problem = [&](const Wrong& of) { return of.is_vector ? problem_of_vector(of) : problem_of_value(of); };
     const std::optional<LookAlike> look_alike = find_look_alike(wrong.text);
@@ -408,7 +409,7 @@ std::string power_pattern(int power) {
     return "(\\^?" + figure + raised + ")";
 }
 
-/// Units of this dimension, and all that are made of several.
+/// Returns a pattern of the units of this dimension, and of all composed units.
 std::string unit_pattern(const kerf_dimension& dimension) {
     std::string fitting, any;
     for (const UnitSymbol& symbol : unit_symbols()) {

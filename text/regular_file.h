@@ -5,19 +5,19 @@
 #include <optional>
 #include <string>
 
-/// How every reader of a file gets at its bytes.
+/// Opens files for reading, only if they are regular files.
 namespace kerf {
 
-/// Why a file cannot be read, and what to do about it: a sentence each.
+/// The reason why a file cannot be read, and advice: one sentence each.
 struct FileFault {
     std::string problem, advice;
 };
 
-/// Checks that a name leads to a regular file, without opening it: a FIFO waits for a writer for ever, a device may
-/// give bytes without end. Returns nothing if it does. Never throws.   [main]
+/// Returns a fault unless the name leads to a regular file. Does not open it: a FIFO would wait for a writer for ever,
+/// and a device may deliver bytes without end. Never throws.   [main]
 [[nodiscard]] std::optional<FileFault> fault_of_file(const std::string& file);
 
-/// Opens a regular file to read its bytes; of anything else the stream has failed, and nothing is opened. Never throws.
+/// Opens a regular file to read its bytes. For any other file, returns a failed stream and opens nothing. Never throws.
 /// [main]
 [[nodiscard]] std::ifstream open_regular_file(const std::string& file);
 

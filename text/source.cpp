@@ -23,13 +23,13 @@ std::string shown(std::string_view text) {
 
 namespace {
 
-/// Characters of printable text.
+/// Returns the number of characters in printable text.
 std::size_t width_of(std::string_view text) noexcept {
     return static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }));
 }
 
-/// The bytes of the first `characters` characters of a text.
+/// Returns the number of bytes in the first `characters` characters of a text.
 std::size_t bytes_of(std::string_view text, int characters) noexcept {
     std::size_t at = 0;
     for (int seen = 0; at < text.size(); ++at) {
@@ -39,7 +39,7 @@ std::size_t bytes_of(std::string_view text, int characters) noexcept {
     return at;
 }
 
-/// The source line, and under it a caret line. Tabs are kept, so that both lines are indented alike.
+/// Returns the source line and a caret line below it. Tabs are kept, so that both lines have the same indentation.
 std::string underlined(const SourcePlace& place, const std::string& line) {
     const std::size_t begin = bytes_of(line, std::max(0, place.column - 1));
     const std::string_view marked =

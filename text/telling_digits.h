@@ -3,9 +3,10 @@
 
 namespace kerf {
 
-/// Returns the fewest digits, at least `digits`, with which a value and its bound have different texts: 59.98 of
-/// 60.00, not 60.0 of 60.0. Equal numbers, and those that `most` digits do not tell apart, have `digits`.   [any]
-/// @param text_of   (number, digits) → its text
+/// Returns the smallest number of digits, at least `digits`, that makes the texts of a value and its bound differ:
+/// 59.98 and 60.00, not 60.0 and 60.0. Returns `digits` for equal numbers, and for numbers whose texts agree up to
+/// `most` digits.   [any]
+/// @param text_of   (number, digits) → text of the number
 template <class TextOf>
 [[nodiscard]] int telling_digits(double value, double bound, int digits, int most, const TextOf& text_of) {
     if (value == bound) return digits;

@@ -28,7 +28,7 @@ std::string folder_of(const std::string& path) {
     return slash == std::string::npos ? (path.starts_with('/') ? "/" : ".") : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// Stores an open file on disk. Returns 0, or errno.
+/// Syncs an open file to disk. Returns 0, or errno.
 int stored(int file) {
     int code = 0;
     do code = fsync(file);
@@ -37,8 +37,8 @@ int stored(int file) {
     return code == 0 || knows_no_order ? 0 : errno;
 }
 
-/// Opens an empty file that nobody else writes, or that a killed process has left. Links are not followed. Returns −1,
-/// and `error`: EBUSY where another process writes it.
+/// Opens an empty file that no other process writes, or that a killed process has left. Does not follow links. Returns
+/// −1 and sets `error` on failure: EBUSY if another process writes the file.
 int open_alone(const std::string& path, int& error) {
     for (int attempt = 0; attempt < 8; ++attempt) {
         const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
@@ -140,7 +140,7 @@ std::string FileWriter::finish() {
         fail(error);
         return error_;
     }
-    error_ = put_in_place(temporary_, path_);  // still locked, so that nobody else writes under that name
+    error_ = put_in_place(temporary_, path_);  // still locked, so that no other process writes under that name
     close(std::exchange(file_, -1));
     return error_;
 }
@@ -169,7 +169,7 @@ std::string write_file(const std::string& path, std::span<const unsigned char> c
 
 int store_on_disk(const std::string& path) {
     const int opened = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (opened < 0) return errno == EACCES ? 0 : errno;  // who may not read a folder may still write into it
+    if (opened < 0) return errno == EACCES ? 0 : errno;  // a folder without permission to read may still permit writing
     const int error = stored(opened);
     close(opened);
     return error;
