@@ -10,7 +10,7 @@
 namespace kerf {
 namespace {
 
-// A block fills in 17 batches or more, and is compressed in eight.
+// A block fills in 17 batches or more. It is compressed in eight parts.
 constexpr std::size_t columns_at_once = 8;
 constexpr const char* out_of_memory = "out of memory";
 
@@ -45,7 +45,7 @@ void BlockWriter::work() {
     if (!error_.empty()) return gathered_.clear();
     try {
         if (gathered_.is_full()) {
-            pack_columns(table_.columns.size());  // of the block before, where its turn has not come yet
+            pack_columns(table_.columns.size());  // of the last block, if they are not compressed yet
             take_gathered();
         }
         pack_columns(columns_at_once);

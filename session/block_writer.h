@@ -14,12 +14,12 @@
 
 namespace kerf {
 
-/// Rows of one table in memory, column by column.
+/// Rows of one table in memory, stored by column.
 class RowBlock {
 public:
     explicit RowBlock(std::size_t columns) : cells_(columns * max_block_rows) {}
 
-    /// The next number of the present row, from left to right.
+    /// Appends the next number of the present row, from left to right.
     RowBlock& operator<<(double number) noexcept { return put(to_cell(number)); }
     RowBlock& operator<<(std::int64_t number) noexcept { return put(to_cell(number)); }
     void end_row() noexcept {
@@ -44,30 +44,30 @@ private:
     std::size_t rows_ = 0, column_ = 0;
 };
 
-/// Moves the rows of one table into compressed blocks of max_block_rows rows while a run writes them.
+/// Moves the rows of one table into compressed blocks of max_block_rows rows during a run.
 ///
-/// The caller inserts each row into the table, and adds it here. A full block is compressed a few columns at a time, so
-/// that the caller's commits are not late. Then one transaction adds the block and deletes its plain rows: at any
-/// moment each row is in the file once. Where a block cannot be written, the rows stay plain, those before and those to
-/// come.   [one thread at a time]
+/// The caller inserts each row into the table and also adds it here. A full block is compressed a few columns at a
+/// time, so that the caller's commits are not delayed. Then one transaction adds the block and deletes its plain rows:
+/// each row is in the file once at all times. If a block cannot be written, its rows and all later rows stay plain.
+/// [one thread at a time]
 class BlockWriter {
 public:
     explicit BlockWriter(const Table& table);
     void prepare(SqliteDatabase& database);
     void finalize() noexcept;
 
-    /// The block that takes the next row. Pre: it is not full.
+    /// Returns the block for the next row. Pre: it is not full.
     [[nodiscard]] RowBlock& next_rows() noexcept { return gathered_; }
     [[nodiscard]] bool is_full() const noexcept { return gathered_.is_full(); }
 
-    /// After each commit, outside of a transaction: does a part of the work.
+    /// Does a part of the work. Call it after each commit, outside of a transaction.
     void work();
-    /// Compresses all rows that are left.
+    /// Compresses all remaining rows.
     void finish();
-    /// Leaves all rows plain from here on: a transaction with some of them has failed.
+    /// Leaves all rows plain from now on, after a failed transaction.
     void give_up(const std::string& why);
 
-    /// Why there are plain rows; empty while there is no reason.
+    /// Returns the reason for plain rows; empty if there are none.
     [[nodiscard]] const std::string& error() const noexcept { return error_; }
 
 private:
@@ -83,8 +83,8 @@ private:
     Table table_;
     RowBlock gathered_, full_;
     ColumnPacker packer_;
-    std::vector<std::optional<std::size_t>> like_;  ///< of each column: the one that guesses it
-    std::vector<PackedColumn> packed_;              ///< of `full_`, as far as it is compressed
+    std::vector<std::optional<std::size_t>> like_;  ///< for each column: the column that predicts it
+    std::vector<PackedColumn> packed_;              ///< the compressed columns of `full_`
     std::int64_t block_ = 0;
     std::string error_;
     SqliteDatabase* database_ = nullptr;

@@ -13,8 +13,8 @@
 
 namespace kerf {
 
-/// A 64-bit number that two runs share when they did the same, bit for bit, on whatever machine.
-/// FNV-1a over the bytes of each value.   [any]
+/// A 64-bit hash of a run: FNV-1a over the bytes of each value. Two runs that agree bit for bit have the same hash on
+/// every machine.   [any]
 class ContentHash {
 public:
     void add(std::uint8_t value) noexcept { add_bytes(value, 1); }
@@ -26,11 +26,11 @@ public:
     void add(float value) noexcept {
         add_bytes(std::isnan(value) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(value), 4);
     }
-    /// The bits as they are: −0 and 0 differ, since a replay must not confuse them. All NaN count as one.
+    /// Adds the bits of a number. −0 and 0 differ, since a replay must not confuse them. All NaN are equal.
     void add(double value) noexcept {
         add_bytes(std::isnan(value) ? 0x7ff8000000000000u : std::bit_cast<std::uint64_t>(value), 8);
     }
-    /// The bytes alone, so that a whole text gives its published FNV-1a value.
+    /// Adds the bytes alone, without a length, so that a whole text gives its published FNV-1a value.
     void add(std::string_view text) noexcept { hash_.add(text); }
     void add(Vec3 v) noexcept {
         add(v.x);
@@ -54,8 +54,8 @@ private:
     Fnv1a hash_;
 };
 
-/// What the loop was given and what it answered: input pose, tool pose, wrench on the tool and on the hand.
-/// Leaves out what follows from the conditions alone (limits, device newtons) and what follows from these.
+/// Adds the loop's input and output of a tick: handle pose, tool pose, wrench on the tool and on the hand. Leaves out
+/// values that follow from these or from the conditions (limits, device newtons).
 inline void add_tick(ContentHash& hash, const TickRow& row) noexcept {
     hash.add(row.tick);
     hash.add(row.step);
@@ -65,21 +65,21 @@ inline void add_tick(ContentHash& hash, const TickRow& row) noexcept {
     hash.add(row.coupled);
 }
 
-/// When and what happened; the wording of `detail` is free to change.
+/// Adds tick and id of an event. The text of `detail` may change between versions.
 inline void add_event(ContentHash& hash, const EventRow& event) noexcept {
     hash.add(event.tick);
     hash.add(static_cast<std::uint64_t>(event.id.size()));
     hash.add(std::string_view(event.id));
 }
 
-/// FNV-1a of a document's bytes.
+/// Returns FNV-1a of a document's bytes.
 [[nodiscard]] inline std::uint64_t hash_of_text(std::string_view text) noexcept {
     Fnv1a hash;
     hash.add(text);
     return hash.value();
 }
 
-/// Sixteen hexadecimal digits, as files write a hash.
+/// Returns a hash as sixteen hexadecimal digits, as files contain it.
 [[nodiscard]] inline std::string hex16(std::uint64_t value) {
     std::string digits(16, '0');
     for (std::size_t i = 16; i-- > 0; value >>= 4) digits[i] = "0123456789abcdef"[value & 0xfu];

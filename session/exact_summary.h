@@ -7,8 +7,7 @@
 
 namespace kerf {
 
-/// Returns an exact surface as an object of summary.json and remesh.json. Millimetres are named in the keys.   [any]
-/// pure.
+/// Returns an exact surface as an object of summary.json and remesh.json. The keys name their unit, mm.   [any] pure.
 [[nodiscard]] nlohmann::ordered_json exact_summary(const ExactRow& exact);
 
 }  // namespace kerf

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// SQLite keeps the application id in bytes 68 … 71 of the file, most significant first.
+/// Returns whether a file is a session. SQLite stores the application id in bytes 68 … 71, most significant first.
 bool is_session(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::array<char, 72> head{};
@@ -32,7 +32,7 @@ bool is_session(const fs::path& file) {
     return id == static_cast<std::uint32_t>(session_application_id);
 }
 
-/// All files that a run writes, the session last: as long as one of the others is there, it says whose they are.
+/// Returns all files that a run writes, the session last: it identifies the others as a run's until they are removed.
 std::vector<std::string> files_of_a_run() {
     std::vector<std::string> whole{"summary.json", "report.html", "bone.stl", "bone-exact.stl", "remesh.json"}, all;
     for (std::size_t body = 1; body < most_bodies; ++body)
@@ -43,8 +43,8 @@ std::vector<std::string> files_of_a_run() {
     return all;
 }
 
-/// Whether a folder holds nothing but what a run leaves that ends while its session is made: files beside a session
-/// that is missing or empty.
+/// Returns whether the folder is left over from a run that died before its session was complete: only auxiliary files
+/// and at most an empty session.
 bool is_trace_of_a_run(const fs::path& folder) {
     std::error_code error;
     for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
@@ -59,7 +59,7 @@ bool is_trace_of_a_run(const fs::path& folder) {
     return !error;
 }
 
-/// SQLite takes paths of 512 bytes at most, with what it adds to them.
+/// Returns why a path is too long, or an empty text. SQLite accepts at most 512 bytes, including its own suffixes.
 std::string refusal_of_length(const std::string& folder) {
     constexpr std::size_t longest = 480;
     std::error_code error;
@@ -84,7 +84,7 @@ std::string prepare_output(const std::string& folder, OutputLock& lock, MadeFold
     }
     if (!fs::is_directory(status)) return folder + " is a file; results need a folder. Give another one.";
 
-    // Before anything is looked at: another run would change it.
+    // Locked before any check: another run could change the folder.
     if (std::string taken = lock.take(folder); !taken.empty()) return taken;
     const bool is_empty = fs::is_empty(path, error);
     if (error) return folder + " could not be read: " + error.message();
@@ -92,7 +92,7 @@ std::string prepare_output(const std::string& folder, OutputLock& lock, MadeFold
     if (!is_session(path / "session.db") && !is_trace_of_a_run(path))
         return folder + " holds other files and no Kerf session, so it was left alone. Give a new or empty folder.";
 
-    // Only what a run writes is ours to take away; anything else stops it before the first file is gone.
+    // Only files of a run are removed. Any other file stops the removal before the first file is removed.
     const std::vector<std::string> ours = files_of_a_run();
     for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {

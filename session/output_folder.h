@@ -7,11 +7,10 @@
 
 namespace kerf {
 
-/// Makes `folder` ready for a run's files, and ours alone while `lock` lives. A folder that exists is emptied only if
-/// it holds a session of ours (session.db), or what is left of one that was killed while it was made, and nothing that
-/// no run writes; an empty one is taken as it is; anything else is left alone and refused. `made` holds the folders
-/// that were missing: keep them once something is in them. Returns why, for people; empty when the folder is
-/// ready.   [main]
+/// Prepares `folder` for a run's files, and locks it for the lifetime of `lock`. An empty folder is taken unchanged. A
+/// folder with a session (session.db), or the rest of a run killed during its start, is emptied if every other file in
+/// it is a run's. Any other folder is refused and left unchanged. `made` contains the folders that were missing: keep
+/// them once files are in them. Returns the reason of a refusal, empty on success.   [main]
 [[nodiscard]] std::string prepare_output(const std::string& folder, OutputLock& lock, MadeFolders& made);
 
 }  // namespace kerf

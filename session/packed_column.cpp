@@ -21,7 +21,7 @@ constexpr std::size_t max_bytes = 8 * max_block_rows;
 
 std::size_t width_of(NumberFormat format) noexcept { return format == NumberFormat::float32 ? 4 : 8; }
 
-/// 0, −1, 1, −2 … as 0, 1, 2, 3 …: small differences of either sign have zeros in front.
+/// Maps 0, −1, 1, −2 … to 0, 1, 2, 3 …, so that small differences of either sign have leading zeros.
 template <class Bits>
 Bits folded(Bits difference) noexcept {
     constexpr int sign = 8 * sizeof(Bits) - 1;
@@ -32,7 +32,7 @@ Bits unfolded(Bits value) noexcept {
     return static_cast<Bits>((value >> 1) ^ (Bits{0} - (value & 1u)));
 }
 
-/// Bits that a row takes, on average about: what zlib cannot shorten.
+/// Returns the sum of the rows' bit widths, an estimate of the compressed size.
 template <class Bits>
 std::uint64_t total_width(std::span<const Bits> rows) noexcept {
     std::uint64_t sum = 0;
@@ -45,7 +45,7 @@ void subtract_row_before(std::span<Bits> rows) noexcept {
     for (std::size_t i = rows.size() - 1; i > 0; --i) rows[i] = static_cast<Bits>(rows[i] - rows[i - 1]);
 }
 
-/// Takes differences as often as they get shorter. Returns how often.
+/// Replaces rows by differences as often as that makes them shorter. Returns how often.
 template <class Bits>
 int take_differences(std::span<Bits> rows, std::span<Bits> tried) noexcept {
     std::copy(rows.begin(), rows.end(), tried.begin());
@@ -81,7 +81,7 @@ std::uint32_t narrowed(std::uint64_t cell) noexcept {
 }
 std::uint64_t widened(std::uint32_t bits) noexcept { return to_cell(static_cast<double>(std::bit_cast<float>(bits))); }
 
-/// Pre: as many rows as `guess` has, or none there.
+/// Pre: `guess` has as many rows, or none.
 template <class Combine>
 void combine_with_guess(std::span<std::uint32_t> rows, const Guess& guess, Combine combine) noexcept {
     for (std::size_t i = 0; i < guess.like.size(); ++i) {
@@ -193,7 +193,7 @@ bool ColumnUnpacker::unpack(std::span<const unsigned char> bytes, int difference
                              cells.size() <= max_block_rows && bytes.size() <= std::numeric_limits<unsigned>::max();
     if (!is_possible) return false;
     inflateReset(&s.stream);
-    s.stream.next_in = const_cast<unsigned char*>(bytes.data());  // zlib's face is older than const
+    s.stream.next_in = const_cast<unsigned char*>(bytes.data());  // zlib's interface lacks const
     s.stream.avail_in = static_cast<unsigned>(bytes.size());
     s.stream.next_out = s.planes.data();
     s.stream.avail_out = static_cast<unsigned>(size);

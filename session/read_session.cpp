@@ -18,7 +18,7 @@ namespace kerf {
 
 namespace {
 
-/// A unit quaternion, in a room. NaN is neither.
+/// Returns whether a pose has a unit quaternion and a position within 100 m. False for NaN.
 bool is_plausible(const Pose& pose) {
     constexpr double room = 100.0;  // [m]
     const auto& [w, x, y, z] = pose.rotation;

@@ -12,25 +12,26 @@
 
 namespace kerf {
 
-/// What a replay needs of a session: every input of every tick, and the hash the run ended in.
+/// The inputs of a session that a replay needs: all inputs of each tick, and the hash at the end.
 struct RecordedInputs {
     std::string procedure_text;
     std::string variant;    ///< of the procedure; empty for none
     std::string rehearsal;  ///< that the hand followed
     std::uint64_t anatomy_hash = 0;
     std::vector<Pose> device_from_handle;  ///< one per tick, in order
-    std::vector<std::uint64_t> adoptions;  ///< ticks after which the loop took over what had come apart, in order
+    /// Ticks after which the loop took over separated bodies, in order.
+    std::vector<std::uint64_t> adoptions;
     std::vector<std::pair<std::uint64_t, std::string>>
-        hand_inputs;  ///< what else the hand asked for, and before which tick
+        hand_inputs;  ///< other inputs of the hand, each with the tick before which it came
     std::vector<std::pair<std::uint64_t, std::uint32_t>>
-        missed;                               ///< ticks that did not run, and before which one, in order
+        missed;                               ///< numbers of missed ticks, each with the next tick, in order
     std::string hash;                         ///< sixteen hexadecimal digits; empty for a run that was cut short
-    RecordCheck rows = RecordCheck::unknown;  ///< whether all that the session holds is what the run wrote
-    bool is_old = false;                      ///< of a Kerf that wrote no checksum
+    RecordCheck rows = RecordCheck::unknown;  ///< result of the checksum
+    bool is_old = false;                      ///< written by a version without checksums
 };
 
-/// Reads a session file without changing it. Error: not a session, another schema, gaps in the ticks, a pose that is
-/// none, a count of missed ticks that is none; `error` is for people.   [main]
+/// Reads a session file without changing it. Error: not a session, another schema, gaps in the ticks, an invalid pose
+/// or an invalid count of missed ticks; `error` is a text for people.   [main]
 [[nodiscard]] std::optional<RecordedInputs> read_session(const std::string& path, std::string& error);
 
 }  // namespace kerf

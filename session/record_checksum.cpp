@@ -20,7 +20,7 @@ namespace kerf {
 
 namespace {
 
-/// Length first, so that two texts are not one.
+/// Adds the length first, so that two texts differ from their concatenation.
 void add_text(ContentHash& hash, std::string_view text) {
     hash.add(static_cast<std::uint64_t>(text.size()));
     hash.add(text);
@@ -34,7 +34,7 @@ void add_value(ContentHash& hash, const SessionQuery& row, int column) {
     if (type == SQLITE_TEXT || type == SQLITE_BLOB) add_text(hash, row.bytes_in_place(column));
 }
 
-/// Tables, indices and triggers as their statements say; returns the names of the tables that a run makes.
+/// Adds the statements of tables, indices and triggers. Returns the names of the tables that a run makes.
 std::vector<std::string> add_statements(ContentHash& hash, SessionQuery& statements) {
     std::vector<std::string> ours, found;
     for (const Table& table : session_tables({})) ours.push_back(table.name);
@@ -65,7 +65,7 @@ std::optional<std::uint64_t> record_checksum(sqlite3* database) {
         std::optional<std::int64_t> last;
         while (rows.next()) {
             const std::int64_t id = rows.integer(0);
-            if (last && id <= *last) return std::nullopt;  // its pages lead in a circle
+            if (last && id <= *last) return std::nullopt;  // its pages form a cycle
             last = id;
             for (int column = 1; column < rows.columns(); ++column) add_value(hash, rows, column);
         }

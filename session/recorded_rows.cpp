@@ -13,7 +13,7 @@
 namespace kerf {
 namespace {
 
-// What zlib may make of numbers that it cannot shorten; more is not a run's.
+// Upper bound of zlib's output for incompressible numbers. A run writes no more.
 constexpr std::size_t max_packed_bytes = 8 * max_block_rows + 1024;
 
 bool has_blocks(sqlite3* database) {
@@ -27,14 +27,15 @@ std::string text_list(const std::vector<std::string>& words) {
     return list;
 }
 
-/// Bytes of columns that are not wanted, or that are too long, stay in the file.
+/// Returns a query of blocks that leaves unwanted and overlong bytes in the file.
 std::string blocks_sql(const std::string& table, const std::vector<std::string>& wanted) {
     return "SELECT block, rows, column_name, differences, CASE WHEN column_name IN (" + text_list(wanted) +
            ") AND length(data) <= " + std::to_string(max_packed_bytes) +
            " THEN data END FROM blocks WHERE table_name = '" + table + "' ORDER BY rowid";
 }
 
-/// With the table's name: without it, SQLite takes a quoted name that it does not know for a text.
+/// Returns a query with the table's name before each column: without it, SQLite takes an unknown quoted name for a
+/// text.
 std::string plain_sql(const std::string& table, const std::vector<std::string>& wanted) {
     std::string columns;
     for (const std::string& name : wanted) columns += (columns.empty() ? "" : ", ") + table + ".\"" + name + '"';
@@ -48,7 +49,7 @@ RecordedRows::RecordedRows(sqlite3* database, const Table& table, const std::vec
     std::vector<std::string> names = wanted;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto column = find_column(table_, names[i]);
-        if (!column || places_[*column]) {  // signals of two names that make one
+        if (!column || places_[*column]) {  // two signals with the same column name
             fail("its table `" + table_.name + "` has no column of its own for `" + names[i] + "`");
             return;
         }
@@ -78,7 +79,7 @@ bool RecordedRows::next() {
     return plain_.has_failed() ? fail("its table `" + table_.name + "` cannot be read") : false;
 }
 
-/// The columns of a block are one row each, in the order of the table's.
+/// Loads the next block: one row per column, in the order of the table.
 bool RecordedRows::load_block() {
     const std::string name = "block " + std::to_string(block_) + " of its table `" + table_.name + "`";
     for (std::size_t column = 0; column < places_.size(); ++column) {
@@ -102,7 +103,7 @@ bool RecordedRows::load_block() {
     return true;
 }
 
-/// Pre: the query is at the row of this column.
+/// Unpacks one column. Pre: the query is at its row.
 bool RecordedRows::unpack_column(std::size_t column) {
     const std::string_view bytes = blocks_->bytes_in_place(4);
     const int differences = static_cast<int>(std::clamp<std::int64_t>(blocks_->integer(3), -1, 1000));
@@ -143,8 +144,7 @@ std::vector<Table> recorded_tables(sqlite3* database) {
 }
 
 std::optional<std::uint64_t> recorded_row_count(sqlite3* database, const std::string& table) {
-    // Not count(*): SQLite counts a tree without calling its progress handler, and pages that lead in a circle have no
-    // end.
+    // Not count(*): for it SQLite calls no progress handler, and a cycle of pages would never end.
     SessionQuery plain(database, "SELECT total(1) FROM " + table);
     if (!plain.next()) return std::nullopt;
     constexpr double most = 1e15;

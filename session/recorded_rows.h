@@ -13,19 +13,19 @@
 
 namespace kerf {
 
-/// Reads the rows of `ticks` or `cuts` in the order in which a run wrote them: those compressed in `blocks`, then the
-/// plain ones. Sessions before schema 4 have plain rows only. Holds one block at a time.   [main]
+/// Reads the rows of `ticks` or `cuts` in the order in which a run wrote them: first the rows compressed in `blocks`,
+/// then the plain ones. Sessions before schema 4 have plain rows only. Keeps one block in memory at a time.   [main]
 class RecordedRows {
 public:
-    /// @param wanted   names of columns of `table`; the others are not unpacked
+    /// @param wanted   names of the columns of `table` to read; the others are not unpacked
     RecordedRows(sqlite3* database, const Table& table, const std::vector<std::string>& wanted);
 
     bool next();
-    /// Why there are no more rows, for people: "block 3 of its table `ticks` is cut short"; empty at the end of a sound
-    /// table.
+    /// Returns the reason for an early end, for people: "block 3 of its table `ticks` is cut short". Empty at the end
+    /// of a sound table.
     [[nodiscard]] const std::string& fault() const noexcept { return fault_; }
 
-    /// Of the present row, by position in `wanted`.
+    /// Returns a cell of the present row, or a property of it, by its index in `wanted`.
     [[nodiscard]] bool is_null(std::size_t column) const;
     [[nodiscard]] bool is_number(std::size_t column) const;
     [[nodiscard]] double number(std::size_t column) const;
@@ -37,8 +37,8 @@ private:
     bool fail(const std::string& fault);
 
     const Table table_;
-    std::vector<std::size_t> unpacked_;               ///< columns of the table: the wanted ones, then what guesses them
-    std::vector<std::optional<std::size_t>> places_;  ///< of each column of the table: its position in `unpacked_`
+    std::vector<std::size_t> unpacked_;  ///< indices of table columns: the wanted ones, then their predictors
+    std::vector<std::optional<std::size_t>> places_;  ///< for each column of the table: its index in `unpacked_`
     std::string fault_;
 
     std::optional<SessionQuery> blocks_;
@@ -50,10 +50,10 @@ private:
     bool is_in_block_ = false;
 };
 
-/// Returns the tables of a session, with the signals and the guesses of its own.   [main]
+/// Returns the tables of a session, with its own signals and predictions.   [main]
 [[nodiscard]] std::vector<Table> recorded_tables(sqlite3* database);
 
-/// Returns how many rows `RecordedRows` gives, according to the file; nothing if it cannot be read.   [main]
+/// Returns the number of rows that `RecordedRows` reads, according to the file; nothing if it cannot be read.   [main]
 [[nodiscard]] std::optional<std::uint64_t> recorded_row_count(sqlite3* database, const std::string& table);
 
 }  // namespace kerf

@@ -41,14 +41,14 @@ using std::chrono::milliseconds;
 constexpr std::size_t ring_rows = 8192;  // 8 s at 1 kHz
 constexpr std::size_t event_rows = 1024;
 constexpr std::size_t batch_rows = 250;
-constexpr auto batch_time = milliseconds(100);  // with one commit's time on top well under the promised 0.25 s
+constexpr auto batch_time = milliseconds(100);  // with the time of a commit, well below the promised 0.25 s
 constexpr auto poll_time = milliseconds(10);
-// Folding the -wal into the file waits for the disk. It has a thread of its own, so that a commit never does. What
-// comes meanwhile is little, so the writer folds it in by itself: only then can the -wal begin anew.
+// Merging the -wal file into the session waits for the disk. It has its own thread, so that a commit never waits. The
+// writer merges the few rows that arrive meanwhile itself: only then can the -wal file restart.
 constexpr auto checkpoint_time = milliseconds(5000);
 constexpr std::uintmax_t checkpoint_bytes = 8 << 20;
 
-/// An event without the heap.
+/// An event without heap memory.
 struct EventSlot {
     std::uint64_t tick = 0;
     double time = 0.0;
@@ -56,7 +56,7 @@ struct EventSlot {
     char detail[256]{};
 };
 
-/// As much as fits, not ending within a UTF-8 character.
+/// Copies as much as fits, without cutting a UTF-8 character.
 template <std::size_t N>
 void copy_text(char (&to)[N], const std::string& from) noexcept {
     std::size_t count = std::min(from.size(), N - 1);
@@ -83,7 +83,7 @@ Row& operator<<(Row& row, const Vec6& wrench) {
     return row;
 }
 
-/// The columns of `ticks`, from left to right.
+/// Appends the columns of `ticks`, from left to right.
 template <class Row>
 void put(Row& row, const TickRow& tick, std::size_t signal_count) {
     row << integer(tick.tick) << tick.time << std::int64_t{tick.step} << tick.device_from_handle << tick.world_from_tool
@@ -93,7 +93,7 @@ void put(Row& row, const TickRow& tick, std::size_t signal_count) {
     for (std::size_t i = 0; i < signal_count; ++i) row << tick.signals[i];
 }
 
-/// The columns of `cuts`.
+/// Appends the columns of `cuts`.
 template <class Row>
 void put(Row& row, const CutRow& cut) {
     row << integer(cut.sequence) << integer(cut.tick) << std::int64_t{cut.body} << std::int64_t{cut.solid} << cut.from
@@ -107,7 +107,7 @@ std::string text_of(double value) {
     return text;
 }
 
-/// What SQLite says of a disk, with what to do.
+/// Returns an error of SQLite for people, with advice.
 std::string for_people(const std::string& error) {
     const bool is_full = error.find("disk is full") != std::string::npos;
     return is_full ? "the disk is full. Free some space, or give a folder on another disk." : error + ".";
@@ -124,7 +124,7 @@ struct Recorder::Impl {
     SpscRing<EventSlot> events;
     std::atomic<std::uint64_t> lost_ticks{0}, lost_cuts{0}, lost_events{0};
 
-    // The file. The writer's while it runs, the caller's before and after.
+    // The file. The writer uses it while it runs, the caller before and after.
     std::string path;
     std::vector<Table> tables;
     std::size_t signal_count = 0;
@@ -133,23 +133,23 @@ struct Recorder::Impl {
     std::optional<BlockWriter> tick_blocks, cut_blocks;
 
     std::thread writer, checkpointer;
-    std::mutex mutex;  ///< of `wake` alone; the loop never takes it
+    std::mutex mutex;  ///< of `wake` alone; the loop never locks it
     std::condition_variable wake;
     std::atomic<bool> is_stopping{false};
     std::atomic<bool> is_failed{false};
-    std::atomic<bool> has_writer_ended{false};               ///< before it was told to
+    std::atomic<bool> has_writer_ended{false};               ///< before it was stopped
     std::atomic<bool> is_fold_due{false}, is_folded{false};  ///< from the writer to the checkpointer, and back
 
-    // Where the program cannot go on (save_what_is_open).
-    static inline std::atomic<Impl*> open{nullptr};  ///< the record under way
+    // For a program that cannot continue (save_what_is_open).
+    static inline std::atomic<Impl*> open{nullptr};  ///< the record that is being written
     std::atomic<bool> is_abandoned{false}, is_saved{false};
     const char *last_event = "", *last_detail = "";
-    std::uint64_t last_tick = 0;  ///< written
+    std::uint64_t last_tick = 0;  ///< last written
     double last_time = 0.0;
     bool is_closed = false;
-    std::string error;        ///< the first, once closed
-    std::string plain_error;  ///< why some rows of a session that is complete are not compressed
-    std::string fold_error;   ///< why the -wal is still next to a session that is complete
+    std::string error;        ///< the first error, once closed
+    std::string plain_error;  ///< the reason for plain rows in a complete session
+    std::string fold_error;   ///< the reason why the -wal file remains next to a complete session
 
     void create(const SessionHeader& header);
     void open_to_write();
@@ -181,9 +181,8 @@ void Recorder::Impl::create(const SessionHeader& header) {
     signal_count = std::min<std::size_t>(header.signals.size(), most_signal_columns);
     tables = session_tables(header.signals, header.conditions.force_scale);
 
-    database.run(
-        "PRAGMA auto_vacuum=INCREMENTAL");       // before the first table: pages of rows now compressed are given back
-    database.run("PRAGMA journal_mode=MEMORY");  // nobody reads it before it is whole: nothing needs undoing
+    database.run("PRAGMA auto_vacuum=INCREMENTAL");  // before the first table: pages of compressed rows are freed
+    database.run("PRAGMA journal_mode=MEMORY");      // not readable before it is complete: no rollback needed
     database.run("PRAGMA application_id=" + std::to_string(session_application_id));
     database.run("PRAGMA user_version=" + std::to_string(session_schema_version));
     database.run("BEGIN");
@@ -237,7 +236,7 @@ void Recorder::Impl::open_to_write() {
     database.run("PRAGMA journal_mode=WAL");
     database.run("PRAGMA synchronous=NORMAL");
     database.run("PRAGMA wal_autocheckpoint=0");
-    database.run("PRAGMA secure_delete=OFF");  // plain rows are in a block when they are deleted: no need to zero them
+    database.run("PRAGMA secure_delete=OFF");  // plain rows remain in a block when deleted: no need to overwrite them
 
     begin.prepare(database, "BEGIN");
     commit.prepare(database, "COMMIT");
@@ -261,8 +260,8 @@ void Recorder::Impl::write_tick(const TickRow& row) {
     last_time = row.time;
 }
 
-/// One transaction with up to 250 rows of each kind, none beyond a full block. After a disk error it only empties the
-/// queues: the loop runs on.
+/// Writes up to 250 rows of each kind in one transaction, none beyond a full block. After a disk error it only empties
+/// the queues, because the loop continues.
 bool Recorder::Impl::write_batch() {
     std::uint64_t tick_count = 0, cut_count = 0, event_count = 0;
     begin.run();
@@ -307,7 +306,7 @@ void Recorder::Impl::write_until_stopped() {
     auto last_commit = Clock::now();
     while (true) {
         const bool was_stopping =
-            is_stopping.load(std::memory_order_acquire);  // before looking: then nothing is missed
+            is_stopping.load(std::memory_order_acquire);  // read before the queues, so that no row is missed
         const std::size_t most = std::max({ticks.size(), cuts.size(), events.size()});
         if (most == 0 && was_stopping) return;
 
@@ -323,7 +322,7 @@ void Recorder::Impl::write_until_stopped() {
     }
 }
 
-/// Keeps the -wal short. Its failure costs nothing: the -wal is complete.
+/// Keeps the -wal file short. A failure does no harm: the -wal file is complete.
 void Recorder::Impl::fold_when_long() {
     if (is_folded.exchange(false, std::memory_order_acquire)) {
         database.try_run("PRAGMA wal_checkpoint(TRUNCATE)");
@@ -358,7 +357,7 @@ void Recorder::Impl::start() {
         try {
             write_until_stopped();
             if (is_abandoned.load(std::memory_order_acquire)) close_abandoned();
-        } catch (const std::exception&) {  // there is no memory left
+        } catch (const std::exception&) {  // out of memory
             has_writer_ended.store(true, std::memory_order_release);
             is_failed.store(true, std::memory_order_release);
         }
@@ -367,7 +366,7 @@ void Recorder::Impl::start() {
         try {
             checkpoint_until_stopped();
         } catch (const std::exception&) {
-            // The -wal grows, and is complete.
+            // The -wal file grows, but is complete.
         }
     };
     try {
@@ -380,7 +379,7 @@ void Recorder::Impl::start() {
     open.store(this);
 }
 
-/// On the writer's thread: the one that would do so cannot any more.
+/// Runs on the writer's thread, because the main thread cannot continue.
 void Recorder::Impl::close_abandoned() {
     wake.notify_all();
     checkpointer.join();
@@ -460,7 +459,7 @@ void Recorder::Impl::finalize() {
     if (cut_blocks) cut_blocks->finalize();
 }
 
-/// All rows are in the file: where the disk is full, those that are left stay plain.
+/// Compresses the remaining rows. All are in the file; on a full disk they stay plain.
 void Recorder::Impl::compress_rest() {
     if (!database.is_good()) return;
     for (BlockWriter* blocks : {&*tick_blocks, &*cut_blocks}) {
@@ -469,7 +468,7 @@ void Recorder::Impl::compress_rest() {
     }
 }
 
-/// How the session ended, and the checksum of all that it holds, in one transaction.
+/// Writes the final state and the checksum of the whole session in one transaction.
 bool Recorder::Impl::write_state(const char* state) {
     database.run("BEGIN");
     SqliteStatement(database, std::string("UPDATE session SET value='") + state + "' WHERE key='state'").run();
@@ -483,12 +482,12 @@ bool Recorder::Impl::write_state(const char* state) {
     return database.run("COMMIT");
 }
 
-/// Says how the session ended, folds the -wal in and closes.
+/// Writes the final state, merges the -wal file and closes.
 void Recorder::Impl::close(const char* state) {
-    // Where the program cannot go on, nothing is done that can wait.
+    // A program that cannot continue skips all work that is not needed.
     if (!is_abandoned.load(std::memory_order_acquire)) compress_rest();
     finalize();
-    // A transaction that did not fit may leave room for these few bytes.
+    // A transaction that did not fit may leave space for these few bytes.
     if (!database.is_good()) {
         error = database.recover();
         state = "incomplete";
@@ -507,7 +506,7 @@ void Recorder::Impl::close(const char* state) {
     is_closed = true;
 }
 
-// ---- the face ----------------------------------------------------------------------------------------------------
+// ---- interface ---------------------------------------------------------------------------------------------------
 
 Recorder::Recorder(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
 
@@ -523,7 +522,7 @@ SavedRecord Recorder::save_what_is_open(const char* event_id, const char* detail
     impl->last_event = event_id;
     impl->last_detail = detail;
     impl->is_abandoned.store(true, std::memory_order_release);
-    impl->is_stopping.store(true, std::memory_order_release);  // the writer looks every 10 ms
+    impl->is_stopping.store(true, std::memory_order_release);  // the writer checks it every 10 ms
     constexpr timespec pause{0, 10'000'000};
     for (int looks = 0; looks < 200; ++looks) {
         if (impl->is_saved.load(std::memory_order_acquire)) return {impl->path.c_str(), true};

@@ -14,48 +14,48 @@ namespace kerf {
 
 /// `PRAGMA application_id` of a session: "KERF".
 inline constexpr std::int32_t session_application_id = 0x4b455246;
-/// docs/design/session.md lists what each version has. Every one from the oldest readable on is read.
+/// docs/design/session.md lists the contents of each version. All versions from the oldest readable on can be read.
 inline constexpr std::int32_t session_schema_version = 4, oldest_readable_schema_version = 2;
 inline constexpr std::int32_t first_schema_with_checksum = 3, first_schema_with_blocks = 4;
-/// Bone came apart, and the loop took over its parts after this tick: an input, which a replay gives back.
-/// `came_apart`: there are further bodies; `crumbled`: crumbs alone.
+/// Events of adoption: after this tick the loop took over separated bone. An input, which a replay repeats.
+/// `came_apart`: there are new bodies. `crumbled`: only crumbs.
 inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_event = "bone.crumbled";
-/// What a hand asked for besides moving the handle, before this tick.
+/// An input of the hand other than the handle's motion, before this tick.
 inline constexpr const char* hand_input_event = "hand.input";
-/// Ticks that were due and did not run before this one, as many as its detail says: an input too.
+/// A number of missed ticks before this one, in its detail. Also an input.
 inline constexpr const char* missed_event = "device.missed";
-/// A plugin ended the run; its detail says which, in which call and how.
+/// A plugin ended the run; the detail has the plugin, the call and the kind of failure.
 inline constexpr const char* plugin_failed_event = "run.plugin_failed";
-/// Stands in every file a run writes.
+/// Part of every file that a run writes.
 inline constexpr const char* notice_line =
     "For training and research; not for diagnosis, planning or deciding treatment";
 
-/// Who and where, outside the content hash. Codes, never names.
+/// Person and station of a run, outside the content hash. Codes, never names.
 struct SessionEnvelope {
     std::string uuid;
-    std::string learner, cohort;    ///< codes the teacher gave
+    std::string learner, cohort;    ///< codes that the teacher assigned
     std::string mode = "practice";  ///< practice | exam | demo
     std::string station;
     std::string start;  ///< UTC, ISO 8601; may be empty
     std::string consent;
 };
 
-/// What the hand felt through, inside the content hash.
+/// Conditions of the force feedback, inside the content hash.
 struct SessionConditions {
     std::string device;
     double force_scale = 1.0;         ///< [–] device newton per bone newton
-    std::string assist;               ///< ids of what helped, comma-separated; empty for none
-    double coupling_stiffness = 0.0;  ///< [N/m] device side
+    std::string assist;               ///< ids of the active aids, comma-separated; empty for none
+    double coupling_stiffness = 0.0;  ///< [N/m] in device newtons
     std::string variant{};            ///< of the procedure; empty for none
 };
 
-/// Everything known before the first tick.
+/// The data of a session that are known before the first tick.
 struct SessionHeader {
     std::string procedure, procedure_version, anatomy, rehearsal, hand;  ///< as in RunSummary
-    std::string variant_title{};  ///< the text of a variant no longer has it; empty for none
+    std::string variant_title{};  ///< not part of a variant's text; empty for none
     std::string procedure_text;
     std::uint64_t anatomy_hash = 0;          ///< of the anatomy's text and data files
-    std::vector<std::string> anatomy_notes;  ///< what import did, for people
+    std::vector<std::string> anatomy_notes;  ///< messages of the import, for people
     std::vector<std::pair<std::string, std::string>> versions;
     SessionEnvelope envelope;
     SessionConditions conditions;
@@ -63,64 +63,65 @@ struct SessionHeader {
     std::vector<std::string> tissues;
 };
 
-/// Rows that did not fit into the queues. Not zero means: incomplete, cannot be replayed.
+/// Number of rows that did not fit into the queues. If not zero, the session is incomplete and cannot be replayed.
 struct RecorderLosses {
     std::uint64_t ticks = 0, events = 0, cuts = 0;
     [[nodiscard]] bool any() const noexcept { return ticks + events + cuts > 0; }
 };
 
-/// The record that `Recorder::save_what_is_open` found.
+/// The record closed by `Recorder::save_what_is_open`.
 struct SavedRecord {
-    const char* path = nullptr;  ///< null: none was open
-    bool is_closed = false;      ///< all of it is in the file; else what was committed before
+    const char* path = nullptr;  ///< null: no record was open
+    bool is_closed = false;      ///< true: all rows are in the file; else only those committed before
 };
 
-/// Writes a run into one SQLite file while it happens.
+/// Writes a run into one SQLite file during the run.
 ///
-/// The loop pushes rows into queues of 8192 rows; a thread of the recorder takes them out and commits at least every
-/// 100 ms. `kill -9` loses at most a quarter of a second by the clock, and the file still opens; a run in lock-step
-/// goes faster than the clock, and loses at most half a queue, 4096 ticks. A power cut loses what came after the last
+/// The loop pushes rows into queues of 8192 rows. A thread of the recorder takes them out and commits at least every
+/// 100 ms. After `kill -9` the file still opens and lacks at most the last 0.25 s by the clock. A run in lock-step is
+/// faster than the clock and loses at most half a queue, 4096 ticks. A power cut loses the rows after the last
 /// checkpoint: 5 s by the clock, or 8 MB.
 ///
-/// The writer compresses the rows of ticks and cuts in blocks (session/block_writer.h), and `finish` those that
-/// are left. Where the disk has no room for a block, its rows stay as they are.
+/// The writer compresses the rows of ticks and cuts in blocks (session/block_writer.h), and `finish` compresses the
+/// rest. If the disk has no space for a block, its rows stay plain.
 ///
-/// The file is made under another name, `PATH.part`, and renamed when it is known as a session: whatever happens,
-/// `PATH` is a session or is not there. While it is open it has a -wal beside it, which begins anew at 8 MB, so that it
-/// stays bounded; `finish` (or the destructor, as "incomplete") folds it in. Disk errors are kept and returned by
-/// `finish`; what a full disk did not take counts as lost, and the session says that it is incomplete if there is room
-/// for that word.
+/// The file is made as `PATH.part` and renamed once it is a valid session: `PATH` is a session or does not exist. An
+/// open session has a -wal file next to it, which restarts at 8 MB and so stays bounded. `finish` merges it into the
+/// session; the destructor does so, too, with the state "incomplete". `finish` returns disk errors. Rows that did not
+/// fit on a full disk count as lost, and the session becomes "incomplete" if that word still fits.
 class Recorder {
 public:
     struct Created;
-    /// Makes a new file at `path`, replacing what was there.   [main]
+    /// Makes a new file at `path` and replaces an existing one.   [main]
     static Created create(const std::string& path, const SessionHeader& header);
 
     ~Recorder();
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// Wait-free. A row that finds the queue full is counted and lost.   [haptic, nonblocking] one thread only
+    /// Queues a row without waiting. If the queue is full, the row is lost and counted.   [haptic, nonblocking] one
+    /// thread only
     void push(const TickRow& row) noexcept;
     void push_cut(const CutRow& cut) noexcept;
-    /// Ids over 63 bytes and details over 255 are cut short.   [haptic, nonblocking] the same thread
+    /// Queues an event. Ids over 63 bytes and details over 255 bytes are cut.   [haptic, nonblocking] the same thread
     void push_event(const EventRow& event) noexcept;
-    /// The event with the texts that push_event would keep.   [any]
+    /// Returns the event with its texts cut as by push_event.   [any]
     [[nodiscard]] static EventRow as_kept(EventRow event);
 
-    /// Lock-step: waits until the queues can take the next few thousand rows. Returns at once while they are less
-    /// than half full. False when the file cannot be written any more.   [the pushing thread, may block]
+    /// Waits in lock-step until the queues have capacity for the next few thousand rows. Returns at once if they are
+    /// less than half full. Returns false if the file cannot be written any more.   [the pushing thread, may block]
     bool wait_for_room();
 
     [[nodiscard]] RecorderLosses losses() const noexcept;
 
-    /// Where the program cannot go on: has the writer write what was pushed, add an event of this id, and close the
-    /// record as "incomplete"; waits for that, at most 2 s. No run may push any more.   [any] async-signal-safe
+    /// Closes the open record of a program that cannot continue. The writer writes the queued rows, adds an event with
+    /// this id and sets the state "incomplete". Waits at most 2 s for that. Pre: no run pushes any more.
+    /// [any] async-signal-safe
     [[nodiscard]] static SavedRecord save_what_is_open(const char* event_id, const char* detail) noexcept;
 
-    /// Writes what is left, the result, the bone as it is drawn, the hash and the checksum of all rows, and closes to a
-    /// single file. The session's state becomes "finished", or "incomplete" when rows were lost. Returns what went
-    /// wrong, empty if nothing did; once only.   [main, after the last push]
+    /// Writes the remaining rows, the result, the drawn bone, the hash and the checksum of all rows, and closes the
+    /// session as a single file. Its state becomes "finished", or "incomplete" if rows were lost. Returns the error as
+    /// text, empty on success. Call it once.   [main, after the last push]
     [[nodiscard]] std::string finish(const RunSummary& summary, const DrawnSurface& bone_after = {});
 
 private:
@@ -129,10 +130,10 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// A recorder, or why there is none.
+/// A recorder, or the reason why it could not be made.
 struct Recorder::Created {
     std::unique_ptr<Recorder> recorder;
-    std::string error;  ///< for people; empty when there is a recorder
+    std::string error;  ///< for people; empty if there is a recorder
 };
 
 }  // namespace kerf

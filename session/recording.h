@@ -13,32 +13,32 @@
 #include "kerf/abi.h"
 #include "kerf/math.hpp"
 
-/// What a run leaves behind, as plain values. The recorder writes them, the report draws them.
+/// The results of a run as plain values. The recorder writes them, the report draws them.
 namespace kerf {
 
-/// Signals that are recorded, of all tools of a run together; further ones are left out.
+/// Maximum number of recorded signals, over all tools of a run. Further signals are left out.
 inline constexpr std::size_t most_signal_columns = 2 * KERF_MAX_SIGNALS;
 
-/// One tick. Everything SI; forces act on the hand, world frame (LPS), in bone newtons unless said otherwise.
+/// One tick. SI units. Forces act on the hand, in the world frame (LPS) and in bone newtons, unless noted otherwise.
 struct TickRow {
     std::uint64_t tick = 0;
     double time = 0.0;            ///< [s]
-    std::int32_t step = -1;       ///< index of the running step, −1 for none
-    Pose device_from_handle{};    ///< input: what the device reported, world frame
-    Pose world_from_tool{};       ///< the proxy
+    std::int32_t step = -1;       ///< index of the running step; −1: none
+    Pose device_from_handle{};    ///< input: pose that the device reported, world frame
+    Pose world_from_tool{};       ///< the solved tool pose
     Vec6 modelled{};              ///< wrench of the bone on the tool, world frame, about the tip [N, N·m]
-    Vec6 coupled{};               ///< wrench of the coupling on the hand, bone side
-    Vec6 limited{};               ///< the same after the device's limits
-    Vec6 commanded{};             ///< what the device was sent (device newtons)
-    double thrust = 0.0;          ///< [N] modelled, against the feed: positive while the bone pushes back
+    Vec6 coupled{};               ///< wrench of the coupling on the hand, bone newtons
+    Vec6 limited{};               ///< `coupled` after the device's limits
+    Vec6 commanded{};             ///< wrench sent to the device (device newtons)
+    double thrust = 0.0;          ///< [N] modelled, against the feed: positive while the bone resists
     double torque = 0.0;          ///< [N·m] about the shaft
-    double depth = 0.0;           ///< [m] of the tip past the entry, along the step's axis; < 0 before
-    double feed_rate = 0.0;       ///< [m/s] of the proxy along its shaft
-    std::int32_t tissue = -1;     ///< index into Recording::tissues under the tip, −1 for none
+    double depth = 0.0;           ///< [m] of the tip beyond the entry, along the step's axis; < 0 before it
+    double feed_rate = 0.0;       ///< [m/s] of the tool along its shaft
+    std::int32_t tissue = -1;     ///< index into Recording::tissues at the tip; −1: none
     std::int32_t iterations = 0;  ///< of the solve
-    double power_hand = 0.0;      ///< [W] from the hand into the tool (bone side)
+    double power_hand = 0.0;      ///< [W] from the hand into the tool (bone newtons)
     double power_drive = 0.0;     ///< [W] from the motor
-    double removed = 0.0;         ///< [m³] so far
+    double removed = 0.0;         ///< [m³] total so far
     double signals[most_signal_columns]{};
 };
 
@@ -56,7 +56,7 @@ struct StepRow {
     std::vector<std::string> broken_limits;
 };
 
-/// One measured number. `uncertainty` < 0 means not stated.
+/// One measured number. `uncertainty` < 0: not known.
 struct MetricRow {
     std::string id;  ///< "pilot-hole.depth"
     int revision = 1;
@@ -66,11 +66,11 @@ struct MetricRow {
     std::string unit;       ///< display unit, "mm"
     double per_unit = 1.0;  ///< SI per display unit, 1e-3 for mm
     double uncertainty = -1.0;
-    std::string status;  ///< "ok", "broken", "info"; "grade B/C" of what is graded
+    std::string status;  ///< "ok", "broken", "info"; "grade B/C" for graded metrics
     std::string help;
 };
 
-/// The scope of metrics that check the simulation itself, and say nothing of the operation.
+/// The scope of metrics that check the simulation itself, not the operation.
 inline constexpr const char* simulation_scope = "simulation";
 inline bool is_of_simulation(const MetricRow& metric) noexcept { return metric.scope == simulation_scope; }
 
@@ -85,37 +85,37 @@ struct SignalColumn {
     double per_unit = 1.0;
 };
 
-/// Bone that hangs together at the end of a run, or metal in it.
+/// A connected piece of bone at the end of a run, or an implant in it.
 struct PieceRow {
-    std::size_t body = 0;  ///< 0 is what it began with, or the largest part of that
+    std::size_t body = 0;  ///< 0: the first body, or its largest part
     double volume = 0.0;   ///< [m³]
-    std::string file;      ///< its surface, beside the session
+    std::string file;      ///< its surface, in the session's folder
     bool is_metal = false;
 };
 
-/// The exact surface of a run: what strategies made of its cuts. No part of the replay hash, and of no verdict.
+/// The exact surface of a run, cut by strategies. Not part of the replay hash or of any verdict.
 struct ExactRow {
     struct Strategy {
-        std::string id, module, kernel;  ///< full id; plugin's id and version; what results depend on
+        std::string id, module, kernel;  ///< full id; the plugin's id and version; the library that results depend on
         std::uint64_t module_hash = 0;   ///< FNV-1a of the plugin's library
-        std::vector<std::pair<std::string, std::string>> parameters;  ///< id and value with its unit
+        std::vector<std::pair<std::string, std::string>> parameters;  ///< id, and value with its unit
     };
     struct Piece {
         std::size_t body = 0;
         std::string file;
         std::size_t triangles = 0;
         double volume = 0.0, field_volume = 0.0;                 ///< [m³]
-        std::vector<std::pair<std::string, double>> wall_areas;  ///< [m²] of what tools left, by tissue
+        std::vector<std::pair<std::string, double>> wall_areas;  ///< [m²] of surface that tools left, by tissue
     };
     std::vector<Strategy> strategies;
-    std::vector<Piece> pieces;               ///< none without a surface
-    std::uint64_t digest = 0;                ///< of all pieces
-    std::string why_not;                     ///< there is no exact surface; for people
-    std::size_t records = 0, stretches = 0;  ///< of the cut log; straight ones that they were joined into
-    double removed = 0.0, field_removed = 0.0, allowed = 0.0;  ///< [m³] by how much they may differ
-    std::size_t crumbs = 0;                                    ///< parts of the mesh in which the field has no body
+    std::vector<Piece> pieces;                                 ///< empty without a surface
+    std::uint64_t digest = 0;                                  ///< of all pieces
+    std::string why_not;                                       ///< the reason for no exact surface; for people
+    std::size_t records = 0, stretches = 0;                    ///< of the cut log; straight stretches joined from them
+    double removed = 0.0, field_removed = 0.0, allowed = 0.0;  ///< [m³] the last: allowed difference of the first two
+    std::size_t crumbs = 0;                                    ///< parts of the mesh without a body in the field
     double crumb_volume = 0.0;                                 ///< [m³]
-    int refusals = 0, handed_over = 0;  ///< results; stretches that one strategy declined and another one cut
+    int refusals = 0, handed_over = 0;  ///< refused results; stretches declined by one strategy and cut by another
     std::vector<std::string> notes;     ///< for people
 };
 
@@ -135,13 +135,13 @@ struct RunSummary {
     double removed = 0.0;                                           ///< [m³]
     std::vector<std::pair<std::string, double>> removed_by_tissue;  ///< [m³]
     std::vector<PieceRow> pieces{};
-    double force_scale = 1.0, coupling_stiffness = 0.0;  ///< K_c [N/m], device side
+    double force_scale = 1.0, coupling_stiffness = 0.0;  ///< K_c [N/m], device newtons
     std::uint64_t hash = 0;
     std::vector<std::pair<std::string, std::string>> versions;
     std::vector<std::string> tissues;
     std::vector<SignalColumn> signals;
-    std::vector<std::string> anatomy_notes;  ///< what import did, for people
-    std::optional<ExactRow> exact{};         ///< where an instrument leaves an exact surface
+    std::vector<std::string> anatomy_notes;  ///< messages of the import, for people
+    std::optional<ExactRow> exact{};         ///< if an instrument leaves an exact surface
 };
 
 }  // namespace kerf

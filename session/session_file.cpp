@@ -20,8 +20,8 @@ std::int64_t pragma(sqlite3* database, const char* sql) {
     return query.next() ? query.integer(0) : -1;
 }
 
-/// Whether a table's rows are computed when they are read: a view, a virtual table, a computed column. They would be
-/// statements of whoever made the file, and may never end.
+/// Returns whether a table's rows are computed when they are read: a view, a virtual table or a computed column. Such
+/// statements come from the author of the file and may never end.
 bool computes(sqlite3* database, const std::string& table) {
     SessionQuery sorts(database, "PRAGMA main.table_list(" + table + ")");
     while (sorts.next())
@@ -38,14 +38,14 @@ std::uint64_t size_of(const std::string& path) {
     return error ? 0 : size;
 }
 
-/// A path as part of SQLite's `file:` names, in which `?`, `#` and `%` mean something.
+/// Returns a path for SQLite's `file:` names, with `?`, `#` and `%` escaped.
 std::string in_uri(const std::string& path) {
     std::string safe;
     for (const char c : path) safe += c == '?' ? "%3f" : c == '#' ? "%23" : c == '%' ? "%25" : std::string(1, c);
     return safe;
 }
 
-// Of SQLite's machine. A tick takes less than 100, and has at least 20 bytes.
+// Steps of SQLite's virtual machine. A tick takes fewer than 100 and has at least 20 bytes.
 constexpr int steps_at_once = 1000;
 constexpr std::int64_t least_steps = 1'000'000, steps_per_byte = 16;
 
@@ -112,9 +112,9 @@ std::string SessionFile::open(const std::string& path, const std::vector<std::st
     if (!is_own && is_being_written(folder.empty() ? "." : folder.string()))
         return path + ": a run is writing it. Wait until that has ended.";
 
-    // A finished session is one file, and is read as one that nobody changes: without locks, so without files beside
-    // it. What a killed run has left in its -wal belongs to it: SQLite then keeps in memory what it would else write
-    // beside it.
+    // A finished session is one file. It is opened as immutable: without locks, so without files next to it. The -wal
+    // file of a killed run is part of its session. With it, SQLite keeps in memory the data that it would otherwise
+    // write to the folder.
     const std::uint64_t of_wal = size_of(path + "-wal");
     bytes_ = size_of(path) + of_wal;
     const int code = of_wal == 0 ? sqlite3_open_v2(("file:" + in_uri(path) + "?immutable=1").c_str(), &database_,

@@ -12,7 +12,7 @@ struct sqlite3_stmt;
 
 namespace kerf {
 
-/// One SELECT, row by row. After a failure there are no more rows.
+/// One SELECT, read row by row. After a failure there are no more rows.
 class SessionQuery {
 public:
     SessionQuery(sqlite3* database, const std::string& sql);
@@ -30,16 +30,16 @@ public:
     [[nodiscard]] std::int64_t integer(int column) const;
     [[nodiscard]] std::string text(int column) const;
     [[nodiscard]] std::vector<unsigned char> bytes(int column) const;
-    [[nodiscard]] std::string_view bytes_in_place(int column) const;  ///< until the next row
+    [[nodiscard]] std::string_view bytes_in_place(int column) const;  ///< valid until the next row
 
 private:
     sqlite3_stmt* statement_ = nullptr;
     int code_ = 0;
 };
 
-/// A session file of anybody, opened to be read: nothing is written to it or beside it, it may lie in a folder that
-/// nobody may write to, and what a killed run left in its -wal is read too. Whatever asks more work of SQLite than the
-/// file has bytes for is ended, as failed.
+/// An untrusted session file, opened for reading. Nothing is written to it or to its folder, which may be read-only.
+/// Rows in the -wal file of a killed run are read, too. A query whose work is out of proportion to the file's size is
+/// stopped and fails.
 class SessionFile {
 public:
     SessionFile() = default;
@@ -47,15 +47,16 @@ public:
     SessionFile(const SessionFile&) = delete;
     SessionFile& operator=(const SessionFile&) = delete;
 
-    /// Returns why not, for people: no session, another schema, tables that compute their rows, a run that still writes
-    /// it. `is_own`: the run that wrote it reads it, and still holds its folder.   [main]
+    /// Opens the file. Returns the reason if it cannot, for people: no session, another schema, tables that compute
+    /// their rows, or a run that still writes it. `is_own`: the run that wrote it reads it, and still has its folder
+    /// locked.   [main]
     [[nodiscard]] std::string open(const std::string& path, const std::vector<std::string>& tables,
                                    bool is_own = false);
 
     [[nodiscard]] sqlite3* handle() const noexcept { return database_; }
     [[nodiscard]] std::uint64_t bytes() const noexcept {
         return bytes_;
-    }  ///< with the -wal; no sound session holds more text
+    }  ///< including the -wal file; no sound session contains more text
 
 private:
     static int is_over(void* self);

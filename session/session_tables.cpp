@@ -13,7 +13,7 @@ using Columns = std::vector<TableColumn>;
 
 void append(Columns& columns, const Columns& more) { columns.insert(columns.end(), more.begin(), more.end()); }
 
-/// How `blocks` keeps the columns: what a replay reads stays exact.
+/// Sets the formats of the columns in `blocks`: the inputs of a replay stay exact.
 Table with_formats(Table table, const std::vector<std::string>& exact) {
     for (TableColumn& column : table.columns) {
         const bool is_exact = std::any_of(exact.begin(), exact.end(),
@@ -44,7 +44,7 @@ Columns wrench_columns(const std::string& name, const std::string& help) {
     return columns;
 }
 
-/// What a hand gets follows from the coupling, but for the limits of a device.
+/// Predicts the force on the hand from the coupling: they are equal unless a device limit applies.
 void add_guesses(Table& ticks, double force_scale) {
     const auto is_like = [&](const std::string& name, const std::string& other, double factor) {
         for (TableColumn& column : ticks.columns)

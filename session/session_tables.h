@@ -13,16 +13,16 @@
 
 namespace kerf {
 
-/// One column of one table, as the file itself describes it in its table `columns`.
+/// One column of one table, as the file describes it in its table `columns`.
 struct TableColumn {
     std::string name;
     std::string type;       ///< "INTEGER", "REAL", "TEXT" or "BLOB"
-    std::string unit;       ///< SI by name; empty for none; unit_of_row where each row has its own
+    std::string unit;       ///< name of the SI unit; empty for none; unit_of_row if each row has its own
     std::string dimension;  ///< "force", "length" …; empty for none
-    std::string frame;      ///< in which it is expressed; empty for none
+    std::string frame;      ///< frame of the value; empty for none
     std::string help;
-    NumberFormat format = NumberFormat::none;  ///< of a column that `blocks` holds
-    std::string like{};                        ///< an earlier column that this one is nearly, times `factor`
+    NumberFormat format = NumberFormat::none;  ///< for columns that `blocks` contains
+    std::string like{};                        ///< an earlier column that predicts this one, times `factor`
     double factor = 1.0;
 };
 
@@ -37,23 +37,24 @@ struct Table {
 /// The tables whose rows a run compresses in blocks.
 inline constexpr const char *ticks_table = "ticks", *cuts_table = "cuts";
 
-/// Every table of a session file; `ticks` ends with one column for each signal.   [any]
+/// Returns every table of a session file. `ticks` ends with one column per signal.   [any]
 /// @param force_scale   [–] device newton per bone newton
 [[nodiscard]] std::vector<Table> session_tables(const std::vector<SignalColumn>& signals, double force_scale = 1.0);
 
-/// The columns of `ticks` that hold the signals: "signal_" and the id, with "_" for what SQL would not take bare.
+/// Returns the columns of `ticks` that contain signals: "signal_" and the id, with "_" for characters that SQL requires
+/// to quote.
 [[nodiscard]] std::vector<std::string> signal_column_names(const std::vector<SignalColumn>& signals);
 
 /// Creates the tables and fills `columns`.
 void create_tables(SqliteDatabase& database, const std::vector<Table>& tables);
 
-/// The table of this name. Pre: there is one.   [any]
+/// Returns the table with this name. Pre: there is one.   [any]
 [[nodiscard]] const Table& find_table(const std::vector<Table>& tables, std::string_view name);
 
-/// The position of a column in its table; nothing if there is none.   [any]
+/// Returns the index of a column in its table; nothing for an unknown column.   [any]
 [[nodiscard]] std::optional<std::size_t> find_column(const Table& table, std::string_view name);
 
-/// INSERT INTO name VALUES(?,…), one place for each column.
+/// Returns INSERT INTO name VALUES(?,…), with one `?` per column.
 [[nodiscard]] std::string insert_sql(const Table& table);
 
 }  // namespace kerf

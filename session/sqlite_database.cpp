@@ -29,7 +29,7 @@ std::string SqliteDatabase::recover() {
     std::string error = std::move(error_);
     error_.clear();
     if (handle_ != nullptr && sqlite3_get_autocommit(handle_) == 0) run("ROLLBACK");
-    error_.clear();  // a transaction that the error has ended already cannot be undone again
+    error_.clear();  // the error may have ended the transaction already, so a failed rollback does not matter
     return error;
 }
 

@@ -11,8 +11,8 @@ struct sqlite3_stmt;
 
 namespace kerf {
 
-/// One connection to an SQLite file. The first error is kept; after it every call does nothing and says false, so a
-/// long list of statements needs one check at its end.   [one thread at a time]
+/// One connection to an SQLite file. It keeps the first error; after that every call does nothing and returns false. So
+/// a long list of statements needs one check at its end.   [one thread at a time]
 class SqliteDatabase {
 public:
     SqliteDatabase() = default;
@@ -23,16 +23,16 @@ public:
     bool open(const std::string& path);
     void close() noexcept;
     bool run(const std::string& sql);
-    /// The same, for what may fail without harm: its error is not kept.
+    /// Runs a statement that may fail without harm: its error is not kept.
     bool try_run(const std::string& sql);
 
-    /// Undoes an open transaction and forgets the error, for one more try. Returns what the error was.
+    /// Rolls back an open transaction and clears the error, for one more try. Returns the error.
     std::string recover();
 
     [[nodiscard]] bool is_good() const noexcept { return handle_ != nullptr && error_.empty(); }
     [[nodiscard]] const std::string& error() const noexcept { return error_; }
     [[nodiscard]] sqlite3* handle() const noexcept { return handle_; }
-    void fail(const std::string& error);  ///< as if a statement had
+    void fail(const std::string& error);  ///< sets an error, as a failed statement does
 
 private:
     friend class SqliteStatement;

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Twelve digits: 0.0065 m is then 6.5 mm, not 6.499999999999999.
+/// Rounds to twelve digits: 0.0065 m is then 6.5 mm, not 6.499999999999999.
 Json plain_number(double value) {
     if (!std::isfinite(value)) return nullptr;
     const PlainNumbers point;

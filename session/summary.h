@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-/// The contents of summary.json, schema 1: stable, scripts read it. Millimetres and seconds are named in the keys;
-/// a metric's value is in its own `unit`. What is not a finite number becomes `null`.   [any]
+/// Returns the contents of summary.json, schema 1, a stable format for scripts. The keys name their units, mm and s; a
+/// metric's value is in its own `unit`. Values that are not finite become `null`.   [any]
 [[nodiscard]] std::string summary_json(const RunSummary& summary);
 
 }  // namespace kerf

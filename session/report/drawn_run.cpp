@@ -60,7 +60,7 @@ void Thinning::end_stretch(Picked& picked, bool with_last) const {
 
 std::vector<TickRow> Thinning::rows() const {
     Picked all = picked_;
-    if (!least_.empty()) end_stretch(all, true);  // fewer rows came than were expected
+    if (!least_.empty()) end_stretch(all, true);  // fewer rows were added than expected
     std::vector<TickRow> rows;
     rows.reserve(all.size());
     for (const auto& [index, row] : all) rows.push_back(row);

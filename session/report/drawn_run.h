@@ -11,18 +11,19 @@
 #include "session/drawn_surface.h"
 #include "session/recording.h"
 
-/// What a run's page shows of it. Ticks and events go by one at a time, so memory does not grow with the run.
+/// Selects the parts of a run that its page shows. Ticks and events arrive one at a time, so memory does not grow with
+/// the run.
 namespace kerf {
 
-/// Picks at most `most` of `total` rows: all of them if they are few, else those that have, in every stretch of time,
-/// the least and the greatest thrust, torque, lateral force and depth; and the first and the last row.   [any]
+/// Selects at most `most` of `total` rows: all of them if they are few. Else it selects the minimum and maximum of
+/// thrust, torque, lateral force and depth in every stretch of time, and the first and last row.   [any]
 class Thinning {
 public:
     Thinning(std::uint64_t total, std::size_t most);
 
-    /// The next row. Rows beyond `total` are left out.
+    /// Adds the next row. Rows beyond `total` are left out.
     void add(const TickRow& row);
-    /// The rows picked of those that came so far, in order.
+    /// Returns the rows selected so far, in order.
     [[nodiscard]] std::vector<TickRow> rows() const;
 
 private:
@@ -39,7 +40,7 @@ private:
     std::uint64_t total_, stretches_, next_ = 0, stretch_ = 0, stretch_end_ = 0;
     bool is_whole_;
     Picked picked_;
-    std::vector<Extreme> least_, greatest_;  ///< of this stretch, one for each quantity; empty before its first row
+    std::vector<Extreme> least_, greatest_;  ///< of this stretch, one per quantity; empty before its first row
     TickRow last_;
 };
 
@@ -48,10 +49,10 @@ class DrawnRun {
 public:
     static constexpr std::size_t most_plotted = 20'000, most_pictured = 1'500, most_events = 2'000;
 
-    /// @param total   how many ticks will come
+    /// @param total   number of ticks that will be added
     explicit DrawnRun(std::uint64_t total = 0) : plotted_(total, most_plotted), pictured_(total, most_pictured) {}
 
-    /// Before the first tick: how many will come.
+    /// Sets the number of ticks that will be added. Pre: no tick was added.
     void expect(std::uint64_t total);
     void add(const TickRow& row);
     void add(EventRow event);
@@ -59,9 +60,11 @@ public:
 
     [[nodiscard]] std::uint64_t ticks() const noexcept { return ticks_; }
     [[nodiscard]] const std::optional<TickRow>& last() const noexcept { return last_; }
-    [[nodiscard]] const std::optional<TickRow>& deepest() const noexcept { return deepest_; }  ///< the first of several
+    /// The first one, if several.
+    [[nodiscard]] const std::optional<TickRow>& deepest() const noexcept { return deepest_; }
     [[nodiscard]] std::vector<TickRow> plotted() const { return plotted_.rows(); }
-    [[nodiscard]] std::vector<TickRow> pictured() const { return pictured_.rows(); }  ///< where there are no scripts
+    /// Returns the rows of the picture for readers without scripts.
+    [[nodiscard]] std::vector<TickRow> pictured() const { return pictured_.rows(); }
     [[nodiscard]] const std::vector<EventRow>& events() const noexcept { return events_; }  ///< the first most_events
     [[nodiscard]] std::uint64_t event_count() const noexcept { return event_count_; }
     [[nodiscard]] const DrawnSurface& bone() const noexcept { return bone_; }
@@ -74,9 +77,9 @@ private:
     DrawnSurface bone_;
 };
 
-/// Force across the shaft [N]: the modelled force without its part along the tool's axis.   [any]
+/// Returns the force across the shaft [N]: the modelled force without its part along the tool's axis.   [any]
 [[nodiscard]] double lateral_force(const TickRow& row) noexcept;
-/// Returns the torque about the handle's z that the device was sent, on the hand [N·m], device side.   [any]
+/// Returns the torque on the hand about the handle's z axis that was sent to the device [N·m], device newtons.   [any]
 [[nodiscard]] double sent_torque(const TickRow& row) noexcept;
 
 }  // namespace kerf

@@ -24,7 +24,7 @@ namespace kerf {
 
 namespace {
 
-/// Whether a page shows a column of `ticks`, or is made with it. The others stay compressed.
+/// Returns whether a page needs a column of `ticks`. The other columns stay compressed.
 bool is_drawn(std::string_view column) {
     constexpr std::array names{"tick", "time", "thrust", "torque", "depth", "tissue", "removed"};
     constexpr std::array starts{"device_from_handle_", "world_from_tool_", "modelled_f", "commanded_m", "signal_"};
@@ -32,7 +32,7 @@ bool is_drawn(std::string_view column) {
            std::ranges::any_of(starts, [&](std::string_view start) { return column.starts_with(start); });
 }
 
-/// Reads one session's tables; the first that is not as a run writes it is the error.
+/// Reads one session's tables. The first table that no run writes causes the error.
 class Reading {
 public:
     Reading(const std::string& path, SessionFile& file) : path_(path), file_(file), bytes_left_(file.bytes()) {}
@@ -55,7 +55,8 @@ private:
             error_ = path_ + ": " + what + ", so the file is damaged. Name a session.db that a run has written.";
     }
 
-    /// A text. Rows that share their bytes could hold more text than the file has; a run's never do.
+    /// Returns a text. Rows that refer to the same bytes could contain more text than the file has bytes. A run never
+    /// writes such rows.
     std::string text(const SessionQuery& query, int column) {
         std::string value = query.text(column);
         if (value.size() > bytes_left_) {
@@ -65,7 +66,7 @@ private:
         bytes_left_ -= value.size();
         return value;
     }
-    /// A number; NaN where there is none, as SQLite keeps it.
+    /// Returns a number; NaN for NULL, which is how SQLite stores it.
     double number(const SessionQuery& query, int column, const char* table) {
         if (query.is_number(column)) return query.number(column);
         if (!query.is_null(column)) fail(std::string("its table `") + table + "` has something else than a number");
@@ -149,7 +150,7 @@ void Reading::read_lists() {
     });
 }
 
-/// What was judged when the run had ended.
+/// Reads the results that the run wrote at its end.
 void Reading::read_result() {
     RunSummary& summary = run_.summary;
     summary.score = number_of("result.score");
@@ -260,7 +261,7 @@ void Reading::read_surface() {
          });
 }
 
-/// What the run itself did not live to write, and what was lost.
+/// Completes the summary of a run that was cut short, and reports lost rows.
 void Reading::complete() {
     RunSummary& summary = run_.summary;
     const std::uint64_t lost = count_of("lost_ticks") + count_of("lost_events") + count_of("lost_cuts");

@@ -10,18 +10,17 @@
 
 namespace kerf {
 
-/// What a session holds of a run: all that its page shows.
+/// All data of a run that its page shows, read from a session.
 struct RecordedRun {
-    RunSummary summary;  ///< of a run that was cut short: what is known of it, with the verdict incomplete and that as
-                         ///< its reason
-    DrawnRun drawn;      ///< without bone for a run that was cut short
-    RecordedProcedure procedure;  ///< as far as its text could be read
-    std::string missing;          ///< what the session lacks, for people; empty for a whole one
+    RunSummary summary;           ///< for a run that was cut short: its known data, verdict incomplete
+    DrawnRun drawn;               ///< without bone for a run that was cut short
+    RecordedProcedure procedure;  ///< the readable part of its text
+    std::string missing;          ///< the missing part of the session, for people; empty if complete
 };
 
 /// Reads a session file without changing it or its folder, one row at a time. Error: not a session, another schema,
-/// rows that no run writes, rows that are not those of the session's checksum; `error` is for people.
-/// @param is_own   the run that wrote it reads it, and still holds its folder   [main]
+/// rows that no run writes, or rows that do not match the checksum; `error` is a text for people.
+/// @param is_own   the run that wrote the file reads it, and still has its folder locked   [main]
 [[nodiscard]] std::optional<RecordedRun> read_run(const std::string& path, std::string& error, bool is_own = false);
 
 }  // namespace kerf

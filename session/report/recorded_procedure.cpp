@@ -12,22 +12,22 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t longest_text = 1'000'000;  ///< [bytes] as of a procedure's file
+constexpr std::size_t longest_text = 1'000'000;  ///< [bytes] same as for a procedure's file
 
 std::string text_of(const Node& map, std::string_view key) {
     const Node* value = map.find(key);
     return value != nullptr && value->kind == Node::Kind::scalar ? value->text : std::string();
 }
 
-/// The children of a list or map; none where there is no such key.
+/// Returns the children of a list or map; none if the key is missing.
 const std::vector<Node>& children_of(const Node& map, std::string_view key) {
     static const std::vector<Node> none;
     const Node* found = map.find(key);
     return found != nullptr ? found->children : none;
 }
 
-/// "3.2 mm" in SI. The recorded text was checked when it was run, so its unit needs no check here.
-/// @param unit   gets the unit; left as it is where there is none
+/// Returns the value of "3.2 mm" in SI. The text was checked when it was run, so its unit needs no check here.
+/// @param unit   set to the unit; unchanged if there is none
 std::optional<double> quantity_of(const Node& map, std::string_view key, std::string& unit) {
     const std::string text = text_of(map, key);
     double number = 0.0;
@@ -41,7 +41,7 @@ std::optional<double> quantity_of(const Node& map, std::string_view key, std::st
     return number * parsed->factor;
 }
 
-/// `{depth: {at_least: 30 mm}}`, with a `reason:` beside it if it is a limit.
+/// Returns the demand of `{depth: {at_least: 30 mm}}`. A limit also has a `reason:` key.
 std::optional<RecordedDemand> demand_of(const Node& item) {
     for (const Node& quantity : item.children) {
         if (quantity.kind != Node::Kind::map || quantity.key.empty()) continue;

@@ -6,19 +6,19 @@
 #include <string_view>
 #include <vector>
 
-/// What a run's page shows of the procedure: titles, goals and limits, as the recorded text has them.
+/// Titles, goals and limits of a procedure for a run's page, from the recorded text.
 namespace kerf {
 
-/// A goal or limit as it is written.
+/// A goal or limit as written in the text.
 struct RecordedDemand {
     std::string quantity;                         ///< "depth", "clearance"; see Goal and Limit
     std::string of{};                             ///< zone of a clearance, id of a signal or measure; else empty
     std::optional<double> at_least{}, at_most{};  ///< SI
-    std::string unit{};                           ///< of the bounds, as it is written
+    std::string unit{};                           ///< of the bounds, as written
     std::optional<double> diameter{};             ///< [m] of a breach
     std::string reason{};                         ///< of a limit: the sentence for a trainee who breaks it
 
-    /// How results and events call it.
+    /// Returns its name in results and events.
     [[nodiscard]] const std::string& name() const noexcept { return of.empty() ? quantity : of; }
 };
 
@@ -33,8 +33,8 @@ struct RecordedProcedure {
     std::vector<RecordedStep> steps;
 };
 
-/// Reads what the page needs of a procedure's text. No plugin is asked, so it also reads procedures whose plugins are
-/// not here. What cannot be read is left out.   [main]
+/// Reads the data that the page needs from a procedure's text. It uses no plugin, so it also reads procedures whose
+/// plugins are not installed. Leaves out unreadable parts.   [main]
 /// @param rehearsal   id of the one that was run; may be empty
 [[nodiscard]] RecordedProcedure recorded_procedure(const std::string& text, std::string_view rehearsal);
 

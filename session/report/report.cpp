@@ -42,12 +42,12 @@ VerdictWord for_people(Verdict verdict) {
     return {"!", "Invalid"};
 }
 
-/// The procedure's title; its id where no title was recorded.
+/// Returns the procedure's title, or its id if no title was recorded.
 const std::string& heading(const RunSummary& summary, const RecordedProcedure& procedure) {
     return procedure.title.empty() ? summary.procedure : procedure.title;
 }
 
-/// Escaped text; what stands between backticks is code.
+/// Returns escaped text, with text between backticks as code.
 std::string marked(const std::string& text) {
     std::string html;
     bool is_code = false;
@@ -64,7 +64,7 @@ std::string marked(const std::string& text) {
     return html;
 }
 
-/// Titles for people; ids in small print.
+/// Returns titles for people, and ids in small print.
 std::string titles_html(const RunSummary& summary, const RecordedProcedure& procedure) {
     std::string html = "<h1>" + html_escaped(heading(summary, procedure)) + "</h1>";
     const auto add_title = [&](const char* what, const std::string& title) {
@@ -100,13 +100,13 @@ std::string header_html(const RunSummary& summary, const RecordedProcedure& proc
     return html + "</ul>\n";
 }
 
-/// 1/128 says more than 0.00782.
+/// Returns a scale below 0.5 as a fraction: 1/128 is clearer than 0.00782.
 std::string force_scale_text(double scale) {
     const bool is_reduced = scale > 0.0 && scale < 0.5;
     return is_reduced ? "1/" + sensible_number(1.0 / scale) : sensible_number(scale);
 }
 
-/// The colours of the tissues, and what they stand for here.
+/// Returns the legend of the tissues' colours.
 std::string legend_html(const RunSummary& summary, const char* title) {
     if (summary.tissues.empty()) return {};
     std::string html = std::string("<div class=\"legend\"><span>") + title + ":</span>";
@@ -116,7 +116,7 @@ std::string legend_html(const RunSummary& summary, const char* title) {
     return html + "</div>";
 }
 
-/// A list of facts; empty values are left out.
+/// A list of facts without empty values.
 class FactList {
 public:
     void add(const std::string& name, const std::string& safe_value) {
@@ -140,7 +140,7 @@ std::string facts_html(const RunSummary& summary) {
     return "<section><h2>The run</h2>" + facts.html() + "</section>\n";
 }
 
-/// What says how good the simulation is, and nothing of the operation.
+/// Returns the facts about the quality of the simulation, not of the operation.
 std::string simulation_html(const RunSummary& summary) {
     FactList facts;
     if (summary.coupling_stiffness > 0.0)
@@ -151,7 +151,7 @@ std::string simulation_html(const RunSummary& summary) {
            "</details></section>\n";
 }
 
-/// The greatest loads, in words: a reader without the plots has them, too.
+/// Returns the maximum loads in words, for readers without the plots.
 std::string peaks_html(const std::vector<TickRow>& rows) {
     double thrust = 0.0, torque = 0.0, lateral = 0.0;
     for (const TickRow& row : rows) {
@@ -230,7 +230,8 @@ std::string versions_html(const RunSummary& summary) {
     return html;
 }
 
-/// The skeleton with each `{{name}}` replaced by the part of that name. Parts are not searched for names.
+/// Returns the skeleton with each `{{name}}` replaced by the part of that name. Text of the parts is not replaced
+/// again.
 std::string filled(std::string_view skeleton, const std::map<std::string_view, std::string>& parts) {
     std::string page;
     for (std::size_t at = 0; at < skeleton.size();) {

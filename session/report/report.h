@@ -9,11 +9,11 @@
 
 namespace kerf {
 
-/// Returns the run as one HTML page for people: verdict and reasons, the bone in 3D, forces, holes and screws, steps
-/// with goals and limits, checks of the simulation. It needs no network. Without scripts it lacks only the plots over
-/// time and the 3D view. At most 20 000 rows are drawn; extremes are kept. Where the run has no bone, the page says so.
-/// [any]
-/// @param procedure   its titles and bounds; without them the page has ids, and metrics without their bounds
+/// Returns a run as one HTML page for people: verdict and reasons, the bone in 3D, forces, holes and screws, steps with
+/// goals and limits, checks of the simulation. The page needs no network. Without scripts it lacks only the plots over
+/// time and the 3D view. It draws at most 20 000 rows, with all extremes. Without bone, the page has a sentence about
+/// it. [any]
+/// @param procedure   titles and bounds; without them the page has ids, and metrics without bounds
 [[nodiscard]] std::string report_html(const RunSummary& summary, const DrawnRun& run,
                                       const RecordedProcedure& procedure = {});
 

@@ -22,13 +22,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Bytes = std::vector<unsigned char>;
 
-/// The low `size` bytes, least significant first.
+/// Appends the low `size` bytes, least significant first.
 void put(Bytes& bytes, std::uint32_t value, int size) {
     for (int i = 0; i < size; ++i) bytes.push_back(static_cast<unsigned char>(value >> (8 * i)));
 }
 
-/// A session keeps neither the sign of a zero nor the bits of a NaN, so the page has neither: it is the same made from
-/// a session.
+/// Drops the sign of a zero and the bits of a NaN, which a session does not store. So a page made from a session is
+/// identical.
 float plain(double value) {
     return std::isnan(value) ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value) + 0.0f;
 }
@@ -79,12 +79,13 @@ Json events_json(const std::vector<EventRow>& events) {
     return list;
 }
 
-/// From the bone towards the eye, so that the eye looks into the hole: back along the tool where it was deepest.
+/// Returns the direction from the bone towards the eye: back along the tool at its deepest point, so that the eye sees
+/// into the hole.
 Vec3 direction_of_view(const std::optional<TickRow>& deepest) {
     const Vec3 from_the_front{0, -1, 0};
     if (!deepest || !is_finite(deepest->world_from_tool)) return from_the_front;
-    const Vec3 back = Vec3{0, 0, 0} - normalized(rotate(deepest->world_from_tool.rotation,
-                                                        {0, 0, 1}));  // zeros without a sign, as above
+    const Vec3 back =
+        Vec3{0, 0, 0} - normalized(rotate(deepest->world_from_tool.rotation, {0, 0, 1}));  // makes −0 to 0, as above
     return length(back) > 0.5 ? back : from_the_front;
 }
 
@@ -97,9 +98,9 @@ Json mesh_json(const DrawnSurface& surface, Vec3 look) {
             {"isShort", surface.is_short()},      {"triangles", base64(surface.triangles)}};
 }
 
-constexpr int most_decimals = 12;  ///< of a value beside its bound
+constexpr int most_decimals = 12;  ///< of a value next to its bound
 
-/// With "−" for minus, and none for zero.
+/// Replaces the hyphen by "−", and removes it for zero.
 std::string with_minus(std::string digits) {
     if (!digits.starts_with('-')) return digits;
     const bool is_zero = digits.find_first_not_of("-0.") == std::string::npos;
@@ -224,7 +225,7 @@ std::string report_data_json(const RunSummary& summary, const DrawnRun& run) {
                     {"mesh", mesh_json(run.bone(), direction_of_view(run.deepest()))}};
     const std::string text = printable_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 
-    // "</script>" or "<!--" in a name must not end the element: in JSON "<" can only stand within a string.
+    // "</script>" or "<!--" in a name must not end the element. In JSON, "<" occurs only within a string.
     std::string safe;
     safe.reserve(text.size());
     for (const char c : text)
@@ -238,7 +239,7 @@ std::string report_data_json(const RunSummary& summary, const DrawnRun& run) {
 std::string thrust_over_depth_svg(const std::vector<TickRow>& drawn) {
     constexpr double width = 720, height = 280, left = 56, right = 16, top = 28, bottom = 36;
 
-    // Ranges in mm and N. Most of the way through air is left out, as on the screen.
+    // Ranges in mm and N. Most of the travel through air is left out, as in the plot on the screen.
     double shallow = 0.0, deep = 0.001, low = 0.0, high = 1.0;
     for (const TickRow& row : drawn) {
         const double depth = row.depth * 1e3, thrust = row.thrust;

@@ -11,37 +11,36 @@
 #include "session/recording.h"
 #include "session/report/drawn_run.h"
 
-/// How numbers get into report.html.
+/// Formats numbers and text for report.html.
 namespace kerf {
 
-/// RFC 4648, with padding.   [any]
+/// Returns base64 of RFC 4648, with padding.   [any]
 [[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
 
-/// Text for an element or a quoted attribute of HTML. Hidden characters are escaped
-/// (text/printable.h).   [any]
+/// Returns text for an element or a quoted attribute of HTML. Hidden characters are escaped (text/printable.h).   [any]
 [[nodiscard]] std::string html_escaped(std::string_view text);
 
-/// As many digits as mean something: one or two of the uncertainty where it is known (> 0), else three of the value.
-/// "−" for minus, "–" for what is not finite. There are more digits where the value would have the text of one of its
-/// `bounds` without being equal to it.   [any]
+/// Returns a value with its significant digits: one or two of the uncertainty if it is known (> 0), else three of the
+/// value. Uses "−" for minus, and "–" for values that are not finite. Adds digits if the text would equal the text of a
+/// bound although the value differs.   [any]
 [[nodiscard]] std::string sensible_number(double value, double uncertainty = -1.0, std::span<const double> bounds = {});
 
-/// Returns a number as a document has it, at most ten digits, with the same signs.   [any]
+/// Returns a number as written in documents, with at most ten digits and the same minus sign.   [any]
 [[nodiscard]] std::string number_as_written(double value);
 
-/// A unit as people write it: mm³ for mm3, N·m for N*m. Others as they are.   [any]
+/// Returns a unit for people: mm³ for mm3, N·m for N*m. Other units stay unchanged.   [any]
 [[nodiscard]] std::string unit_for_people(const std::string& unit);
 
-/// A round number for the step of an axis: about a fifth of `range`.   [any]
+/// Returns a round step for an axis: about a fifth of `range`.   [any]
 [[nodiscard]] double round_step(double range);
 
-/// #rrggbb for a tissue by its index; −1 and beyond wrap around.   [any]
+/// Returns #rrggbb for a tissue index; −1 and large indices wrap around.   [any]
 [[nodiscard]] std::string_view tissue_colour(std::size_t tissue) noexcept;
 
-/// What the page's script reads, as JSON that is safe inside <script>.   [any]
+/// Returns the data for the page's script, as JSON that is safe inside <script>.   [any]
 [[nodiscard]] std::string report_data_json(const RunSummary& summary, const DrawnRun& run);
 
-/// Thrust over depth as a picture that needs no script.   [any]
+/// Returns thrust over depth as a picture that needs no script.   [any]
 [[nodiscard]] std::string thrust_over_depth_svg(const std::vector<TickRow>& drawn);
 
 }  // namespace kerf

@@ -3,12 +3,12 @@
 
 #include <string_view>
 
-/// The files of session/report/page, embedded at build time (cmake/KerfEmbed.cmake). Nothing in them is fetched, and
-/// nothing is sent.
+/// The files of session/report/page, embedded at build time (cmake/KerfEmbed.cmake). The page loads nothing from and
+/// sends nothing to the network.
 namespace kerf {
 
-extern const std::string_view report_skeleton;  ///< report.html, with `{{name}}` where `report_html` puts a part
-extern const std::string_view report_style;     ///< report.css; other pages use it, too
+extern const std::string_view report_skeleton;  ///< report.html, with `{{name}}` for each part of `report_html`
+extern const std::string_view report_style;     ///< report.css; also used by other pages
 extern const std::string_view report_script;    ///< report.js
 
 }  // namespace kerf

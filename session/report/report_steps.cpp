@@ -68,7 +68,7 @@ std::string capitalised(std::string words) {
     return words;
 }
 
-/// What people call a metric or quantity, by its id without the step.
+/// Returns the name for people of a metric or quantity, from its id without the step.
 std::string name_of(std::string_view id) {
     for (const auto& [known, name] : names)
         if (known == id) return std::string(name);
@@ -83,7 +83,7 @@ std::string name_of(std::string_view id) {
                                                    : words_of(id));
 }
 
-/// The id of a metric without its step.
+/// Returns the id of a metric without its step.
 std::string_view short_id(const MetricRow& metric) {
     const std::string_view id = metric.id;
     const bool has_step =
@@ -108,7 +108,7 @@ std::string value_html(const MetricRow& metric, std::span<const double> bounds =
     return with_unit(number, metric.unit);
 }
 
-/// What a row says of its quantity: its name for people, its id for programs, and what it means.
+/// Returns the first cell of a row: name for people, id for programs, and explanation.
 std::string what_html(const std::string& name, std::string_view id, const std::string& help) {
     return "<th scope=\"row\">" + html_escaped(name) + " <code>" + html_escaped(id) + "</code>" +
            (help.empty() ? "" : "<p class=\"soft small\">" + html_escaped(help) + "</p>") + "</th>";
@@ -122,8 +122,8 @@ struct Result {
 constexpr Result reached{"ok", "✓ reached"}, missed{"broken", "✗ not reached", true}, kept{"ok", "✓ kept"},
     broken{"broken", "✗ broken", true}, unmeasured{"soft", "– not measured"};
 
-/// @param what       of what_html
-/// @param measured   safe HTML, as `bound`
+/// @param what       result of what_html
+/// @param measured   safe HTML, as is `bound`
 std::string row_html(const std::string& what, const std::string& measured, const std::string& bound, Result result) {
     return std::string("<tr") + (result.is_failed ? " class=\"failed\"" : "") + ">" + what +
            "<td class=\"number\" data-label=\"Measured\">" + (measured.empty() ? "–" : measured) + "</td><td>" + bound +
@@ -149,7 +149,7 @@ std::string table_html(const std::string& rows) {
 
 // ---- goals and limits --------------------------------------------------------------------------------------------
 
-/// "Goal: at least 30 mm".
+/// Returns "Goal: at least 30 mm".
 std::string bound_html(const char* sort, const RecordedDemand& demand, const std::string& unit, double per_unit) {
     const auto end = [&](const char* words, double value) {
         return words + with_unit(number_as_written(value / per_unit), unit);
@@ -161,7 +161,7 @@ std::string bound_html(const char* sort, const RecordedDemand& demand, const std
     return text.empty() ? std::string(sort) : std::string("<span class=\"soft\">") + sort + ":</span> " + text;
 }
 
-/// How far a value is from the bound that it is nearest to; negative: beyond it.
+/// Returns the distance from a value to its nearest bound; negative beyond the bound.
 double margin_of(double value, const RecordedDemand& demand) {
     double margin = HUGE_VAL;
     if (demand.at_least) margin = std::min(margin, value - *demand.at_least);
@@ -170,7 +170,7 @@ double margin_of(double value, const RecordedDemand& demand) {
 }
 bool is_within(double value, const RecordedDemand& demand) { return margin_of(value, demand) >= 0.0; }
 
-/// Quantities of the finished cut or hole. The others are watched in every tick.
+/// Returns whether a quantity belongs to the finished cut or hole. The others are checked in every tick.
 bool is_measured_at_end(const std::string& quantity) {
     constexpr std::array<std::string_view, 14> at_end{
         "plane_angle",      "plane_offset", "flatness", "hole_angle",     "entry_offset",
@@ -179,7 +179,7 @@ bool is_measured_at_end(const std::string& quantity) {
     return std::find(at_end.begin(), at_end.end(), quantity) != at_end.end();
 }
 
-/// One step with its metrics and the demands on it.
+/// One step with its metrics, goals and limits.
 class StepTable {
 public:
     StepTable(const StepRow& step, const RecordedStep& demands, const RunSummary& summary, const DrawnRun& run)
@@ -208,7 +208,7 @@ public:
 private:
     void add(const std::string& row, bool is_failed) { (is_failed ? failed_ : passed_) += row; }
 
-    /// Ids of the metrics that a demand may be on, without the step.
+    /// Returns the possible metric ids of a demand, without the step.
     [[nodiscard]] static std::vector<std::string> ids_of(const RecordedDemand& demand) {
         std::string id = demand.quantity;
         std::replace(id.begin(), id.end(), '_', '-');
@@ -218,7 +218,7 @@ private:
         return {id};
     }
 
-    /// The metric that a demand is on: of several the one out of its bounds. Null where there is none.
+    /// Returns the metric of a demand; if there are several, the one farthest out of bounds. Null if there is none.
     const MetricRow* metric_of(const RecordedDemand& demand) {
         const MetricRow* found = nullptr;
         explained_ = nullptr;
@@ -234,7 +234,7 @@ private:
         return found;
     }
 
-    /// What a metric means; only in the first row that shows it.
+    /// Returns the explanation of a metric, only for the first row that shows it.
     [[nodiscard]] std::string help_of(const MetricRow* metric) const {
         return metric != nullptr && metric != explained_ ? metric->help : std::string();
     }
@@ -281,7 +281,7 @@ private:
             !is_reached);
     }
 
-    /// Several limits may have one name; the step lists it once for each that broke.
+    /// Returns whether a limit broke. Several limits may have one name; the step lists it once for each that broke.
     [[nodiscard]] bool is_broken(const RecordedDemand& limit, const MetricRow* metric) const {
         const auto times = std::count(step_->broken_limits.begin(), step_->broken_limits.end(), limit.name());
         const auto limits = std::count_if(demands_->limits.begin(), demands_->limits.end(),
@@ -289,7 +289,7 @@ private:
         return times >= limits || (times > 0 && metric != nullptr && !is_within(metric->value, limit));
     }
 
-    /// What the reason says behind the author's sentence: the value that broke the limit.
+    /// Returns the value that broke the limit. It follows the author's sentence in the reason.
     [[nodiscard]] std::string told_value(const RecordedDemand& limit) const {
         const std::string begin = "Step `" + step_->id + "`: " + limit.reason;
         for (const std::string& reason : summary_->reasons)
@@ -301,7 +301,7 @@ private:
     void add_limit(const RecordedDemand& limit) {
         const MetricRow* metric = metric_of(limit);
         const bool has_broken = is_broken(limit, metric);
-        // Depth counts in air, too; its metric does not.
+        // The limit on depth also counts depth in air; its metric does not.
         const bool is_told_by_metric = metric != nullptr && (!has_broken || !is_within(metric->value, limit));
         const bool is_unmeasured = metric == nullptr && is_measured_at_end(limit.quantity);
         add(demand_row("Limit", limit, metric, is_told_by_metric ? value_beside(*metric, limit) : told_value(limit),
@@ -312,7 +312,7 @@ private:
             has_broken);
     }
 
-    /// Broken limits that the procedure's text does not have: events that spoil the tool.
+    /// Adds broken limits that are not in the procedure's text: events that damage the tool.
     void add_events() {
         for (const std::string& name : step_->broken_limits) {
             const bool is_in_text = std::any_of(demands_->limits.begin(), demands_->limits.end(),
@@ -329,7 +329,7 @@ private:
     const RunSummary* summary_;
     const DrawnRun* run_;
     std::vector<bool> is_used_;
-    const MetricRow* explained_ = nullptr;  ///< the metric of the last demand, if a row before shows it, too
+    const MetricRow* explained_ = nullptr;  ///< metric of the last demand, if an earlier row shows it, too
     std::string failed_, passed_;
 };
 
@@ -341,7 +341,7 @@ std::string step_html(std::size_t index, const RunSummary& summary, const DrawnR
     static const RecordedStep none;
     const auto demands = std::find_if(procedure.steps.begin(), procedure.steps.end(),
                                       [&](const RecordedStep& one) { return one.id == step.id; });
-    // A step that never began has no time of its own; only the first one begins at 0.
+    // A step that never began has no times; only the first one begins at 0.
     const bool was_begun = step.done || (step.end > step.start && (index == 0 || step.start > 0.0));
     std::string html = "<h3>" + html_escaped(step.title.empty() ? step.id : step.title) + " <code>" +
                        html_escaped(step.id) + "</code></h3><p class=\"small\">";
@@ -391,7 +391,7 @@ bool is_hole(const RunSummary& summary, const std::string& step) {
     return false;
 }
 
-/// Limits are called by words with underscores, metrics by words with hyphens.
+/// Returns the name with hyphens, as in metrics. Limits have underscores.
 std::string hyphened(std::string name) {
     std::replace(name.begin(), name.end(), '_', '-');
     return name;
@@ -402,7 +402,7 @@ bool has_broken(const StepRow& step, std::string_view metric) {
                        [&](const std::string& limit) { return hyphened(limit) == metric; });
 }
 
-/// @param is_engaged   bone holds the thread; else nothing is known of its turns
+/// @param is_engaged   the thread is in bone; else its turns are unknown
 std::string cell_html(const Column& column, const StepRow& step, const MetricRow* metric, bool is_engaged) {
     if (metric == nullptr || (column.is_in_turns && !is_engaged)) return "<td class=\"none\">–</td>";
     std::string text;
@@ -433,7 +433,7 @@ std::string outcome_html(const StepRow& step) {
     return "<td class=\"broken\">✗ " + limits + "</td>";
 }
 
-/// A row for each of `steps`; a column without any value is left out.
+/// Returns a table with one row for each of `steps`. Leaves out columns without values.
 std::string overview_html(const RunSummary& summary, const char* title, const char* first,
                           const std::vector<const StepRow*>& steps, const std::vector<Column>& columns) {
     if (steps.empty()) return {};
@@ -460,7 +460,7 @@ std::string overview_html(const RunSummary& summary, const char* title, const ch
     return html + "</tbody></table></div>\n";
 }
 
-/// Columns for metrics whose ids a procedure makes: zones and diameters.
+/// Adds columns for metrics whose ids come from the procedure: zones and diameters.
 void add_named_columns(const RunSummary& summary, const std::vector<const StepRow*>& steps, std::string_view prefix,
                        std::vector<Column>& columns) {
     for (const StepRow* step : steps)
@@ -540,7 +540,7 @@ std::string steps_html(const RunSummary& summary, const DrawnRun& run, const Rec
     for (const MetricRow& metric : summary.metrics) {
         const bool is_of_step = std::any_of(summary.steps.begin(), summary.steps.end(),
                                             [&](const StepRow& step) { return step.id == metric.scope; });
-        const bool is_of_bone = metric.id.starts_with("measure.");  // in a table of its own
+        const bool is_of_bone = metric.id.starts_with("measure.");  // in a separate table
         if (!is_of_step && !is_of_bone && !is_of_simulation(metric)) of_run += metric_row_html(metric);
     }
     if (!of_run.empty()) html += "<h3>Whole run</h3>" + table_html(of_run);

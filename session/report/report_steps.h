@@ -7,21 +7,21 @@
 #include "session/report/drawn_run.h"
 #include "session/report/recorded_procedure.h"
 
-/// The tables of report.html, as HTML.
+/// The tables of report.html.
 namespace kerf {
 
-/// One row for each hole, and one for each screw or implant. Empty where there is neither.   [any]
+/// Returns one row per hole and one per screw or implant as HTML. Empty without any.   [any]
 [[nodiscard]] std::string holes_html(const RunSummary& summary);
 
-/// One row for each measure of the bone: before the first cut and in the end. Empty without any.   [any]
+/// Returns one row per measure of the bone, before the first cut and at the end, as HTML. Empty without any.   [any]
 [[nodiscard]] std::string measures_html(const RunSummary& summary);
 
-/// The steps: goals and limits with what was measured, failing ones first, then the other metrics of the step. At last
-/// the metrics of no step.   [any]
+/// Returns the steps as HTML: goals and limits with the measured values, failed ones first, then the other metrics of
+/// the step. Metrics without a step come last.   [any]
 [[nodiscard]] std::string steps_html(const RunSummary& summary, const DrawnRun& run,
                                      const RecordedProcedure& procedure);
 
-/// The metrics that check the simulation. Empty without any.   [any]
+/// Returns the metrics that check the simulation as HTML. Empty without any.   [any]
 [[nodiscard]] std::string checks_html(const RunSummary& summary);
 
 }  // namespace kerf

@@ -9,7 +9,7 @@ const clamp = (v, low, high) => Math.min(high, Math.max(low, v));
 
 // ---- numbers --------------------------------------------------------------------------------------------------
 
-/// Three digits that mean something, with a real minus sign.
+/// Returns a number with three significant digits and a typographic minus sign.
 function sensible(v) {
   if (!Number.isFinite(v)) return "–";
   const power = powerFor(Math.abs(v)), digits = v / 10 ** power;
@@ -18,16 +18,16 @@ function sensible(v) {
 }
 const withMinus = text => /^-[0.]*$/.test(text) ? text.slice(1) : text.replace("-", "\u2212");
 
-/// The power of a thousand in which numbers up to `size` are short; 0 where they are as they stand.
+/// Returns the power of ten, a multiple of 3, in which numbers up to `size` are short; 0 if they are short already.
 function powerFor(size) { return size > 0 && (size < 1e-3 || size >= 1e6) ? 3 * Math.floor(Math.log10(size) / 3) : 0; }
 const powerOfTen = power => "10" + [...String(power)].map(c => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
-/// What an axis says of itself: "thrust in N", or "thrust in 10⁻⁹ N" where its numbers are short by that.
+/// Returns the title of an axis: "thrust in N", or "thrust in 10⁻⁹ N" for numbers in that power of ten.
 function axisTitle(name, unit, power) {
   const scaled = [power ? powerOfTen(power) : "", unit].filter(word => word).join(" ");
   return scaled ? name + " in " + scaled : name;
 }
 
-/// About `count` round numbers from `low` to `high`, their texts, and the power of ten in which those are.
+/// Returns about `count` round numbers from `low` to `high`, their texts, and the power of ten of the texts.
 function roundTicks(low, high, count) {
   const raw = (high - low) / Math.max(1, count), power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map(f => f * power).find(s => s >= raw * 0.999);
@@ -48,7 +48,7 @@ for (const signal of data.signals) signal.values = decode(signal.values, Float32
 const colourOf = tissue => tissue >= 0 && tissue < data.tissues.length ? data.tissues[tissue].colour : null;
 const margin = { left: 58, right: 14, bottom: 22 };
 const plots = [];
-let cursor = -1;  // index of a row, shared by all plots
+let cursor = -1;  // index of a row, the same for all plots
 
 function rangeOf(values, from, to, accept) {
   let low = Infinity, high = -Infinity;
@@ -56,7 +56,7 @@ function rangeOf(values, from, to, accept) {
   return low <= high ? [low, high] : [0, 1];
 }
 
-class Axis {  // what several plots share along x
+class Axis {  // the common x axis of several plots
   constructor(low, high) { this.whole = [low, high > low ? high : low + 1]; this.reset(); }
   reset() { this.view = [...this.whole]; }
 }
@@ -65,7 +65,7 @@ class Plot {
   constructor(id, axis, options) {
     Object.assign(this, { canvas: byId(id), axis, ...options });
     this.selection = null;
-    this.top = this.namesEvents ? 42 : 24;  // the names of events stand between title and plot
+    this.top = this.namesEvents ? 42 : 24;  // the names of events are between title and plot
     plots.push(this);
     if (!this.isStrip) this.listen();
   }
@@ -187,7 +187,7 @@ class Plot {
     }
   }
 
-  /// Behind thrust over depth: the tissue first met at each depth.
+  /// Draws the tissue first met at each depth, behind thrust over depth.
   drawBands() {
     const g = this.g;
     let deepest = -Infinity, begin = 0, tissue = -1;
@@ -225,7 +225,7 @@ class Plot {
   }
 }
 
-/// The last row at or before a time.
+/// Returns the last row at or before a time.
 function indexAt(time) {
   let low = 0, high = count - 1;
   while (low < high) { const middle = (low + high + 1) >> 1; if (rows.time[middle] <= time) low = middle; else high = middle - 1; }
@@ -272,7 +272,7 @@ if (count) {
     const choice = byId("signal"), over = byId("signal-over");
     const torque = data.signals.findIndex(s => s.name === "torque"), angle = data.signals.findIndex(s => s.unit === "°");
     const varies = s => s >= 0 && data.signals[s].values.some(v => v !== data.signals[s].values[0]);
-    if (varies(torque) && varies(angle)) { choice.value = torque; over.value = angle; }  // how surgeons look at a screw
+    if (varies(torque) && varies(angle)) { choice.value = torque; over.value = angle; }  // the usual plot for a screw
     else choice.value = Math.max(0, data.signals.findIndex((_, s) => varies(s)));
     const plot = new Plot("plot-5", timeAxis, { ...time, y: data.signals[0].values, name: "", unit: "" });
     const across = s => ({ x: s.values, xName: s.name, xUnit: s.unit, isTime: false, axis: new Axis(...rangeOf(s.values, 0, count, () => true)) });
@@ -303,7 +303,7 @@ uniform vec4 cut; uniform vec3 eye;
 void main() {
   if (dot(cut.xyz, at) > cut.w) discard;
   vec3 n = normalize(facing), toEye = normalize(eye - at);
-  bool isInside = !gl_FrontFacing;               // looking at the inner side of the surface, through the cut
+  bool isInside = !gl_FrontFacing;               // the inner side of the surface, seen through the cut
   if (isInside) n = -n;
   float light = 0.46 + 0.46 * max(dot(n, toEye), 0.0) + 0.08 * n.z;
   vec3 c = isInside ? mix(colour, vec3(0.45, 0.2, 0.16), 0.55) : colour;
@@ -352,7 +352,7 @@ function showBone() {
 
   const half = mesh.halfSize, radius = Math.hypot(...half);
   const look = mesh.look, start = { yaw: Math.atan2(look[1], look[0]) + 0.45, pitch: clamp(Math.asin(clamp(look[2], -1, 1)) + 0.35, -1.1, 1.1), distance: radius };
-  {  // near enough to fill the picture: every corner of the box around the bone lies within it
+  {  // the nearest distance at which all corners of the bone's box are in the picture
     const back = towards(start), right = unitOf(cross([0, 0, 1], back)), up = cross(back, right);
     const tall = 0.92 * Math.tan(0.26), wide = tall * canvas.clientWidth / Math.max(1, canvas.clientHeight);
     for (let i = 0; i < 8; ++i) {
@@ -361,7 +361,7 @@ function showBone() {
     }
   }
   let view = { ...start, shift: [0, 0] };
-  const toFirstEye = towards(start);  // the half nearer to the first view goes, so that one sees into the rest
+  const toFirstEye = towards(start);  // the half towards the first view is removed, to show the inside
   const axisChoice = byId("cut-axis"), slider = byId("cut-at"), flip = byId("cut-flip");
 
   function draw() {
@@ -386,7 +386,7 @@ function showBone() {
     gl.uniform4f(uniform("cut"), ...normal, half[axis] * (1.001 - 2.002 * Number(slider.value) / 100));
     gl.drawElements(gl.TRIANGLES, triangles.length, mesh.isShort ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT, 0);
 
-    // Which way the patient lies: left, posterior, superior
+    // The patient's directions: left, posterior, superior
     [["L", [1, 0, 0]], ["P", [0, 1, 0]], ["S", [0, 0, 1]]].forEach(([name, v]) => {
       const x = 37 + 24 * dot(right, v), y = 37 - 24 * dot(up, v), line = byId("axis-" + name), text = byId("axis-name-" + name);
       line.setAttribute("x2", x); line.setAttribute("y2", y);
@@ -423,7 +423,7 @@ function showBone() {
 }
 showBone();
 
-// Paper is white, whatever the screen is, and nothing on it can be unfolded.
+// For paper: a white page, with all details open.
 const folded = [...document.querySelectorAll("details:not([open])")];
 window.addEventListener("beforeprint", () => {
   document.documentElement.classList.add("light");
