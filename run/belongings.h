@@ -6,10 +6,10 @@
 
 namespace kerf {
 
-/// Returns what belongs to the bone of a scene: zones of its anatomy and axes of its steps. At first all belongs to
-/// body 0. Where that comes apart, each belongs to the nearest of the parts from then on, and moves with it; of equally
-/// near ones to the first. A zone's distance is that of its solids to the part's surface, an axis's that of its entry,
-/// both to what every second sample shows of the surface. The scene must outlive it.   [main]
+/// Returns the owners of a scene's zones and step axes, and the rule by which they follow the bone. At first body 0
+/// owns all. If it splits, each zone and axis belongs to the nearest part and moves with it; of equally near parts, to
+/// the first. Distances are from a zone's solids or an axis's entry to every second sample of a part's surface.
+/// Pre: the scene outlives the result.   [main]
 [[nodiscard]] Belongings belongings_of(const Scene& scene);
 
 }  // namespace kerf

@@ -6,17 +6,17 @@
 #include "documents/procedure.h"
 #include "text/source.h"
 
-/// How much memory a phantom's fields will take, before any of it is asked for.
+/// Estimates the memory of a phantom's fields before any is allocated.
 namespace kerf {
 
-/// About what the fields of `phantom` take at `spacing` [m], in bytes: each brick's entry in the table, and the samples
-/// of the bricks near a border, whose share is found by asking at scattered points. A few per cent off. Infinite when
-/// the bricks are more than a grid can count.   [any] pure, takes milliseconds.
+/// Returns the approximate memory of the fields of `phantom` at `spacing` [m], in bytes. It counts the table entry of
+/// each brick, and the samples of bricks near a border, estimated from scattered points. The error is a few per cent.
+/// Infinite if a grid cannot count the bricks.   [any] pure, takes milliseconds.
 [[nodiscard]] double bone_memory(const Anatomy& anatomy, double spacing);
 
-/// Refuses a spacing at which the phantom would take more than `most_bone_memory`, and says which one would do. Bone
-/// of a scan or a surface is left to what makes it (bone/import/make_body.h): its border is not known before it is
-/// read.   [main]
+/// Refuses a spacing at which the phantom would need more than `most_bone_memory`, and suggests a coarser one. Bone of
+/// a scan or a surface is checked during import (bone/import/make_body.h): its border is unknown before it is read.
+/// [main]
 void check_bone_memory(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics);
 
 }  // namespace kerf

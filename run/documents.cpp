@@ -41,7 +41,7 @@ void check_data_file(const Node& node, const std::string& document, Report& repo
                   excerpt(first) + "`, as in `export KERF_DATA=/home/me/data`.");
 }
 
-/// Every file that the anatomy names must be there; its content is checked when the bone is made.
+/// Checks that every file of the anatomy exists. Import checks the contents.
 void check_data_files(const Anatomy& anatomy, Diagnostics& diagnostics) {
     const Document document = read_again(anatomy.file, anatomy.text);
     Report report(document, diagnostics);
@@ -59,7 +59,7 @@ void check_data_files(const Anatomy& anatomy, Diagnostics& diagnostics) {
         for (const Node& item : markups->children) check(&item, "file");
 }
 
-/// The same of a procedure's implants.
+/// Checks that every file of a procedure's implants exists.
 void check_implant_files(const Procedure& procedure, Diagnostics& diagnostics) {
     const auto document = document_of(procedure);
     Report report(*document, diagnostics);
@@ -87,7 +87,7 @@ ToolSetup setup_of(const Instrument& instrument, const PluginRegistry& plugins) 
     return setup;
 }
 
-/// The tools of the steps, as their plugins make them.
+/// Makes the tools of the steps by their plugins.
 void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics& diagnostics) {
     std::vector<const Instrument*> used;
     const Procedure& procedure = documents.procedure;
@@ -125,7 +125,7 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
         }
 }
 
-/// A plugin that was found and refused is no unknown plugin: the reason is its refusal.
+/// Adds the reason to a plugin that was found but refused. It is not unknown.
 void name_refused_plugins(const PluginRegistry& plugins, Diagnostics& diagnostics) {
     for (Diagnostic& d : diagnostics) {
         if (d.code != "E0301" || d.reason || d.place.column < 1) continue;
@@ -138,7 +138,7 @@ void name_refused_plugins(const PluginRegistry& plugins, Diagnostics& diagnostic
     }
 }
 
-/// The same of a procedure with errors, for instruments without: their plugins may refuse them as well.
+/// Checks the tools of the sound instruments of a procedure with errors: their plugins may refuse them, too.
 void check_tools(const ProcedureDraft& draft, const PluginRegistry& plugins, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < draft.procedure.instruments.size(); ++i) {
         const Instrument& instrument = draft.procedure.instruments[i];
@@ -152,7 +152,7 @@ void check_tools(const ProcedureDraft& draft, const PluginRegistry& plugins, Dia
     }
 }
 
-/// Names of the shipped anatomies, as `anatomy:` names them.
+/// Returns the shipped anatomies as `anatomy:` names them.
 std::vector<std::string> shipped_anatomies(const std::string& shipped) {
     namespace fs = std::filesystem;
     std::vector<std::string> names;
@@ -163,11 +163,11 @@ std::vector<std::string> shipped_anatomies(const std::string& shipped) {
     return names;
 }
 
-/// The file of the anatomy; empty, with a report, if there is none.
+/// Returns the file of the anatomy. If there is none, reports it and returns an empty text.
 std::string find_anatomy(const DocumentRequest& request, const Procedure& procedure, Diagnostics& diagnostics) {
     if (!request.anatomy.empty()) return request.anatomy;
     std::error_code error;
-    if (procedure.anatomy_file.empty()) return {};  // reported when the procedure was read
+    if (procedure.anatomy_file.empty()) return {};  // reported while the procedure was read
     if (std::filesystem::exists(procedure.anatomy_file, error)) return procedure.anatomy_file;
     const std::string file = shipped_or_own(procedure.anatomy_name, request.shipped);
     if (!request.shipped.empty() && file != procedure.anatomy_name) return file;
@@ -186,7 +186,7 @@ std::string find_anatomy(const DocumentRequest& request, const Procedure& proced
     return {};
 }
 
-/// What there is of the anatomy; nothing if it cannot be read at all.
+/// Returns the readable part of the anatomy; nothing if it cannot be read at all.
 std::optional<AnatomyDraft> read_the_anatomy(const DocumentRequest& request, const Procedure& procedure,
                                              Diagnostics& diagnostics) {
     const std::string file = find_anatomy(request, procedure, diagnostics);
@@ -252,7 +252,7 @@ Diagnostics check_variants(const DocumentRequest& request, const Diagnostics& ba
         Diagnostics of_variant;
         (void)check_documents(changed, plugins, of_variant);
         for (Diagnostic& d : of_variant) {
-            if (d.level == Diagnostic::Level::warning) continue;  // reported for the base, or of no weight
+            if (d.level == Diagnostic::Level::warning) continue;  // reported for the base, or harmless
             if (is_known(d)) continue;
             d.message = "In the variant `" + variant.id + "`: " + d.message;
             found.push_back(std::move(d));

@@ -11,8 +11,9 @@ std::vector<HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs, bo
     std::vector<HandInput> inputs;
     if (recorded_ == nullptr) {
         if (legs == next_ && next_ < plan_->inputs.size()) inputs = plan_->inputs[next_];
-        next_ = std::max(next_, legs + 1);  // waypoints that a hand gave up ask for nothing
-        if (is_regripping != std::exchange(is_regripping_, is_regripping))  // first: it holds what it releases
+        next_ = std::max(next_, legs + 1);  // waypoints that a hand skipped have no inputs
+        // First, because the hand regrips before it releases an implant.
+        if (is_regripping != std::exchange(is_regripping_, is_regripping))
             inputs.insert(inputs.begin(), {HandInput::Kind::regrip, {}, is_regripping ? 1.0 : 0.0});
     } else {
         for (; next_ < recorded_->size() && (*recorded_)[next_].first <= tick; ++next_)
@@ -23,7 +24,8 @@ std::vector<HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs, bo
 
 namespace {
 
-/// Puts an implant at the tool, or at its planned pose. One with a planned pose must lie on bone at either.
+/// Inserts an implant at the tool, or at its planned pose. An implant with a planned pose must fit the bone in both
+/// cases.
 std::string bring_in(const HandInput& input, const Scene& scene, Simulation& simulation) {
     const auto implant = std::find_if(scene.implants.begin(), scene.implants.end(),
                                       [&](const Body& body) { return body.id == input.id; });

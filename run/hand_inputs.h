@@ -12,15 +12,16 @@
 
 namespace kerf {
 
-/// What a hand asks for besides moving: as its rehearsal says, or as it was recorded.
+/// Inputs of a hand other than motion, from its rehearsal or from a record.
 class HandInputs {
 public:
-    using Recorded = std::vector<std::pair<std::uint64_t, HandInput>>;  ///< before which tick
-    /// Both must outlive it. `recorded`: of a run that is replayed; else null.
+    using Recorded = std::vector<std::pair<std::uint64_t, HandInput>>;  ///< each with the tick before which it comes
+    /// Pre: both outlive this object. `recorded`: inputs of a replayed run; else null.
     HandInputs(const HandPlan& plan, const Recorded* recorded) : plan_(&plan), recorded_(recorded) {}
-    /// Before a tick, of a hand that has gone `legs` of its way and may have let the tool go about its shaft.
+    /// Returns the inputs before a tick, for a hand that has completed `legs` legs. `is_regripping`: it has released
+    /// the tool about its shaft.
     [[nodiscard]] std::vector<HandInput> take(std::uint64_t tick, std::size_t legs, bool is_regripping = false);
-    /// Whether a hand that has gone `legs` of its way has asked for nothing yet of what it asks there.
+    /// Returns whether the rehearsal has inputs after `legs` legs that were not taken yet.
     [[nodiscard]] bool is_due(std::size_t legs) const noexcept {
         return recorded_ == nullptr && next_ <= legs && legs < plan_->inputs.size() && !plan_->inputs[legs].empty();
     }
@@ -32,7 +33,7 @@ private:
     bool is_regripping_ = false;
 };
 
-/// Carries out what a hand asks for. Not empty: why not.   [main] between ticks
+/// Applies an input of the hand. Returns the reason if it cannot, else an empty text.   [main] between ticks
 [[nodiscard]] std::string carry_out(const HandInput& input, const Scene& scene, Simulation& simulation);
 
 }  // namespace kerf

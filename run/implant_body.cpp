@@ -14,18 +14,19 @@ namespace {
 
 using namespace literals;
 
-/// The angle of (x, y) over a whole turn, −0.5 … 0.5, to within a thousandth, with the same bits on every machine.
+/// Returns the angle of (x, y) as a fraction of a turn, −0.5 … 0.5, to within 0.001, with the same bits on every
+/// machine.
 double share_of_turn(double x, double y) noexcept {
     const double a = std::abs(x), b = std::abs(y), most = std::max(a, b);
     if (most == 0.0) return 0.0;
     const double t = std::min(a, b) / most;
-    double share = t * (0.125 + 0.0434 * (1.0 - t));  // of an eighth: atan t ≈ t (π/4 + 0.273 (1 − t))
+    double share = t * (0.125 + 0.0434 * (1.0 - t));  // within an octant: atan t ≈ t (π/4 + 0.273 (1 − t))
     if (b > a) share = 0.25 - share;
     if (x < 0.0) share = 0.5 - share;
     return y < 0.0 ? -share : share;
 }
 
-/// The crests of a thread, as wide as they look.
+/// The crests of a thread with their width.
 class Ridge {
 public:
     Ridge(const ToolOutline& implant, double spacing)
@@ -39,7 +40,7 @@ public:
         for (std::uint32_t i = 1; i < implant.thread_count; ++i)
             if (implant.profile[i].radius > 0.0) core_ = std::min(core_, implant.profile[i].radius);
     }
-    /// [m] from its surface, negative inside; far from it less than that.
+    /// Returns the distance to its surface [m], negative inside. Far away it is a lower bound.
     [[nodiscard]] double distance(Vec3 p) const {
         const double r = std::sqrt(p.x * p.x + p.y * p.y);
         const double along = p.z - lead_ * share_of_turn(p.x, p.y);

@@ -21,7 +21,7 @@ Pose planned_pose(const Scene& scene, std::size_t step, double depth) {
     const auto& cutting = tool.outline.cutting.outline();
     const auto widest = std::max_element(cutting.begin(), cutting.end(),
                                          [](const auto& a, const auto& b) { return a.radius < b.radius; });
-    const Quat lying{std::sqrt(0.5), 0.0, -std::sqrt(0.5), 0.0};  // x along the axis
+    const Quat lying{std::sqrt(0.5), 0.0, -std::sqrt(0.5), 0.0};  // tool x along the axis
     return tip_first * Pose{-rotate(lying, Vec3{widest->radius, 0.0, widest->z}), lying};
 }
 

@@ -13,7 +13,7 @@
 
 namespace kerf {
 
-// ---- bone in several bodies ------------------------------------------------------------------------------------
+// ---- bone of several bodies ------------------------------------------------------------------------------------
 
 BoneAround::BoneAround(const Simulation& simulation) {
     const PresentBone& present = simulation.present();
@@ -50,7 +50,7 @@ double BoneAround::spacing() const noexcept {
     return finest;
 }
 
-// ---- how a plate lies on bone -----------------------------------------------------------------------------------
+// ---- fit of a plate on bone -------------------------------------------------------------------------------------
 
 namespace {
 
@@ -61,8 +61,8 @@ struct PlatePoint {
     double to_bone;   ///< [m], negative inside, clamped
 };
 
-/// Points of a lattice in and near a plate. Their weights are ramps of a step, so that a coarse lattice is nearly as
-/// good.
+/// Lattice points in and near a plate. Their weights are ramps one step wide, so that a coarse lattice is nearly as
+/// accurate.
 struct PlateSamples {
     double step = 0.0;
     std::vector<PlatePoint> points;
@@ -89,7 +89,7 @@ PlateSamples samples_of(const Body& plate, const Pose& world_from_plate, const B
     return samples;
 }
 
-/// Offsets around a point, the nearest first.
+/// Returns lattice offsets within `reach` of a point, the nearest first.
 std::vector<Vec3> offsets_within(double reach, double step) {
     std::vector<Vec3> offsets;
     const int most = static_cast<int>(std::ceil(reach / step));
@@ -103,8 +103,8 @@ std::vector<Vec3> offsets_within(double reach, double step) {
     return offsets;
 }
 
-/// To the surface of bone from a point [m], also where the field of bone is clamped; `limit` if it is no nearer. The
-/// shortest segment to it crosses the band in which distances are known.
+/// Returns the distance from a point to the surface of bone [m], also beyond the clamp of the bone's field; at most
+/// `limit`. The shortest segment to the surface crosses the band of known distances.
 double to_surface(Vec3 at, const BoneAround& bone, const std::vector<Vec3>& offsets, double limit) {
     const double known = 0.99 * bone.clamp();
     double nearest = limit;
@@ -117,7 +117,7 @@ double to_surface(Vec3 at, const BoneAround& bone, const std::vector<Vec3>& offs
     return nearest;
 }
 
-/// Each n-th, so that at most `most` are left.
+/// Returns every n-th of the kept points, at most `most`.
 template <class Keep>
 std::vector<PlatePoint> some_of(const std::vector<PlatePoint>& points, std::size_t most, Keep&& keep) {
     std::vector<PlatePoint> kept, some;
@@ -138,14 +138,14 @@ PlateFit fit_of(const Body& plate, const Pose& world_from_plate, const BoneAroun
     double metal = 0.0, in_bone = 0.0;
     for (const PlatePoint& point : samples.points) {
         metal += inside(point.to_metal);
-        in_bone += std::max(0.0, inside(point.to_metal) + inside(point.to_bone) - 1.0);  // faces that touch share none
+        in_bone += std::max(0.0, inside(point.to_metal) + inside(point.to_bone) - 1.0);  // zero for touching faces
         if (point.to_bone < known) fit.gap = std::min(fit.gap, std::max(0.0, point.to_metal + point.to_bone));
         fit.deepest = std::max(fit.deepest, -point.to_bone - std::max(0.0, point.to_metal));
     }
     fit.share = metal > 0.0 ? in_bone / metal : 0.0;
 
     const std::vector<Vec3> offsets = offsets_within(farthest_gap, std::min(1e-3, bone.clamp()));
-    if (fit.gap >= known)  // farther than the field of bone knows
+    if (fit.gap >= known)  // beyond the clamp of the bone's field
         for (const PlatePoint& point : some_of(samples.points, most_searches, [&](const PlatePoint& p) {
                  return std::abs(p.to_metal) < 0.5 * samples.step;
              }))
@@ -159,7 +159,7 @@ PlateFit fit_of(const Body& plate, const Pose& world_from_plate, const BoneAroun
 
 namespace {
 
-/// To a tenth of a millimetre.
+/// Rounds to 0.1 mm.
 std::string in_tenths(double length) { return quantity_text(std::round(length / 0.1e-3) * 0.1e-3, "mm"); }
 std::string in_percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
@@ -179,7 +179,7 @@ std::string depth_text(const PlateFit& fit) {
     return text;
 }
 
-/// What the document says of an implant under these keys; the last of them that is there.
+/// Returns the span of the last existing key of this path in an implant.
 TextSpan span_of(const Document& document, const std::vector<std::string>& keys) {
     const Node* node = document.root.find("implants");
     TextSpan span;

@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-/// Where the implant is now that was brought in last; nothing: none of its kind is in the scene.
+/// Returns the present pose of the last inserted implant of this kind; nothing if there is none in the scene.
 std::optional<Pose> pose_in_scene(const Body& implant, const Simulation& simulation) {
     std::optional<Pose> pose;
     for (const auto& body : simulation.bodies())

@@ -9,12 +9,12 @@
 
 namespace kerf {
 
-/// Lets the steps on holes of implants follow the implants that are in the scene, each in the frame of the body that
-/// the step belongs to; of one that is not there its planned pose.   [main] between ticks
+/// Updates the frames of steps on holes of implants, each in the frame of the body that owns the step. They follow the
+/// implant in the scene, or its planned pose if it is not there yet.   [main] between ticks
 void follow_plates(const Scene& scene, const Simulation& simulation, StepMonitor& monitor);
 
-/// Returns the sleeve of the step that runs, on the step's axis as the monitor has it, on the body that the axis
-/// belongs to; nothing for an instrument without one.   [main]
+/// Returns the sleeve of the running step, on the step's axis in the monitor and on the body that owns it; nothing for
+/// an instrument without a sleeve.   [main]
 [[nodiscard]] std::optional<Guide> guide_of_step(const Scene& scene, const StepMonitor& monitor);
 
 }  // namespace kerf

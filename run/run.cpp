@@ -23,9 +23,9 @@ namespace kerf {
 namespace {
 
 constexpr int volume_interval = 50;  // ticks between counts of the removed volume
-constexpr double crumb = 10e-9;      // [m³] smaller pieces are no bodies: they are washed away
+constexpr double crumb = 10e-9;      // [m³] smaller pieces do not become bodies: they are washed away
 
-/// SQLite keeps no −0: an input is made the way it will be read again, so that a replay starts from the same bits.
+/// Removes −0, which SQLite does not store, so that a replay starts with the same bits.
 Pose without_negative_zeros(const Pose& p) {
     return {{p.position.x + 0.0, p.position.y + 0.0, p.position.z + 0.0},
             {p.rotation.w + 0.0, p.rotation.x + 0.0, p.rotation.y + 0.0, p.rotation.z + 0.0}};
@@ -42,7 +42,7 @@ std::string text_of(const Separation& separation) {
            (separation.crumbs == 1 ? " crumb, " : " crumbs, ") + volume(separation.crumb_volume);
 }
 
-/// By bone. What a thread pulls in is not pushed back.
+/// Returns whether bone resists the tool. A thread that pulls itself in has no positive thrust.
 bool is_resisted(const TickResult& result, const Tool& tool) {
     return (result.thrust > 0.0 || (tool.outline.has_thread() && result.is_cutting)) && !result.is_at_metal;
 }
@@ -51,13 +51,13 @@ std::string surface_file(std::size_t body, bool is_metal) {
     return body == 0 ? "bone.stl" : (is_metal ? "implant-" : "bone-") + std::to_string(body) + ".stl";
 }
 
-/// Of the bone on the tool, across its shaft [N].
+/// Returns the force of the bone on the tool across its shaft [N].
 double lateral_force(const TickResult& result) {
     const Vec3 force = linear(result.bone_on_tool), shaft = rotate(result.world_from_tool.rotation, {0, 0, 1});
     return length(force - dot(force, shaft) * shaft);
 }
 
-/// What is known of a run before its first tick.
+/// Returns the part of the summary that is known before the first tick.
 RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
                       const Rehearsal& rehearsal, const SignalTable& signals) {
     RunSummary summary;
@@ -182,7 +182,7 @@ bool Run::tick(const DeviceSample& reported) {
     return !end && simulation_.ticks() < static_cast<std::uint64_t>(scene_->procedure.time_limit / Simulation::dt);
 }
 
-/// What the simulated hand sees and feels of the last tick.
+/// Returns the tool state that the simulated hand senses after the last tick.
 simulated_hand::Felt Run::felt() const {
     const std::string& awaited = hand_.awaited_event();
     const auto events = std::span(result_.events).first(result_.event_count);
@@ -248,7 +248,7 @@ void Run::observe(const Pose& handle, double now) {
     add_news();
 }
 
-/// The step that ended in this tick.
+/// Measures and judges the step that ended in this tick.
 void Run::judge_step(std::size_t step, double now) {
     removed_ = simulation_.present().removed();
     monitor_.judge_cut(step, wall_of(*scene_, simulation_, before_, monitor_, step), removed_ - removed_before_step_,
@@ -277,12 +277,12 @@ std::vector<MeasureReading> Run::measured_bone() const {
     return measure_bone(*scene_, simulation_.present(), world_from_body_);
 }
 
-/// The driver leaves what it has set.
+/// Leaves an implant in bone; its driver leaves it.
 void Run::leave_implant(std::size_t step) {
     const std::size_t tool = scene_->tool_of_step[step];
     if (!scene_->tools[tool].outline.is_implant()) return;
     is_tool_left_ = true;
-    constexpr double clear = 5e-3;  // [m] of the bone
+    constexpr double clear = 5e-3;  // [m] distance from the bone
     back_ = std::max(0.0, monitor_.frame(step).depth_of(simulation_.world_from_tool().position)) + clear;
     for (MetricRow& row : implant_metrics(scene_->procedure.steps[step].id, *scene_->tools[tool].setup.force->force,
                                           simulation_.signals()))
@@ -302,7 +302,8 @@ std::optional<RunEnd> Run::end_after_tick() {
         report_progress(is_replay() ? static_cast<double>(ticks) / static_cast<double>(request_.replay.size())
                                     : static_cast<double>(hand_.leg()) / static_cast<double>(plan_.intent.legs.size()),
                         "working, " + std::to_string(ticks / 1000) + " s simulated");
-    if (result_.is_quarantined && linear(result_.command.wrench) == Vec3{}) return RunEnd::fault;  // it has faded
+    // The force has faded.
+    if (result_.is_quarantined && linear(result_.command.wrench) == Vec3{}) return RunEnd::fault;
     if (monitor_.current() >= scene_->procedure.steps.size()) return RunEnd::steps_done;
     for (RunObserver* observer : observers_)
         if (const auto end = observer->end()) {
@@ -331,10 +332,10 @@ void Run::add_news() {
     for (const auto& [id, detail] : monitor_.news()) add_event(id, detail);
 }
 
-/// Undo, redo and separations leave other bodies than there were.
+/// Passes on the owners after an undo, redo or separation has changed the bodies.
 void Run::pass_owners_on() { monitor_.belong(simulation_.owners()); }
 
-/// The tick is that after which the loop took the parts over.
+/// Records separations. The tick is the one after which the loop took over the parts.
 void Run::take_separations(std::uint64_t tick) {
     for (const Separation& separation : simulation_.take_separations()) {
         add_event_at(tick, separation.parts.size() > 1 ? came_apart_event : crumbled_event, text_of(separation));
@@ -352,7 +353,7 @@ void Run::report_progress(double fraction, const std::string& what) {
     for (RunObserver* observer : observers_) observer->on_progress(fraction, what);
 }
 
-/// The sleeve of the step that runs, on the body that its axis belongs to.
+/// Sets the sleeve of the running step, on the body that owns its axis.
 void Run::lead() { simulation_.lead(guide_of_step(*scene_, monitor_)); }
 
 // ---- after the last tick ------------------------------------------------------------------------------------------
@@ -360,7 +361,8 @@ void Run::lead() { simulation_.lead(guide_of_step(*scene_, monitor_)); }
 RunOutcome Run::finish() {
     simulation_.finish();
     pass_cuts_on();
-    take_separations(simulation_.ticks());  // a tick that never came: a replay takes over what is left at its end too
+    // A tick that never runs: at its end, a replay also takes over the remaining parts.
+    take_separations(simulation_.ticks());
     hash_.add(simulation_.present().hash());
     measure();
     if (exact_ != nullptr)
@@ -391,7 +393,7 @@ void Run::finish_exact_surface() {
     }
 }
 
-/// A step through a hole of an implant that was refused, or forgotten, is not done.
+/// Marks a step as not done if it follows a hole of an implant that was refused or forgotten.
 void Run::miss_implants() {
     RunSummary& summary = outcome_.summary;
     for (const StepState& state : monitor_.steps()) {

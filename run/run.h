@@ -22,33 +22,33 @@ namespace kerf {
 
 class ExactFollower;
 
-/// A run in lock-step, one tick at a time: `create`, `step` until it says no more, `finish`.
+/// A run in lock-step, one tick at a time: call `create`, then `step` while it returns true, then `finish`.
 ///
-/// Memory does not grow with its ticks: the record goes to the session, and the page is made from that.   [main]
+/// Memory does not grow with the ticks: the record is in the session, and the page is made from it.   [main]
 class Run {
 public:
-    /// Opens the record before any tool begins, so that whatever happens leaves something to read. Null: why not is in
-    /// `refusal`. Scene and plugins must outlive the run.
+    /// Opens the record before any tool begins, so that even a failed run leaves a readable record. Returns null with
+    /// the reason in `refusal`. Pre: scene and plugins outlive the run.
     static std::unique_ptr<Run> create(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
                                        RunOutcome& refusal);
     ~Run();
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
 
-    /// Does one tick with the simulated hand, or with the recorded one. Returns whether there is more to do.
+    /// Runs one tick with the simulated hand, or with the recorded one. Returns whether the run continues.
     bool step();
-    /// Does one tick with a device that reported this sample [world frame]; `last().command` is what to send it. The
-    /// path of the rehearsal is not followed, and nothing is asked for at its waypoints. Missed ticks are recorded and
-    /// replayed; `time` counts the ticks that ran.
+    /// Runs one tick with a device that reported this sample [world frame]; send it `last().command`. Ignores the
+    /// rehearsal's path and the inputs at its waypoints. Missed ticks are recorded and replayed; `time` counts the
+    /// ticks that ran.
     bool step(const DeviceSample& sample);
-    /// Requests something other than motion, before the next tick with a device: an undo, a clutch (`regrip`). It is
-    /// recorded and replayed, and refused by the event `hand.refused`.
+    /// Requests an input other than motion before the next tick with a device: an undo, a clutch (`regrip`). It is
+    /// recorded and replayed. A refusal causes the event `hand.refused`.
     void request(HandInput input) { requested_.push_back(std::move(input)); }
-    /// What the last tick did.
+    /// Returns the result of the last tick.
     [[nodiscard]] const TickResult& last() const noexcept { return result_; }
     [[nodiscard]] const Simulation& simulation() const noexcept { return simulation_; }
     [[nodiscard]] const StepMonitor& monitor() const noexcept { return monitor_; }
-    /// The exact surface as far as it is made; null: no instrument leaves one.
+    /// Returns the exact surface made so far; null if no instrument leaves one.
     [[nodiscard]] ExactFollower* exact() noexcept { return exact_.get(); }
 
     /// Judges the run and writes its results. Pre: called once.
@@ -60,7 +60,7 @@ private:
 
     [[nodiscard]] bool is_replay() const noexcept { return !request_.replay.empty(); }
     void add_event_at(std::uint64_t tick, const std::string& id, const std::string& detail);
-    /// Of the tick that just was.
+    /// Adds an event to the tick that just ran.
     void add_event(const std::string& id, const std::string& detail) {
         add_event_at(simulation_.ticks() - 1, id, detail);
     }
@@ -84,8 +84,8 @@ private:
     void measure();
     void finish_exact_surface();
 
-    std::unique_ptr<SessionFiles> files_;  ///< null: nothing is written
-    std::vector<RunObserver*> observers_;  ///< the files first, then those of the request
+    std::unique_ptr<SessionFiles> files_;  ///< null: no files are written
+    std::vector<RunObserver*> observers_;  ///< the files first, then the observers of the request
     const Scene* scene_;
     RunRequest request_;
     const Rehearsal* rehearsal_;
@@ -101,15 +101,15 @@ private:
     ContentHash hash_;
     TickResult result_;
     TickRow row_;                  ///< of the last tick
-    std::size_t next_missed_ = 0;  ///< of those recorded
-    bool is_led_ = false;          ///< by a device: the simulated hand has no part in it
+    std::size_t next_missed_ = 0;  ///< index into the recorded missed ticks
+    bool is_led_ = false;          ///< by a device: the simulated hand is not used
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]
     std::unique_ptr<ExactFollower> exact_;
-    std::vector<MetricRow> left_;  ///< of implants, as their drivers left them
-    double back_ = 0.0;            ///< [m] by which the next tool is drawn back: the driver leaves its implant
-    bool is_tool_left_ = false;    ///< with the implant that it set: a step takes another one
+    std::vector<MetricRow> left_;  ///< of implants, when their drivers left them
+    double back_ = 0.0;            ///< [m] by which the next tool is retracted: the driver leaves its implant
+    bool is_tool_left_ = false;    ///< left with its implant: a step takes another tool
 };
 
 }  // namespace kerf

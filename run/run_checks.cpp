@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::size_t most_tools = 8;
 
-/// A value of item `index` of the list `list`; the item if it has none, the whole document if there is no such item.
+/// Returns the span of a value of item `index` in `list`; of the item without such a value, of the document without
+/// such an item.
 TextSpan span_in(const Document& document, const char* list, std::size_t index, const char* key) {
     const Node* items = document.root.find(list);
     if (items == nullptr || index >= items->children.size()) return {};
@@ -44,7 +45,7 @@ void check_device(const Procedure& procedure, const Document& document, Report& 
         meant);
 }
 
-/// What the document says of an instrument under `key`; the instrument where it says nothing.
+/// Returns the span of a key of an instrument; of the instrument without that key.
 TextSpan span_of_instrument(const Document& document, const std::string& id, const char* key) {
     const Node* instruments = document.root.find("instruments");
     const Node* instrument = instruments != nullptr ? instruments->find(id) : nullptr;
@@ -52,10 +53,10 @@ TextSpan span_of_instrument(const Document& document, const std::string& id, con
     return value != nullptr ? value->span : instrument != nullptr ? instrument->span : TextSpan{};
 }
 
-/// To a hundredth of a millimetre.
+/// Rounds to 0.01 mm.
 std::string in_mm(double length) { return quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); }
 
-/// Across the narrowest stretch of the hole that is as wide all along [m]; without one, across the widest place.
+/// Returns the diameter of the narrowest cylindrical part of the hole [m]; without one, the largest diameter.
 double narrowest_bore(const ToolSolid& turning) {
     const auto& outline = turning.outline();
     double radius = turning.largest_radius();
@@ -65,7 +66,7 @@ double narrowest_bore(const ToolSolid& turning) {
     return 2.0 * radius;
 }
 
-/// Who expects to pass must lead as deep as the goals of the steps it is led through.
+/// Refuses a rehearsal that expects to pass but is not led as deep as the goals of its steps.
 void check_reach(const Procedure& procedure, std::size_t rehearsal, const Document& document, Report& report) {
     const Rehearsal& r = procedure.rehearsals[rehearsal];
     if (r.expect != "pass") return;
@@ -102,7 +103,7 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
                              std::to_string(most_tools) + ". Use one of the others, or make two procedures of it.");
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const auto& path = procedure.rehearsals[i].path;
-        if (path.empty()) continue;  // reported when it was read
+        if (path.empty()) continue;  // reported while it was read
         if (path.size() < 2)
             report.error(Code::no_way, span_in(document, "rehearsals", i, "path"),
                          "The rehearsal has " + std::to_string(path.size()) +
@@ -144,7 +145,7 @@ void report_strategy(const Procedure& procedure, const std::string& instrument, 
 
 namespace {
 
-/// Of what a tool leaves: a saw's kerf, the narrowest hole of what turns [m].
+/// Returns the width of a cut [m]: a saw's kerf, or the narrowest hole of a turning tool.
 double width_of_cut(const ToolSolid& cutting) {
     return cutting.is_prism() ? cutting.thickness() : narrowest_bore(cutting);
 }
@@ -317,8 +318,8 @@ void check_blade_fits(const Procedure& procedure, const std::string& instrument,
 
 namespace {
 
-/// How far the solid reaches beyond the region where there is bone, which goes on there as at the region's nearest face
-/// [m].
+/// Returns how far the solid reaches into bone beyond the region [m]. The bone there is assumed to be as on the nearest
+/// face of the region.
 double reach_beyond(const Body& body, const ToolSolid& cutting, const Pose& body_from_tool) {
     double farthest = 0.0;
     cutting.for_each_ring(body.grid().spacing, [&](const std::array<Vec3, 8>& ring) {
@@ -343,7 +344,7 @@ void check_waypoints_in_region(const Procedure& procedure, const std::vector<Axi
     for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r)
         for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
             const Waypoint& waypoint = procedure.rehearsals[r].path[w];
-            if (!procedure.steps[waypoint.step].cuts()) continue;  // what is held there has come apart before
+            if (!procedure.steps[waypoint.step].cuts()) continue;  // the held piece was separated before
             const double beyond = reach_beyond(body, *cutting[waypoint.step], frames[waypoint.step].pose_at(waypoint));
             if (beyond < body.grid().spacing) continue;
             const Vec3 size = body.region.high - body.region.low;

@@ -19,20 +19,20 @@ class RunObserver {
 public:
     virtual ~RunObserver() = default;
 
-    /// Receives an event, with its texts cut as the session keeps them.
+    /// Receives an event, with its texts cut as in the session.
     virtual void on_event(const EventRow& /*event*/) {}
     /// Receives a record that the cut log has closed.
     virtual void on_cut(const CutRecord& /*cut*/) {}
     /// Receives the row of a tick, after the events of that tick.
     virtual void on_tick(const TickRow& /*row*/) {}
-    /// Receives the fraction of the run that is done [–], and what it does now. Called every 250 ticks, and at the end.
+    /// Receives the completed fraction of the run [–] and its present activity. Called every 250 ticks and at the end.
     virtual void on_progress(double /*fraction*/, const std::string& /*what*/) {}
-    /// Receives the exact surface, before the result, where an instrument leaves one.
-    /// Returns what went wrong, for people; empty if nothing did.
+    /// Receives the exact surface, before the result, if an instrument leaves one. Returns the error as text, empty on
+    /// success.
     [[nodiscard]] virtual std::string on_exact_surface(const ExactSurface& /*made*/) { return {}; }
-    /// Returns why the run must end after this tick; nothing while it may continue.
+    /// Returns the reason to end the run after this tick; nothing to continue.
     [[nodiscard]] virtual std::optional<RunEnd> end() { return std::nullopt; }
-    /// Receives the result and the bone that is left. Returns what went wrong, for people; empty if nothing did.
+    /// Receives the result and the remaining bone. Returns the error as text, empty on success.
     [[nodiscard]] virtual std::string on_result(const RunSummary& /*summary*/, const Simulation& /*simulation*/) {
         return {};
     }

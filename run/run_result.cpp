@@ -17,7 +17,7 @@ namespace kerf {
 
 namespace {
 
-/// A number with so many decimals, half away from zero. Zero has no sign.
+/// Returns a number with this many decimals, rounded half away from zero. Zero has no sign.
 std::string with_decimals(double value, int decimals) {
     const double scale = std::pow(10.0, decimals);
     const double nearest = std::round(value * scale) / scale;
@@ -29,7 +29,7 @@ std::string with_decimals(double value, int decimals) {
 
 std::string millimetres(double metres, int decimals = 1) { return with_decimals(metres * 1e3, decimals) + " mm"; }
 
-/// A value in its unit with so many significant digits.
+/// Returns a value in its unit with this many significant digits.
 std::string rounded(double value, const std::string& unit, int digits = 4) {
     const double per_unit = parse_unit(unit).value_or(Unit{}).factor;
     char text[40];
@@ -37,7 +37,7 @@ std::string rounded(double value, const std::string& unit, int digits = 4) {
     return std::string(text, end) + (unit.empty() ? "" : " ") + unit;
 }
 
-/// A value in its unit, without zeros behind the last decimal.
+/// Returns a value in its unit, without trailing zeros.
 std::string trimmed(double value, const std::string& unit, int decimals) {
     const double step = std::pow(10.0, -decimals) * parse_unit(unit).value_or(Unit{}).factor;
     return quantity_text(std::round(value / step) * step, unit);
@@ -45,7 +45,7 @@ std::string trimmed(double value, const std::string& unit, int decimals) {
 
 constexpr int most_digits = 12;
 
-/// Digits with which no end of `bound` has the text of `value` unless it is equal.
+/// Returns the number of digits at which the text of `value` differs from each end of `bound`, unless they are equal.
 template <class TextOf>
 int digits_beside(double value, const Bound& bound, int digits, const TextOf& text_of) {
     int most = digits;
@@ -54,7 +54,7 @@ int digits_beside(double value, const Bound& bound, int digits, const TextOf& te
     return most;
 }
 
-/// ", must be at least 100 N, at most 200 N".
+/// Returns ", must be at least 100 N and at most 200 N".
 template <class TextOf>
 std::string bounds_text(const Bound& bound, const TextOf& text_of) {
     std::string text = ", must be ";
@@ -64,14 +64,14 @@ std::string bounds_text(const Bound& bound, const TextOf& text_of) {
     return text;
 }
 
-/// For people; "" for a measure that there is not.
+/// Returns the unit of a measure for people; empty for an unknown measure.
 std::string unit_of(const std::string& measure, const std::vector<Measure>& measures) {
     for (const Measure& one : measures)
         if (one.id == measure) return one.unit();
     return {};
 }
 
-/// What a limit was broken with, after its own sentence.
+/// Returns the value that broke a limit, as a sentence.
 std::string how_far(const LimitState& limit, const std::vector<Measure>& measures) {
     const std::string& quantity = limit.limit->quantity;
     const auto told = [&](const char* what, int digits, const auto& text_of) {
@@ -113,14 +113,14 @@ std::string how_far(const LimitState& limit, const std::vector<Measure>& measure
     return length(" Off by: ");
 }
 
-/// "`name` 59.98 mm, must be at least 60.00 mm".
+/// Returns "`name` 59.98 mm, must be at least 60.00 mm".
 template <class TextOf>
 std::string missed_bound(const std::string& name, double value, const Bound& bound, int digits, const TextOf& text_of) {
     const int enough = digits_beside(value, bound, digits, text_of);
     return name + text_of(value, enough) + bounds_text(bound, [&](double end) { return text_of(end, enough); });
 }
 
-/// Why a measure of a step has no value.
+/// Returns why a measure of a step has no value.
 std::string why_unmeasured(const std::string& measure, const StepState& state, const std::vector<Measure>& measures) {
     for (std::size_t m = 0; m < measures.size() && m < state.measures.size(); ++m)
         if (measures[m].id == measure && !state.measures[m].value)
@@ -251,7 +251,7 @@ bool ended_as_expected(const Rehearsal& rehearsal, const StepMonitor& monitor, V
             if (!is_the_one && !rehearsal.expects_others) return false;
             is_named = is_named || is_the_one;
         }
-        // "For that alone": everything else went well.
+        // "Because of that limit alone": all goals were reached.
         if (!rehearsal.expects_others &&
             std::find(state.goal_done.begin(), state.goal_done.end(), false) != state.goal_done.end())
             return false;

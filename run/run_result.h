@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// How a run ended.
+/// Reason for the end of a run.
 enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrecorded };
 
 /// Computes step rows, verdict, reasons and score. Pass: every goal reached and no limit broken. Fail: a limit broken.
@@ -17,8 +17,9 @@ enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrec
 /// @param time_limit   [s] of the procedure
 void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, RunSummary& summary);
 
-/// Whether the run ended as its rehearsal expects: "pass", "incomplete", or "fail" because of one limit alone, in the
-/// one step that it names if it names one; of several where it expects others.
+/// Returns whether the run ended as its rehearsal expects: "pass", "incomplete", or "fail". A failure must be by the
+/// one expected limit, in the expected step if there is one. Other limits may break only if the rehearsal expects
+/// others.
 [[nodiscard]] bool ended_as_expected(const Rehearsal& rehearsal, const StepMonitor& monitor, Verdict verdict);
 
 }  // namespace kerf

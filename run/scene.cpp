@@ -25,7 +25,7 @@ namespace kerf {
 
 namespace {
 
-/// Without data files the text's own.
+/// Returns the hash of a text and of its data files. Without files it is the hash of the text.
 std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>& files) {
     Fnv1a hash;
     hash.add(text);
@@ -33,7 +33,7 @@ std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>&
     return hash.value();
 }
 
-/// An implant is read like a bone of one tissue, at its place in the procedure.
+/// Makes the body of an implant, which is read like a bone of one tissue.
 std::optional<Body> plate_body(const Implant& implant, const Procedure& procedure, Diagnostics& diagnostics,
                                ImportReport& import) {
     Anatomy surface;
@@ -57,7 +57,7 @@ std::optional<Body> plate_body(const Implant& implant, const Procedure& procedur
     return body;
 }
 
-/// The sleeve of a step's instrument, on the step's axis.
+/// Returns the sleeve of a step's instrument, on the step's axis.
 std::optional<Guide> guide_of(const Procedure& procedure, const Step& step, const AxisFrame& frame) {
     const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
                                          [&](const Instrument& i) { return i.id == step.instrument; });
@@ -70,17 +70,17 @@ std::optional<Guide> guide_of(const Procedure& procedure, const Step& step, cons
                  .bore_radius = 0.5 * sleeve.bore};
 }
 
-/// What the densest tissue takes at the steps' feeds [N].
+/// Returns the force that the hardest tissue needs at the steps' feeds [N].
 double hardest_of_steps(const Scene& scene) {
     double hardest = 0.0;
     for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s)
-        if (!scene.tool(s).outline.has_thread())  // a screw is turned in, and not fed
+        if (!scene.tool(s).outline.has_thread())  // a screw is turned in, not fed
             hardest = std::max(hardest, work_force(scene.tool(s).setup, scene.body, scene.procedure.steps[s].feed));
     return hardest;
 }
 
-/// What bone takes at a step's feed, every half millimetre of its axis in bone, as deep as its goal [N]. Empty for a
-/// step without depth, and for a screw or a tap, which are turned in.
+/// Returns the forces at a step's feed, every 0.5 mm of its axis in bone down to its goal [N]. Empty for a step without
+/// depth, and for a screw or a tap, which are turned in.
 std::vector<double> forces_along(const Scene& scene, std::size_t step) {
     const Step& asked = scene.procedure.steps[step];
     double depth = 0.0;
@@ -90,7 +90,7 @@ std::vector<double> forces_along(const Scene& scene, std::size_t step) {
     std::vector<double> forces;
     const EndlessBoneLaw law(scene.tool(step).setup, scene.body.materials.size());
     const AxisFrame& frame = scene.frames[step];
-    constexpr double apart = 0.5e-3, marrow = 100.0;  // [m]; [kg/m³], up to which nothing is to be felt
+    constexpr double apart = 0.5e-3, marrow = 100.0;  // [m]; [kg/m³] up to which no force is expected
     for (double at = 0.5 * apart; at < depth; at += apart) {
         const BrickPlace place = locate(scene.body, frame.entry + at * frame.along);
         if (uncut_distance(scene.body, place) >= 0.0) continue;
@@ -105,7 +105,7 @@ std::vector<double> forces_along(const Scene& scene, std::size_t step) {
     return forces;
 }
 
-/// No hand gets through its legs sooner [s].
+/// Returns a lower bound of the time that a hand needs for its legs [s].
 double least_time_of(const HandPlan& plan) {
     double time = 0.0;
     Vec3 from = plan.start.position;
@@ -124,7 +124,7 @@ const LandmarkAxis* find_axis(const Anatomy& anatomy, const std::string& id) {
     return found != anatomy.axes.end() ? &*found : nullptr;
 }
 
-/// The planned pose of each implant that has a place.
+/// Finds the planned pose of each implant that has one.
 void plan_implants(Scene& scene, Diagnostics& diagnostics) {
     const std::vector<Step>& steps = scene.procedure.steps;
     for (std::size_t i = 0; i < scene.implants.size(); ++i) {
@@ -145,7 +145,7 @@ void plan_implants(Scene& scene, Diagnostics& diagnostics) {
     }
 }
 
-/// The steps that follow holes of planned implants.
+/// Finds the steps that follow holes of planned implants.
 void find_step_holes(Scene& scene, Diagnostics& diagnostics) {
     const std::vector<Implant>& implants = scene.procedure.implants;
     std::vector<std::vector<HoleInMetal>> metal;
@@ -169,7 +169,7 @@ const StepHole* find_hole(const Scene& scene, std::size_t step) {
     return found != scene.holes.end() ? &*found : nullptr;
 }
 
-/// The frame of a step on a hole of an implant, at its planned pose.
+/// Adds the frame of a step on a hole of an implant, at its planned pose.
 AxisInBone add_frame_of_hole(Scene& scene, const StepHole& hole, Diagnostics& diagnostics) {
     const Implant& implant = scene.procedure.implants[hole.implant];
     const Pose& planned = *scene.planned[hole.implant];
@@ -314,7 +314,7 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
                                 .speed = to.speed.value_or(is_into_bone ? rehearsal.feed : rehearsal.approach),
                                 .push = to.push.value_or(rehearsal.push) * scene.gains.force_scale,
                                 .stop_aside = to.stop_aside};
-        if (to.turn != 0.0) {  // it goes on as the thread pulls it in
+        if (to.turn != 0.0) {  // the plan advances as the thread pulls the tool in
             leg.turn = to.turn;
             leg.turning = 2.0 * std::numbers::pi * to.turning;
             if (to.turn_torque) leg.torque = *to.turn_torque;

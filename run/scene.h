@@ -18,59 +18,61 @@
 #include "run/plate.h"
 #include "run/verdict/step_monitor.h"
 
-/// Documents and plugins, put together into what a run needs.
+/// Builds the input of a run from documents and plugins.
 namespace kerf {
 
-/// Everything that is known before the first tick. [main]
+/// All data that are known before the first tick. [main]
 struct Scene {
     Procedure procedure;
     Anatomy anatomy;
-    Body body;                                   ///< of a fractured bone what is behind the fracture
-    std::optional<Body> whole{};                 ///< of a fractured bone: before it broke
-    std::optional<Body> fragment{};              ///< the rest of it: body 1
-    Pose world_from_fragment = identity_pose();  ///< at first
+    Body body;                                   ///< of a fractured bone: the part behind the fracture
+    std::optional<Body> whole{};                 ///< of a fractured bone: the bone before it broke
+    std::optional<Body> fragment{};              ///< of a fractured bone: the other part, body 1
+    Pose world_from_fragment = identity_pose();  ///< before the first tick
     std::vector<AxisFrame> frames;               ///< one per step, in the whole bone
-    std::vector<double> share_in_bone;           ///< of each step's axis behind its entry [–]
-    std::vector<Tool> tools;                     ///< those that steps use
-    std::vector<std::size_t> tool_of_step;       ///< for each step: which of them
+    std::vector<double> share_in_bone;  ///< [–] for each step: fraction of its axis beyond the entry that is in bone
+    std::vector<Tool> tools;            ///< the tools of the steps
+    std::vector<std::size_t> tool_of_step;  ///< for each step: index into `tools`
     [[nodiscard]] const Tool& tool(std::size_t step) const noexcept { return tools[tool_of_step[step]]; }
-    std::vector<std::optional<Guide>> guides;  ///< one per step: the sleeve through which its instrument works
-    std::vector<Body> implants;                ///< that a hand may bring in, each in its own frame
-    std::vector<std::optional<Pose>> planned;  ///< of each implant, LPS from its frame; nothing: it has no place
+    std::vector<std::optional<Guide>> guides;  ///< one per step: the sleeve that guides its instrument
+    std::vector<Body> implants;                ///< implants that a hand may insert, each in its own frame
+    std::vector<std::optional<Pose>> planned;  ///< planned pose of each implant, LPS from its frame; nothing: none
     std::vector<StepHole> holes;               ///< steps that follow a hole of an implant
-    /// For each tool: what of it stays as a body when its driver leaves, in its frame; nothing: it stays unseen.
+    /// For each tool: the body that stays when its driver leaves, in the tool's frame; nothing: the implant is not
+    /// drawn.
     std::vector<std::optional<Body>> staying;
     std::vector<MeasureReading> measured_before;  ///< of the procedure's measures, before the first cut
     const DeviceRecord* device = nullptr;
     CouplingGains gains;
-    double work_force = 0.0;         ///< [N] the scale was made for
-    ImportReport import;             ///< what import did
-    std::uint64_t anatomy_hash = 0;  ///< of the anatomy's text and its data files
+    double work_force = 0.0;         ///< [N] for which the force scale was computed
+    ImportReport import;             ///< of the import
+    std::uint64_t anatomy_hash = 0;  ///< of the anatomy's text and data files
 };
 
-/// Returns the instrument of a tool that some step uses.   [any] pure.
+/// Returns the instrument of a tool. Pre: a step uses it.   [any] pure.
 [[nodiscard]] const Instrument& instrument_of(const Scene& scene, std::size_t tool);
 
-/// Returns the landmark plane of a step; null: it has none.   [any] pure.
+/// Returns the landmark plane of a step, or null.   [any] pure.
 [[nodiscard]] const LandmarkPlane* plane_of(const Step& step, const Anatomy& anatomy);
 
-/// Makes the bone of checked documents and checks what needs it. Error: in `diagnostics`.
+/// Makes the bone of checked documents and runs the checks that need bone. Error: in `diagnostics`.
 [[nodiscard]] std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics,
                                               const ImportOptions& options = {});
 
-/// Reads and checks everything. `anatomy_file` empty: the procedure's own.
-/// Error: whatever is wrong with the documents, all of it, in `diagnostics`.
+/// Reads and checks all documents and makes the scene. `anatomy_file` empty: the one that the procedure names. Error:
+/// all mistakes of the documents are in `diagnostics`.
 [[nodiscard]] std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
                                               const PluginRegistry& plugins, Diagnostics& diagnostics,
                                               const ImportOptions& options = {});
 
-/// A rehearsal's intent as legs of the simulated hand, and where it starts.
+/// A rehearsal as legs of the simulated hand, with its start pose.
 struct HandPlan {
     simulated_hand::Plant plant;
     simulated_hand::Intent intent;
     Pose start = identity_pose();
-    std::vector<std::vector<HandInput>> inputs;  ///< asked for at the start, and at the end of each leg
+    std::vector<std::vector<HandInput>> inputs;  ///< at the start, and at the end of each leg
 };
+/// Returns the plan of a rehearsal.   [main]
 [[nodiscard]] HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene);
 
 }  // namespace kerf

@@ -15,7 +15,7 @@ namespace kerf {
 
 namespace {
 
-/// The page of the session that lies in a folder.
+/// Writes the page of the session in a folder. Returns the error as text, empty on success.
 std::string write_report(const std::string& folder) {
     std::string error;
     const auto run = read_run(folder + "/session.db", error, true);
@@ -34,7 +34,7 @@ void place(Mesh& mesh, const Pose& to_from_mesh) {
     for (Vec3& p : mesh.vertices) p = to_from_mesh * p;
     for (Vec3& n : mesh.normals) n = rotate(to_from_mesh.rotation, n);
 }
-/// Each piece where it is at the end.
+/// Returns the surfaces of all pieces at their final poses.
 Mesh all_surfaces(const Simulation& simulation, int stride) {
     Mesh all;
     for (std::size_t body = 0; body < simulation.bodies().size(); ++body) {
@@ -113,7 +113,7 @@ std::string SessionFiles::on_result(const RunSummary& summary, const Simulation&
     const PresentBone& bone = simulation.present();
     for (const PieceRow& piece : summary.pieces) {
         Mesh surface = bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body));
-        if (piece.is_metal)  // where it lies in the bone, whose frame is the patient's
+        if (piece.is_metal)  // at its pose in the bone, whose frame is the patient's
             place(surface,
                   inverse(simulation.bodies()[0]->world_from_body) * simulation.bodies()[piece.body]->world_from_body);
         note(write_file(folder_ + "/" + piece.file, stl_bytes(surface)));

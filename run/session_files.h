@@ -12,19 +12,19 @@
 
 namespace kerf {
 
-/// Writes the files of a run: session.db while it runs; summary.json, report.html and the surfaces of its pieces at its
-/// end. Its folder belongs to it until then.   [main]
+/// Writes the files of a run: session.db during the run, then summary.json, report.html and the surfaces of its pieces.
+/// It locks the folder until then.   [main]
 class SessionFiles final : public RunObserver {
 public:
-    /// Opens the session in the folder `request.out`. `summary` is what is known before the first tick. Null: the
-    /// reason is in `refusal`, and the folder is as it was.
+    /// Opens the session in the folder `request.out`. `summary` has the data known before the first tick. Returns null
+    /// with the reason in `refusal`; the folder is then unchanged.
     static std::unique_ptr<SessionFiles> create(const Scene& scene, const RunRequest& request,
                                                 const RunSummary& summary, RunOutcome& refusal);
 
     void on_event(const EventRow& event) override { recorder_->push_event(event); }
     void on_cut(const CutRecord& cut) override;
     void on_tick(const TickRow& row) override { recorder_->push(row); }
-    /// Waits until the session can take more rows. Returns `unrecorded` when its file cannot be written any more.
+    /// Waits until the session can take more rows. Returns `unrecorded` if its file cannot be written any more.
     [[nodiscard]] std::optional<RunEnd> end() override;
     [[nodiscard]] std::string on_exact_surface(const ExactSurface& made) override;
     [[nodiscard]] std::string on_result(const RunSummary& summary, const Simulation& simulation) override;

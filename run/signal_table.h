@@ -9,13 +9,13 @@
 
 namespace kerf {
 
-/// The signals of all tools side by side; tools with the same law share theirs.
+/// The signals of all tools in one table. Tools with the same law use the same columns.
 struct SignalTable {
     std::vector<SignalColumn> columns;  ///< at most `most_signal_columns`
-    std::vector<std::size_t> first;     ///< of each tool
+    std::vector<std::size_t> first;     ///< for each tool: its first column
 
     explicit SignalTable(const std::vector<Tool>& tools);
-    /// Those of the tool in hand; the others are 0.
+    /// Sets the signals of the present tool; the others are 0.
     void fill(const Simulation& simulation, TickRow& row) const;
 };
 

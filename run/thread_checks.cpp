@@ -16,16 +16,16 @@ namespace kerf {
 
 namespace {
 
-/// To a hundredth of a millimetre.
+/// Rounds to 0.01 mm.
 std::string in_mm(double length) { return quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); }
 
-/// Complaints about one step of a procedure.
+/// Reports errors about one step of a procedure.
 class StepReport {
 public:
     StepReport(const Procedure& procedure, std::size_t step, Diagnostics& diagnostics)
         : document_(document_of(procedure)), step_(step), report_(*document_, diagnostics) {}
 
-    /// Under one of the step's keys; under the step where it has none.
+    /// Reports an error at one of the step's keys, or at the step if it lacks the key.
     void error(Code code, const char* key, const std::string& text) {
         const Node* steps = document_->root.find("steps");
         const Node* item = steps != nullptr && step_ < steps->children.size() ? &steps->children[step_] : nullptr;
@@ -41,12 +41,12 @@ private:
 
 double seat_of(const ToolOutline& tool) noexcept { return -tool.cutting.end_z(); }
 
-/// The radius of a screw behind its tip's cone.
+/// Returns the radius of a screw behind its tip's cone.
 double tip_core(const ToolOutline& tool) noexcept {
     return tool.profile[std::min<std::size_t>(1, tool.cutting_count - 1)].radius;
 }
 
-/// What its goal asks for; nothing: −∞.
+/// Returns the depth of the step's goal; −∞ without one.
 double asked_depth(const Step& step) noexcept {
     double depth = -HUGE_VAL;
     for (const Goal& goal : step.goals)
@@ -54,7 +54,7 @@ double asked_depth(const Step& step) noexcept {
     return depth;
 }
 
-/// Nothing but an implant is released, or joins the scene.
+/// Refuses releases and insertions of tools that are no implant.
 void check_releases(const Procedure& procedure, const std::vector<const ToolOutline*>& tools,
                     Diagnostics& diagnostics) {
     const auto document = document_of(procedure);
@@ -85,12 +85,12 @@ void check_releases(const Procedure& procedure, const std::vector<const ToolOutl
         }
 }
 
-/// What was made along a step's axis before it: the widest radii of holes and taps [m].
+/// The widest radii of holes and taps made along a step's axis before it [m].
 struct Before {
     double hole = 0.0, tap = 0.0;
 };
-/// The widest of what a tool cuts with, no farther than `behind` [m] its tip: the radius of its hole so far above the
-/// ground [m].
+/// Returns the largest cutting radius within `behind` [m] of the tip: the radius of the hole at that height above its
+/// bottom [m].
 double radius_behind(const ToolOutline& tool, double behind) noexcept {
     double widest = 0.0;
     for (std::size_t i = 0; i < tool.cutting_count; ++i) {
@@ -106,10 +106,11 @@ double radius_behind(const ToolOutline& tool, double behind) noexcept {
     return widest;
 }
 
-/// [m] of the cone at its tip.
+/// Returns the length of the cone at the tip [m].
 double point_of(const ToolOutline& tool) noexcept { return tool.cutting_count > 1 ? -tool.profile[1].z : 0.0; }
 
-/// An opening of the cortex is no hole for the thread: what counts is the width half as deep as the thread goes.
+/// Returns the hole and the tap before a step. An opening of the cortex alone is no hole for the thread. So the width
+/// counts at half the thread's depth.
 Before before_step(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step) {
     Before found;
     for (std::size_t b = 0; b < step; ++b) {
@@ -128,7 +129,7 @@ Before before_step(const Procedure& procedure, const std::vector<const ToolOutli
 
 void check_lead(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step,
                 StepReport& report) {
-    constexpr double same = 0.02;  // [–], as the law of the screw takes it
+    constexpr double same = 0.02;  // [–] same as in the law of the screw
     for (std::size_t b = 0; b < step; ++b) {
         const Step &before = procedure.steps[b], &now = procedure.steps[step];
         if (before.axis != now.axis || !tools[b]->has_thread() || tools[b]->is_implant()) continue;
@@ -178,7 +179,7 @@ void check_threads(const Procedure& procedure, const std::vector<const ToolOutli
 
 namespace {
 
-/// Whether the axis comes to its entry through a hole of the bone: with bone beside it.
+/// Returns whether the axis reaches its entry through a hole of the bone, with bone around it.
 bool comes_through_a_hole(const AxisFrame& frame, double radius, const Body& body) {
     constexpr int around = 16;
     constexpr double before = 2e-3;  // [m]
@@ -207,14 +208,15 @@ void check_screw_in_bone(const Procedure& procedure, const std::vector<const Too
                          "` drills a hole for it along `" + asked.axis +
                          "`. Put one before it, with a drill about as wide as its core, " +
                          in_mm(2.0 * tip_core(tool)) + ".");
-    if (!tool.is_implant() || is_in_a_hole) return;  // its entry is the bottom of a hole
-    // The head seats on the metal around its hole, whose far side lies on the bone.
+    if (!tool.is_implant() || is_in_a_hole) return;  // the entry is at the bottom of a hole
+    // The head seats on the metal around its hole. The far side of the metal is on the bone.
     const double metal = frame.plate ? std::max(0.0, -2.0 * *frame.plate) : 0.0;
     const double seat = seat_of(tool) - metal, spacing = body.grid().spacing;
     double last = 0.0;  // [m] of bone along the axis
     for (double depth = 0.0; depth <= seat + spacing; depth += spacing)
         if (uncut_distance(body, locate(body, frame.entry + depth * frame.along)) < 0.0) last = depth;
-    constexpr double proud = 15e-3;  // [m] that a tip may be out of the far side where it is to come out [judgement]
+    // [m] accepted protrusion of a tip that is planned to leave the far side [judgement].
+    constexpr double proud = 15e-3;
     if (last + spacing >= seat || (asked_depth(asked) > last && seat <= asked_depth(asked) + proud)) return;
     report.error(Code::screw_too_long, "instrument",
                  "`" + asked.instrument + "` is " + in_mm(seat) + " long, and along `" + asked.axis +

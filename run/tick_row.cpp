@@ -17,7 +17,7 @@ double tip_inside(const Simulation& simulation, const StepMonitor& monitor, Vec3
         return -uncut_distance(*live.bone, locate(*live.bone, inverse(live.world_from_body) * tip));
     };
     double deepest = inside(owner);
-    // Parts that a cut has made share the bone that was one; a fragment has its own.
+    // Parts separated by a cut have the same uncut bone. A fragment of a fracture has its own.
     for (const auto& live : simulation.bodies())
         if (live->is_present && live->is_cuttable && live->bone != owner.bone)
             deepest = std::max(deepest, inside(*live));
@@ -25,7 +25,7 @@ double tip_inside(const Simulation& simulation, const StepMonitor& monitor, Vec3
 }
 
 std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 tip) {
-    // A voxel ahead of the tip: the tip itself lies on the border of what it cut.
+    // One voxel ahead, because the tip is on the border of its own cut.
     const Vec3 ahead = tip + scene.procedure.spacing * rotate(simulation.world_from_tool().rotation, {0, 0, 1});
     for (const auto& live : simulation.bodies()) {
         if (!live->is_present || !live->is_cuttable) continue;

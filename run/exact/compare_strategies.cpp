@@ -15,7 +15,7 @@
 namespace kerf {
 namespace {
 
-constexpr double advance = 0.1e-3;  // [m] of a record
+constexpr double advance = 0.1e-3;  // [m] per record
 
 std::vector<CutRecord> planned_cut(const Scene& scene, std::size_t step, double depth) {
     std::vector<CutRecord> records;
@@ -34,7 +34,7 @@ std::vector<CutRecord> planned_cut(const Scene& scene, std::size_t step, double 
     return records;
 }
 
-/// The farthest that a vertex of one surface within a box lies from another surface [m].
+/// Returns the largest distance of a vertex within a box from another surface [m].
 double farthest_from(const SurfaceMesh& mesh, const TriangleTree& other, const Box& box) {
     double farthest = 0.0;
     for (const Vec3 v : mesh.vertices)

@@ -56,7 +56,8 @@ ExactRow exact_row(const ExactSurface& made, const ExactStrategies& strategies) 
 std::string write_exact_surfaces(const std::string& folder, const ExactSurface& made) {
     std::string error;
     std::error_code none;
-    for (std::size_t body = 0; body < most_bodies; ++body)  // of an earlier result, which may have had more
+    // Removes surfaces of an earlier result, which may have had more.
+    for (std::size_t body = 0; body < most_bodies; ++body)
         std::filesystem::remove(std::filesystem::path(folder) / file_of(body), none);
     for (const ExactPiece& piece : made.pieces)
         if (error.empty()) error = write_file(folder + "/" + file_of(piece.body), stl_bytes(shown(piece.mesh)));

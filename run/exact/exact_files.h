@@ -9,11 +9,11 @@
 
 namespace kerf {
 
-/// Returns an exact surface as results show it.   [any] pure.
+/// Returns an exact surface as a row of the results.   [any] pure.
 [[nodiscard]] ExactRow exact_row(const ExactSurface& made, const ExactStrategies& strategies);
 
-/// Writes bone-exact.stl, bone-exact-1.stl … into a folder, in the place of those there. Returns why not, for people,
-/// or an empty text.   [main]
+/// Writes bone-exact.stl, bone-exact-1.stl … into a folder and replaces existing ones. Returns the error as text, empty
+/// on success.   [main]
 [[nodiscard]] std::string write_exact_surfaces(const std::string& folder, const ExactSurface& made);
 
 }  // namespace kerf

@@ -16,10 +16,10 @@ namespace {
 
 constexpr auto not_started = static_cast<std::size_t>(-1);
 
-/// "kerf.remesh_cgal" of "kerf.remesh_cgal.local".
+/// Returns "kerf.remesh_cgal" for "kerf.remesh_cgal.local".
 std::string plugin_of(const std::string& full_id) { return full_id.substr(0, full_id.rfind('.')); }
 
-/// How to get a plugin: Kerf's own are packages and targets that are named after them.
+/// Returns how to install a plugin. Kerf's own have packages and targets with their names.
 std::string how_to_install(const std::string& plugin) {
     std::string package = plugin, target = plugin;
     std::replace_if(
@@ -151,7 +151,7 @@ std::string ExactStrategies::start(const Procedure& procedure, const std::string
         const ComponentInfo* tool = tool_of(instrument, *host_.catalog);
         std::string id = is_its_own ? instrument.remeshing : wanted;
         if (id.empty() && tool != nullptr && !tool->strategies.empty()) id = tool->strategies.front();
-        if (id.empty()) continue;  // a tool that removes no bone, or for which its plugin names no strategy
+        if (id.empty()) continue;  // a tool that removes no bone, or whose plugin names no strategy
         if (std::string error = start_chain(
                 instrument, id, is_its_own ? instrument.remeshing_parameters : std::vector<ParameterSetting>{});
             !error.empty()) {

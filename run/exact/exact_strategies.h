@@ -14,65 +14,63 @@
 
 namespace kerf {
 
-/// What calls strategies, and which there are.
+/// The program that calls strategies, and the catalogue of strategies.
 struct StrategyHost {
     std::string program;                ///< kerf-remesh
-    const ComponentCatalog* catalog{};  ///< of all plugins; outlives what is started
+    const ComponentCatalog* catalog{};  ///< of all plugins; must outlive the started strategies
 };
 
-/// Returns the strategy of a full id; null: it is not installed.   [any]
+/// Returns the strategy with a full id; null if it is not installed.   [any]
 [[nodiscard]] const ComponentInfo* find_strategy(const ComponentCatalog& catalog, const std::string& full_id);
 
-/// Starts a strategy. Null: the reason is in `error`, for people.   [main]
+/// Starts a strategy. Returns null with the reason, for people, in `error`.   [main]
 /// @param set   parameters that differ from their defaults
 [[nodiscard]] std::unique_ptr<RemeshChild> start_strategy(const StrategyHost& host, const std::string& full_id,
                                                           const std::vector<ParameterSetting>& set, std::string& error);
 
-/// Returns the anatomy whose `mesh:` is the surface of the scene's bone; null: there is none, or the bone is broken.
-/// [any]
+/// Returns the anatomy whose `mesh:` is the surface of the scene's bone; null if there is none, or the bone is
+/// fractured. [any]
 [[nodiscard]] const Anatomy* surface_anatomy(const Scene& scene) noexcept;
 
-/// Returns the cutting solids of a scene, as records number them, without strategies. The scene must outlive them.
-/// [any]
+/// Returns the cutting solids of a scene, in the order of the records' indices, without strategies. Pre: the scene
+/// outlives the result. [any]
 [[nodiscard]] ExactTools exact_tools(const Scene& scene);
 
-/// The strategies that the instruments of a procedure leave exact surfaces with, each in a process of its own. Where
-/// the one that an instrument wants is not installed, or declines a cut, the next of those that suit its tool replaces
-/// it.
+/// The strategies that make the exact surfaces of a procedure's instruments, each in its own process. If an
+/// instrument's strategy is not installed, or declines a cut, the next suitable strategy of its tool replaces it.
 class ExactStrategies {
 public:
     explicit ExactStrategies(StrategyHost host) : host_(std::move(host)) {}
 
-    /// Starts those that the procedure names; none if no instrument names one. Returns why an instrument has none, for
-    /// people, or an empty text. Call it before any thread runs.   [main]
-    /// A run continues without them: `why_not` is then in its results.
+    /// Starts the strategies that the procedure names. Returns why an instrument has none, for people, or an empty
+    /// text. Call it before any thread runs. A run continues without strategies: its results then contain `why_not`.
+    /// [main]
     [[nodiscard]] std::string start(const Procedure& procedure);
-    /// The same for a surface that is made in any case: by `wanted`, or else by what each instrument names, or else by
-    /// what suits its tool best.
-    /// @param wanted   full id; may be empty
+    /// Starts strategies for a surface that is always made: by `wanted`, else by the strategy of each instrument, else
+    /// by the most suitable strategy of its tool. Returns as above.   [main]
     [[nodiscard]] std::string start(const Procedure& procedure, const std::string& wanted);
 
     [[nodiscard]] bool are_any() const noexcept { return why_not_.empty() && !running_.empty(); }
-    /// Why the strategies of a procedure did not start; empty: they did, or there are none.
+    /// Returns why the strategies of a procedure did not start; empty if they did, or if there are none.
     [[nodiscard]] const std::string& why_not() const noexcept { return why_not_; }
-    /// The instrument whose strategy did not start; empty: none.
+    /// Returns the instrument whose strategy did not start; empty: none.
     [[nodiscard]] const std::string& instrument_without() const noexcept { return instrument_without_; }
-    /// Which strategies are not installed and what replaces them; for people.
+    /// Returns notes on strategies that are not installed and their replacements; for people.
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
-    /// Returns the cutting solids of a scene with the strategies of each.   [main]
+    /// Returns the cutting solids of a scene with their strategies.   [main]
     [[nodiscard]] ExactTools tools(const Scene& scene) const;
 
     struct Running {
-        std::string id;  ///< full
+        std::string id;  ///< full id
         std::vector<ParameterSetting> set;
-        std::vector<ParameterInfo> parameters;  ///< declared; their values are in `child->program().parameters`
+        std::vector<ParameterInfo> parameters;  ///< as declared; their values are in `child->program().parameters`
         std::uint64_t module_hash = 0;          ///< FNV-1a of the library
         std::unique_ptr<RemeshChild> child;
     };
     [[nodiscard]] const std::vector<Running>& running() const noexcept { return running_; }
 
 private:
-    /// What an instrument has: indices into `running_`, best first.
+    /// Strategies of an instrument: indices into `running_`, the most suitable first.
     struct Chain {
         std::string instrument;
         std::vector<std::size_t> strategies;

@@ -12,10 +12,10 @@ namespace kerf {
 
 namespace {
 
-/// Looks for a breach along the hole of what will lie in it.
+/// Finds breaches of cylinders along a hole.
 class BreachesAlong {
 public:
-    /// Medial and lateral, cranial and caudal; without the landmark `midline` the sides have no names.
+    /// Directions: medial and lateral, cranial and caudal. Without the landmark `midline` the sides have no names.
     BreachesAlong(const Body& body, const HolePlan& plan, const AxisFrame& frame, const DrilledHole& hole)
         : body_(&body), plan_(&plan), hole_(&hole) {
         to_side_ = frame.medial != Vec3{} ? frame.medial : rotate(quat_between({0, 0, 1}, frame.along), {1, 0, 0});
@@ -38,11 +38,11 @@ void add_breaches(const BreachesAlong& along, const Step& step, HoleResult& resu
         if (limit.quantity == "breach") result.breaches.emplace_back(limit.diameter, along.of(0.5 * limit.diameter));
 }
 
-/// Where a screw of this radius leaves the bone.
+/// Returns the parts of a vertebra in which a screw of this radius leaves the bone.
 BreachPlaces places_of(const BreachesAlong& along, const DrilledHole& axis, double radius, bool is_tip_out) {
     const Breach pedicle = along.of(radius, {0.0, axis.waist_end}), body = along.of(radius, {axis.waist_end, HUGE_VAL});
     enum { medial, lateral, cranial, caudal };
-    // An oblique breach is on the side on which it is the deepest.
+    // An oblique breach counts for the side on which it is deepest.
     const auto is_worst = [&](int side) {
         const double there = pedicle.towards[static_cast<std::size_t>(side)];
         return there > 0.0 && there == pedicle.worst();
@@ -53,7 +53,7 @@ BreachPlaces places_of(const BreachesAlong& along, const DrilledHole& axis, doub
             .in_zone = false};
 }
 
-/// Distance of a screw's core to the nearest zone [m]; negative inside.
+/// Returns the distance of a screw's core to the nearest zone [m]; negative inside.
 double clearance_of(const ToolSolid& core, const Pose& world_from_screw, const Anatomy& anatomy) {
     double least = HUGE_VAL;
     for (const Zone& zone : anatomy.zones) least = std::min(least, clearance(core, world_from_screw, zone));
@@ -111,7 +111,7 @@ std::optional<HoleResult> screw_of(const Scene& scene, const Simulation& simulat
                                    std::size_t step) {
     if (!monitor.steps()[step].has_cut_bone()) return {};
     const std::size_t owner = monitor.owners().step[step];
-    // A screw through a fracture lies in what was one bone.
+    // A screw through a fracture is measured in the whole bone.
     return screw_at(scene, step, monitor.frame(step),
                     scene.whole ? *scene.whole : *simulation.present().piece(owner).bone,
                     inverse(simulation.bodies()[owner]->world_from_body) * simulation.world_from_tool());
@@ -135,12 +135,12 @@ HoleResult screw_at(const Scene& scene, std::size_t step, const AxisFrame& frame
                                  .most = along.of(radius + unsure).worst()};
     if (frame.plate) {
         const Vec3 middle = frame.entry + *frame.plate * frame.along, axis = rotate(screw.rotation, {0, 0, 1});
-        const double cosine = dot(axis, frame.along);  // a screw at more than 60° to the axis was left out above
+        const double cosine = dot(axis, frame.along);  // a screw at more than 60° to the axis was excluded above
         const Vec3 there = screw.position + dot(middle - screw.position, frame.along) / cosine * axis;
         result.screw->hole_offset = length(there - middle);
         result.screw->hole_angle = std::atan2(length(cross(axis, frame.along)), cosine);
     }
-    if (frame.medial == Vec3{}) return result;  // its sides have no names
+    if (frame.medial == Vec3{}) return result;  // the sides have no names
     const double tip = uncut_distance(body, locate(body, screw.position)),
                  zone = clearance_of(outline.cutting, screw, scene.anatomy);
     const auto places = [&](double by) {

@@ -9,15 +9,15 @@
 #include "run/scene.h"
 #include "text/source.h"
 
-/// The measures of a procedure on the bone of a run: on body 0, which is what stays.
+/// Evaluates the measures of a procedure on the bone of a run: on body 0, the part that remains.
 namespace kerf {
 
-/// Measures what is left of the bone, each measure in the order of the procedure.   [worker]
-/// @param world_from_body   of each body; empty: nothing has moved
+/// Measures the present bone, in the order of the procedure's measures.   [worker]
+/// @param world_from_body   for each body; empty: no body has moved
 [[nodiscard]] std::vector<MeasureReading> measure_bone(const Scene& scene, const PresentBone& bone,
                                                        std::span<const Pose> world_from_body);
 
-/// Measures the bone before the first cut. Refuses a measure that cannot be made of it (E0529).   [main]
+/// Measures the bone before the first cut. Refuses a measure that has no value on it (E0529).   [main]
 void measure_before_cuts(Scene& scene, Diagnostics& diagnostics);
 
 }  // namespace kerf

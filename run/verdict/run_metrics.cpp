@@ -21,7 +21,7 @@ namespace {
 
 using namespace literals;
 
-/// The rows of one step.
+/// Adds the rows of one step.
 class StepRows {
 public:
     StepRows(const StepState& state, double spacing, std::vector<MetricRow>& rows)
@@ -46,9 +46,9 @@ public:
     }
     [[nodiscard]] double spacing() const noexcept { return spacing_; }
     [[nodiscard]] double half_voxel() const noexcept { return 0.5 * spacing_; }
-    /// The field knows a wall to a twentieth of a voxel.
+    /// Returns the uncertainty of a wall: the field resolves it to a twentieth of a voxel [m].
     [[nodiscard]] double sharp() const noexcept { return 0.05 * spacing_; }
-    /// Of the limit on a quantity; "info" without one.
+    /// Returns the status of the limit on a quantity; "info" without one.
     [[nodiscard]] const char* status_of(const char* quantity, double diameter = 0.0) const {
         for (const auto& limit : state_->limits)
             if (limit.limit->quantity == quantity && limit.limit->diameter == diameter)
@@ -74,7 +74,7 @@ void add_clearances(const StepState& state, StepRows& rows) {
                      "Greatest thrust of the running tool.");
 }
 
-/// Of the limits on a quantity that `is_asked` picks; "info" without one.
+/// Returns the status of the limits on a quantity that `is_asked` selects; "info" without one.
 template <class IsAsked>
 const char* status_of_limits(const StepState& state, IsAsked&& is_asked) {
     const char* status = "info";
@@ -84,7 +84,7 @@ const char* status_of_limits(const StepState& state, IsAsked&& is_asked) {
     return status;
 }
 
-/// The limits on one number of each tick. Several on the same number saw the same values.
+/// Adds the limits on one number of each tick. Several limits on one number had the same values.
 void add_loads(const StepState& state, StepRows& rows) {
     struct Load {
         const char *quantity, *name, *unit;
@@ -115,7 +115,7 @@ void add_removed_volume(const StepState& state, StepRows& rows) {
                  "Bone removed in this step; while the step lasts, counted every 50 ms.");
 }
 
-/// The greatest value of a signal where a goal has to reach it or a limit is above it; the least for the opposite.
+/// Adds the maximum of a signal for a goal at least, or a limit at most, and the minimum for the opposite.
 void add_signals(const StepState& state, StepRows& rows) {
     for (const SignalState& signal : state.signals) {
         if (!signal.is_seen) continue;
@@ -137,7 +137,7 @@ void add_signals(const StepState& state, StepRows& rows) {
     }
 }
 
-/// Where things were when the step had ended.
+/// Adds poses and distances at the end of the step.
 void add_places(const StepState& state, StepRows& rows) {
     if (state.reduction && state.step->is_with_piece()) {
         rows.length("reduction-offset", state.reduction->offset, -1.0, rows.status_of("reduction_offset"),
@@ -158,7 +158,7 @@ void add_places(const StepState& state, StepRows& rows) {
     }
 }
 
-/// What a measure is, for people.
+/// Returns the explanation of a measure, for people.
 std::string help_of(const Measure& measure) {
     switch (measure.kind) {
         case Measure::Kind::angle:
@@ -188,7 +188,7 @@ MetricRow measure_row(const Measure& measure, const MeasureReading& reading, con
     return row;
 }
 
-/// The measures of the bone when the step had ended, or was measured last.
+/// Adds the measures of the bone at the end of the step, or as last measured.
 void add_measures(const StepState& state, const Procedure& procedure, std::vector<MetricRow>& rows) {
     for (std::size_t m = 0; m < procedure.measures.size() && m < state.measures.size(); ++m) {
         const Measure& measure = procedure.measures[m];
@@ -201,7 +201,7 @@ void add_measures(const StepState& state, const Procedure& procedure, std::vecto
     }
 }
 
-/// The same of the whole run: before the first cut, and at the end of the last step that was measured.
+/// Adds the measures of the whole run: before the first cut, and at the end of the last measured step.
 void add_measures_of_run(const StepMonitor& monitor, const Scene& scene, std::vector<MetricRow>& rows) {
     for (std::size_t m = 0; m < scene.measured_before.size(); ++m) {
         const Measure& measure = scene.procedure.measures[m];
@@ -223,7 +223,7 @@ void add_measures_of_run(const StepMonitor& monitor, const Scene& scene, std::ve
     }
 }
 
-/// What is reported only where a goal or limit asks for it.
+/// Adds metrics that are reported only for a goal or limit.
 void add_asked(const StepState& state, StepRows& rows) {
     add_loads(state, rows);
     add_removed_volume(state, rows);
@@ -262,7 +262,7 @@ void add_sides(const std::string& name, const Breach& breach, const AxisFrame& f
                         "The same on this side.");
 }
 
-/// @param is_one   of several, which are told apart by their diameters
+/// @param is_one   one of several, which are distinguished by their diameters
 void add_breach(double diameter, const Breach& breach, bool is_one, const AxisFrame& frame, StepRows& rows) {
     std::string name = "breach";
     if (is_one) {
@@ -274,7 +274,8 @@ void add_breach(double diameter, const Breach& breach, bool is_one, const AxisFr
     add_sides(name, breach, frame, rows);
 }
 
-/// Of a blind hole so many voxels wide [–]: measured up to 6.4 % at 4 voxels, 1.1 % at 6.4 (docs/limits.md).
+/// Returns the relative uncertainty of a blind hole's volume at this width in voxels [–]: up to 6.4 % at 4 voxels, 1.1
+/// % at 6.4 (docs/limits.md).
 double volume_uncertainty(double voxels) { return voxels < 6.0 ? 0.07 : 0.015; }
 
 /// Rows of offsets from the planned axis.
@@ -308,7 +309,7 @@ constexpr const char* at_waist = "at the waist of the bone around the axis; wher
 void add_drilled(const DrilledHole& hole, double width, StepRows& rows) {
     add_angle(hole, "the line of least squares through the hole's middles", rows);
     OffsetRows offsets("the hole's middle", rows);
-    // Revision 1 was the place of the tip at first touch.
+    // Revision 1 was the position of the tip at first contact.
     offsets.add("entry-offset", "entry_offset", hole.entry_offset, "one diameter behind its first whole circle.", 2);
     offsets.add("narrowest-offset", "narrowest_offset", hole.narrowest_offset, at_waist);
     offsets.add("end-offset", "end_offset", hole.end_offset, "where its last whole circle is.");
@@ -331,7 +332,7 @@ void add_screw(const InsertedScrew& screw, const DrilledHole& axis, const AxisFr
                  "Between the axis of the screw and that of the implant's hole.");
     const std::string how_far =
         "How far the screw's thread, " + quantity_text(screw.diameter, "mm") + " wide, leaves the bone";
-    const bool is_in_vertebra = !screw.by_place.empty();  // both grades are of screws in pedicles
+    const bool is_in_vertebra = !screw.by_place.empty();  // both grades are defined for screws in pedicles
     const std::string name = is_in_vertebra ? "gertzbein-robbins" : "thread-outside";
     if (is_in_vertebra)
         rows.length(name, screw.breach.worst(), rows.half_voxel(),
@@ -358,7 +359,7 @@ void add_hole(const HoleResult& result, const AxisFrame& frame, double width, St
 
 namespace {
 
-/// Whether a step before has drilled along the same axis: then the tip has no bone in front of it for long.
+/// Returns whether an earlier step has drilled along the same axis: then there is often no bone ahead of the tip.
 bool is_in_a_hole(const Scene& scene, std::size_t step) {
     for (std::size_t before = 0; before < step; ++before)
         if (scene.procedure.steps[before].axis == scene.procedure.steps[step].axis &&
@@ -384,7 +385,7 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
         }
         rows.length("depth", std::max(0.0, state.deepest), rows.half_voxel(), "info",
                     "Deepest that the tip was while bone resisted it, along the planned axis from its entry.");
-        if (state.has_cut_bone())  // of one that cut nothing nobody knows how well it was aimed
+        if (state.has_cut_bone())  // without a cut, its aim is unknown
             rows.length("offset", state.farthest_offset, rows.half_voxel(), "info",
                         "Largest distance of the tip from the planned axis while it cut bone: how far it wandered.");
         add_clearances(state, rows);

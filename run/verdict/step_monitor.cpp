@@ -42,7 +42,7 @@ AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const An
     frame.entry = axis.from + entry_along_axis * frame.along;
     for (const auto& point : anatomy.points)
         if (point.id == "midline") {
-            // Across the axis, towards the middle at the depth where both are level.
+            // Perpendicular to the axis, towards the midline.
             const Vec3 away = point.at - frame.entry;
             frame.medial = normalized(away - dot(away, frame.along) * frame.along);
         }
@@ -66,7 +66,7 @@ double clearance(const ToolSolid& solid, const Pose& world_from_tool, const Zone
 
 namespace {
 
-/// From the world to the body `owner`.
+/// Returns the pose of the world in the body `owner`.
 Pose body_from_world(std::size_t owner, const Observation& now) noexcept {
     return owner < now.world_from_body.size() ? inverse(now.world_from_body[owner]) : identity_pose();
 }
@@ -74,7 +74,7 @@ bool is_within(const Bound& bound, double value) noexcept {
     return bound.at_least.value_or(-HUGE_VAL) <= value && value <= bound.at_most.value_or(HUGE_VAL);
 }
 
-/// How far a value is beyond its bound; negative within.
+/// Returns the distance of a value beyond its bound; negative within.
 double excess_of(const Bound& bound, double value) noexcept {
     return std::max(bound.at_least ? *bound.at_least - value : -HUGE_VAL,
                     bound.at_most ? value - *bound.at_most : -HUGE_VAL);
@@ -87,7 +87,7 @@ void add_signal(const NamedSignal& signal, std::vector<SignalState>& signals) {
         signals.push_back({.signal = &signal});
 }
 
-/// What the law reports of a signal; nothing for a value that is no number.
+/// Returns the value of a signal; nothing if it is not finite.
 std::optional<double> value_of(const NamedSignal& signal, const Observation& now) noexcept {
     if (signal.index >= now.signals.size() || !std::isfinite(now.signals[signal.index])) return {};
     return now.signals[signal.index];
@@ -108,7 +108,7 @@ void take_signals(const Observation& now, StepState& state) noexcept {
     }
 }
 
-/// The tool as the body `owner` sees it.
+/// Returns the pose of the tool in the body `owner`.
 Pose seen_from(std::size_t owner, const Observation& now) noexcept {
     if (owner >= now.world_from_body.size()) return now.world_from_tool;
     return inverse(now.world_from_body[owner]) * now.world_from_tool;
@@ -190,7 +190,7 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     }
     ask_for_measures(state, next_goal, is_in_bone, state.is_released_at_end ? !is_running : depth < 0.0, now.held);
 
-    // The step ends when its goals are reached and the tool is back outside, with nothing in it, or stays.
+    // The step ends when its goals are reached and the tool is outside the bone without a held body, or is released.
     const bool is_over = is_released_ || (depth < 0.0 && !state.is_released_at_end);
     if (state.has_reached_all() && is_over && now.held < 0) {
         is_released_ = false;
@@ -240,22 +240,22 @@ std::optional<double> StepMonitor::measured(const LimitState& limit, const StepS
                                             double depth, const ToolSolid& cutting) const {
     const Limit& asked = *limit.limit;
     const std::string& quantity = asked.quantity;
-    // A screw that sticks is not running, and still twists.
+    // A stuck screw is not running, but its torque counts.
     if (quantity == "torque") return std::abs(now.torque);
     if (quantity == "lateral_force") return now.lateral_force;
     if (quantity == "removed_volume") return now.removed;
     if (quantity == "duration") return now.time - *state.start;
     if (quantity == "signal") return value_of(asked.signal, now);
-    if (!now.is_running) return {};  // a still tool harms nothing
+    if (!now.is_running) return {};  // a still tool does no harm
     if (asked.is_of_wall() || asked.is_of_hole() || asked.is_of_places() || quantity == "measure" ||
         quantity == "damage")
-        return {};  // judged when it is there
+        return {};  // judged at the end of the step
     if (quantity == "clearance") return clearance_to(limit, now, cutting);
     if (quantity == "thrust") return now.thrust;
     if (quantity == "plunge") return state.advance.plunge;
     if (quantity == "time_in_air") return state.advance.in_air;
     if (quantity == "speed") return now.is_resisted ? std::optional(state.tip_speed.value()) : std::nullopt;
-    // Beside the bone there is no hole that could be too deep.
+    // Outside of the bone there is no hole that could be too deep.
     return state.has_cut_bone() ? std::optional(depth) : std::nullopt;
 }
 
@@ -265,7 +265,7 @@ std::optional<double> StepMonitor::clearance_to(const LimitState& limit, const O
                                    [&](const Zone& z) { return z.id == limit.limit->zone; });
     if (zone == anatomy_->zones.end()) return {};
     const Pose seen = seen_from(owners_.zone[static_cast<std::size_t>(zone - anatomy_->zones.begin())], now);
-    // Distances are 1-Lipschitz: far from the zone the tip alone shows that nothing new can be learnt.
+    // Distances are 1-Lipschitz: far from the zone, the tip's distance shows that the minimum cannot change.
     const double reach = cutting.tip_z() - cutting.end_z() + cutting.largest_radius();
     if (limit.is_seen && distance_to_any(zone->solids, seen.position) - reach > limit.worst) return {};
     return clearance(cutting, seen, *zone);
@@ -339,8 +339,8 @@ void StepMonitor::report(const std::string& event, double time) {
     }
 }
 
-// The tip is at its front until it has gone back by a tenth of a millimetre; half a millimetre below the surface it is
-// within bone. A face that it passes on its way back is its own entry.
+// The tip is at its front until it retracts by 0.1 mm. At 0.5 mm below the surface it is inside bone. If it passes a
+// face while it retracts, the face is its own entry.
 void StepMonitor::follow(const Observation& now, double depth, double hand, double dt, StepState& state) {
     constexpr double give = 0.1e-3, well_inside = 0.5e-3;
     TipProgress& advance = state.advance;
