@@ -41,7 +41,7 @@ void check_device(const Procedure& procedure, const Document& document, Report& 
     const std::string meant = closest(procedure.device, ids);
     report.error(
         Code::unknown_device, device != nullptr ? device->span : TextSpan{},
-        "There is no record of a device `" + procedure.device + "`; there is " + listed(ids) + "." + or_choose(meant),
+        "The device is unknown: got `" + procedure.device + "`, expected " + listed(ids) + "." + or_choose(meant),
         meant);
 }
 
@@ -81,9 +81,9 @@ void check_reach(const Procedure& procedure, std::size_t rehearsal, const Docume
         const Node* depth = waypoint_node(document, rehearsal, where, "depth");
         report.warning(Code::short_of_goal,
                        depth != nullptr ? depth->span : span_in(document, "rehearsals", rehearsal, "path"),
-                       "The rehearsal expects to pass and leads no deeper than this in step `" + procedure.steps[s].id +
-                           "`, whose goal is a depth of at least " + quantity_text(asked, "mm") +
-                           ". Lead it as deep, or write how it is expected to fail.",
+                       "The path of a rehearsal that expects to pass is too shallow in step `" + procedure.steps[s].id +
+                           "`: got " + quantity_text(deepest, "mm") + ", expected at least " +
+                           quantity_text(asked, "mm") + ". Lead it deeper, or write how it is expected to fail.",
                        quantity_text(asked, "mm"));
     }
 }
@@ -99,18 +99,20 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < procedure.steps.size(); ++i)
         if (tools.insert(procedure.steps[i].instrument).second && tools.size() == most_tools + 1)
             report.error(Code::too_many_tools, span_in(document, "steps", i, "instrument"),
-                         "This is the " + std::to_string(tools.size()) + "th instrument in use, must be at most " +
-                             std::to_string(most_tools) + ". Use one of the others, or make two procedures of it.");
+                         "The steps use too many instruments: got " + std::to_string(tools.size()) +
+                             ", expected at most " + std::to_string(most_tools) +
+                             ". Use one of the others, or split the procedure in two.");
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const auto& path = procedure.rehearsals[i].path;
         if (path.empty()) continue;  // reported while it was read
         if (path.size() < 2)
             report.error(Code::no_way, span_in(document, "rehearsals", i, "path"),
-                         "The rehearsal has " + std::to_string(path.size()) +
-                             " waypoint, must have at least 2: from where and to where. Add one.");
+                         "The rehearsal's path is too short: got " + std::to_string(path.size()) +
+                             " waypoint, expected at least 2, a start and an end. Add one.");
         else if (path.front().depth >= 0.0)
             report.error(Code::starts_in_bone, span_in(document, "rehearsals", i, "path"),
-                         "The rehearsal starts inside the bone; its first waypoint must have a depth below 0 mm.",
+                         "The rehearsal starts inside the bone: got a depth of " +
+                             quantity_text(path.front().depth, "mm") + ", expected less than 0 mm.",
                          "[{depth: -5 mm}, …]");
         else if (!has_error(diagnostics))
             check_reach(procedure, i, document, report);
@@ -127,12 +129,11 @@ void refuse_tool(const Procedure& procedure, const std::string& instrument, cons
     const Node* plugin = node != nullptr ? node->find("plugin") : nullptr;
     const std::string component = tool != nullptr && plugin != nullptr ? plugin->text + "/" + tool->text : "";
     Report(document, diagnostics)
-        .error(
-            Code::impossible_tool,
-            tool != nullptr   ? tool->span
-            : node != nullptr ? node->span
-                              : TextSpan{},
-            why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
+        .error(Code::impossible_tool,
+               tool != nullptr   ? tool->span
+               : node != nullptr ? node->span
+                                 : TextSpan{},
+               why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` explains them."));
 }
 
 void report_strategy(const Procedure& procedure, const std::string& instrument, const std::string& why,
@@ -162,18 +163,18 @@ void check_width_of_cut(const Procedure& procedure, const std::string& instrumen
     const auto document = document_of(procedure);
     const Node* accuracy = document->root.find("accuracy");
     const Node* spacing = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
-    const std::string voxels = " voxels of " + in_mm(procedure.spacing) + ": ",
+    const std::string voxels = " voxels of " + in_mm(procedure.spacing) + ". ",
                       needed = in_mm(std::floor(coarsest / 0.01e-3 + 1e-6) * 0.01e-3);
-    const std::string what = cutting.is_prism()
-                                 ? "The saw's kerf of " + in_mm(width) + " is narrower than two" + voxels +
-                                       "its slot is lost between samples."
-                                 : "The hole that `" + instrument + "` makes, " + in_mm(width) +
-                                       " wide, is narrower than four" + voxels +
-                                       "its wall is not known where it is, and the tool meets bone that it has cut.";
+    const std::string what =
+        cutting.is_prism() ? "The saw's kerf is too narrow for the spacing: got " + in_mm(width) +
+                                 ", expected at least two" + voxels + "The slot is lost between samples."
+                           : "The hole of `" + instrument + "` is too narrow for the spacing: got " + in_mm(width) +
+                                 ", expected at least four" + voxels +
+                                 "The position of its wall is uncertain, and the tool meets bone that it has cut.";
     Report(*document, diagnostics)
         .warning(cutting.is_prism() ? Code::narrow_kerf : Code::narrow_hole,
                  spacing != nullptr ? spacing->span : span_of_instrument(*document, instrument, "tool"),
-                 what + " It needs a spacing of " + needed + " or less.", needed);
+                 what + " Use a spacing of " + needed + " or less.", needed);
 }
 
 void check_guide(const Procedure& procedure, const Instrument& instrument, const ToolSolid& whole,
@@ -189,21 +190,21 @@ void check_guide(const Procedure& procedure, const Instrument& instrument, const
         bore = bore != nullptr ? bore->find(key) : nullptr;
     const double width = 2.0 * whole.largest_radius(), length = -whole.end_z();
     if (whole.is_prism())
-        return report.error(
-            Code::narrow_guide, here,
-            "The instrument `" + instrument.id + "` is a blade, and no blade works through a sleeve. Remove `guide:`.");
+        return report.error(Code::narrow_guide, here,
+                            "The instrument `" + instrument.id +
+                                "` has a sleeve: got a blade, expected a turning tool. Remove `guide:`.");
     if (width >= sleeve.bore)
         return report.error(Code::narrow_guide, bore != nullptr ? bore->span : here,
-                            "The sleeve's bore of " + in_mm(sleeve.bore) + " does not hold the tool, which is " +
-                                in_mm(width) + " wide. Write a wider `bore:`.");
+                            "The sleeve's bore is too narrow: got " + in_mm(sleeve.bore) + ", expected more than " +
+                                in_mm(width) + ", the width of the tool. Write a wider `bore:`.");
     const double reach = std::max(0.0, length - sleeve.length - sleeve.gap);
     for (const Step& step : procedure.steps)
         for (const Goal& goal : step.goals) {
             const double asked = goal.quantity == "depth" ? goal.bound.at_least.value_or(0.0) : 0.0;
             if (step.instrument != instrument.id || asked <= reach) continue;
             return report.warning(Code::short_of_sleeve, here,
-                                  "Through this sleeve a tool of " + in_mm(length) + " reaches a depth of " +
-                                      in_mm(reach) + "; step `" + step.id + "` asks for " + in_mm(asked) +
+                                  "The tool of " + in_mm(length) + " is too short for its sleeve in step `" + step.id +
+                                      "`: got a depth of " + in_mm(reach) + ", expected at least " + in_mm(asked) +
                                       ". Write a shorter `length:`, or take a longer tool.");
         }
 }
@@ -223,8 +224,8 @@ void check_hole_limits(const Procedure& procedure, std::size_t step, const ToolS
             limits != nullptr && l < limits->children.size() ? limits->children[l].find(limit.quantity) : nullptr;
         Report(*document, diagnostics)
             .error(Code::needs_hole, written != nullptr ? written->key_span : TextSpan{},
-                   "`" + limit.quantity + "` is measured on a drilled hole, and `" + asked.instrument +
-                       "` is a blade, which makes none. Use a limit of a cut, or an instrument that drills.");
+                   "The limit `" + limit.quantity + "` needs a drilled hole: got the blade `" + asked.instrument +
+                       "`, expected a turning tool. Use a limit of a cut, or an instrument that drills.");
     }
 }
 
@@ -240,7 +241,8 @@ void check_regrips(const Procedure& procedure, std::size_t step, bool has_thread
             Report(*document, diagnostics)
                 .error(Code::needs_driver, regrip != nullptr ? regrip->key_span : TextSpan{},
                        "The hand cannot regrip `" + procedure.steps[step].instrument +
-                           "`: it has no thread that bone holds meanwhile. Remove `regrip:`.");
+                           "`: got a tool without a thread, expected one with a thread that stays in bone. Remove "
+                           "`regrip:`.");
         }
 }
 
@@ -255,11 +257,10 @@ void check_force_scale(const Procedure& procedure, const DeviceRecord& device, d
                  haptics != nullptr       ? haptics->span
                  : instruments != nullptr ? instruments->span
                                           : TextSpan{},
-                 "No tool cuts with the drives and coefficients that it is given, so no force scale is made to fit: at "
-                 "1/1 the device holds " +
+                 "No force scale can be computed: no tool cuts with its drives and coefficients. The scale is 1/1, at "
+                 "which the device renders at most " +
                      quantity_text(device.peak_force, "N") +
-                     ". A tool that is pushed needs `working_force:` under `haptics:`, such as 100 N, or a "
-                     "`force_scale:`.");
+                     ". For a pushed tool, write `working_force:` under `haptics:`, such as 100 N, or `force_scale:`.");
 }
 
 void check_felt(const Procedure& procedure, std::size_t step, const std::vector<double>& along,
@@ -275,11 +276,11 @@ void check_felt(const Procedure& procedure, std::size_t step, const std::vector<
         .warning(
             Code::felt_below_friction,
             haptics != nullptr ? haptics->span : span_in(*document, "steps", step, "instrument"),
-            "Most of step `" + procedure.steps[step].id + "` is not felt on `" + procedure.device + "`: over " +
-                std::to_string(percent) + " % of its way, bone takes less than " +
+            "Most of step `" + procedure.steps[step].id + "` cannot be felt on `" + procedure.device + "`: over " +
+                std::to_string(percent) + " % of its path, bone resists with less than " +
                 quantity_text(std::round(device.friction / force_scale * 10.0) * 0.1, "N") +
-                ", which at the force scale of 1/" + std::to_string(std::lround(1.0 / force_scale)) +
-                " is less than the device's friction of " + quantity_text(device.friction, "N") +
+                ". At the force scale of 1/" + std::to_string(std::lround(1.0 / force_scale)) +
+                ", that is less than the device's friction of " + quantity_text(device.friction, "N") +
                 (procedure.force_scale ? ". Write a larger `force_scale:`" : ". Write a smaller `working_force:`") +
                 ", or take a device with less friction.");
 }
@@ -293,9 +294,9 @@ void check_time(const Procedure& procedure, std::size_t rehearsal, double least_
     Report(*document, diagnostics)
         .warning(Code::short_of_time,
                  limit != nullptr ? limit->span : span_in(*document, "rehearsals", rehearsal, "path"),
-                 "The run ends after " + quantity_text(procedure.time_limit, "s") + "; the hand of `" + r.id +
-                     "`, which expects to pass, needs " + needed +
-                     " at least for its path at its approach and feed. Write a longer `time_limit:`, or a faster hand.",
+                 "The time limit is too short for `" + r.id + "`, which expects to pass: got " +
+                     quantity_text(procedure.time_limit, "s") + ", expected at least " + needed +
+                     " for its path at its approach and feed. Write a longer `time_limit:`, or a faster hand.",
                  needed);
 }
 
@@ -310,10 +311,11 @@ void check_blade_fits(const Procedure& procedure, const std::string& instrument,
     const auto document = document_of(procedure);
     Report(*document, diagnostics)
         .error(Code::blade_beyond_region, span_of_instrument(*document, instrument, "tool"),
-               "The blade sweeps " + in_mm(is_thick ? cutting.thickness() : width) +
-                   (is_thick ? " across" : " of width") + "; bone can be cut in a region of " + in_mm(size.x) + " × " +
+               std::string("The blade is too ") + (is_thick ? "thick" : "wide") +
+                   " for the region in which bone can be cut: got " + in_mm(is_thick ? cutting.thickness() : width) +
+                   ", expected less than " + in_mm(is_thick ? least : most) + " of " + in_mm(size.x) + " × " +
                    in_mm(size.y) + " × " + in_mm(size.z) +
-                   ". Take a blade that fits in, or plan the axis so that the region is larger.");
+                   ". Take a smaller blade, or plan the axis so that the region is larger.");
 }
 
 namespace {
@@ -349,12 +351,14 @@ void check_waypoints_in_region(const Procedure& procedure, const std::vector<Axi
             if (beyond < body.grid().spacing) continue;
             const Vec3 size = body.region.high - body.region.low;
             const Node* where = waypoint_node(*document, r, w);
-            report.warning(Code::waypoint_beyond_region, where != nullptr ? where->span : TextSpan{},
-                           "Here `" + procedure.steps[waypoint.step].instrument + "` would stand " + in_mm(beyond) +
-                               " beyond the region in which bone can be cut, " + in_mm(size.x) + " × " + in_mm(size.y) +
-                               " × " + in_mm(size.z) +
-                               " around the planned axes: bone stands there like a wall, and the hand stops at it. "
-                               "Stay within, or give the anatomy an axis that leads as far.");
+            report.warning(
+                Code::waypoint_beyond_region, where != nullptr ? where->span : TextSpan{},
+                "Here `" + procedure.steps[waypoint.step].instrument +
+                    "` leaves the region in which bone can be cut: got " + in_mm(beyond) +
+                    " beyond it, expected less than " + in_mm(body.grid().spacing) + ". Beyond its " + in_mm(size.x) +
+                    " × " + in_mm(size.y) + " × " + in_mm(size.z) +
+                    " around the planned axes, bone acts as a wall that stops the hand. Stay within, or give "
+                    "the anatomy an axis that leads as far.");
         }
 }
 

@@ -104,9 +104,9 @@ TEST(RunChecks, ABladeThickerThanTheRegionIsRefused) {
         return found.empty() ? "" : found[0].code + " " + found[0].message;
     };
     EXPECT_EQ(told(3e-3, 3.5e-3), "");
-    EXPECT_EQ(told(4e-3, 3.5e-3), "E0707 The blade sweeps 4 mm across; bone can be cut in a region of 30 mm × 3.5 mm × "
-                                  "54 mm. Take a blade that fits in, or plan the axis so "
-                                  "that the region is larger.");
+    EXPECT_EQ(told(4e-3, 3.5e-3), "E0707 The blade is too thick for the region in which bone can be cut: got 4 mm, "
+                                  "expected less than 3.5 mm of 30 mm × 3.5 mm × 54 mm. Take a smaller blade, or plan "
+                                  "the axis so that the region is larger.");
 }
 
 TEST(RunChecks, AToolThatIsRefusedIsShownWithTheReason) {
