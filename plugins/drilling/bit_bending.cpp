@@ -12,7 +12,7 @@ namespace kerf::drilling {
 
 namespace {
 
-/// Forces across the bit and moments about its tip, as if they pushed at one height.
+/// Forces across the bit and moments about its tip. `z` is the one height at which the force gives these moments.
 struct Load {
     double fx = 0.0, fy = 0.0, mx = 0.0, my = 0.0;  ///< [N], [N·m]
     double z = 0.0;                                 ///< [m]
@@ -20,7 +20,7 @@ struct Load {
     [[nodiscard]] bool bends() const noexcept { return fx != 0.0 || fy != 0.0 || mx != 0.0 || my != 0.0; }
 };
 
-/// What `wrench`, times so much, does to the bit.
+/// Returns the load of `wrench` times `times`. Its height is clamped to the bit.
 Load load_of(const double* wrench, double times, double length) noexcept {
     Load load{times * wrench[0], times * wrench[1], times * wrench[3], times * wrench[4]};
     const double squared = load.fx * load.fx + load.fy * load.fy;

@@ -10,7 +10,7 @@ namespace kerf::drilling {
 
 namespace {
 
-/// Calls `each(x1, x2, EI)` for its pieces of one diameter, from the tip backwards.
+/// Calls `each(x1, x2, EI)` for each piece of constant diameter, from the tip backwards.
 template <class Each>
 void for_each_piece(const TwistDrill& drill, const Each& each) {
     const auto stiffness_of = [&](double radius) {

@@ -4,24 +4,24 @@
 #include "kerf/outline.hpp"
 #include "twist_drill.h"
 
-/// How the bit bends, held at its chuck: stainless steel, half of the round section's I left by the flutes [assumed]. A
-/// cone counts as wide as it ends; what is wider than the shank as the shank.
+/// Bending stiffness of the bit, clamped at its chuck. The material is stainless steel; the flutes leave half of the
+/// round section's I [assumed]. A cone counts with its widest diameter, and the head with no more than the shank's.
 namespace kerf::drilling {
 
-/// Returns what a force across the tip does to it:
+/// Returns the deflection and slope of the tip per unit force across it [m/N, rad/N]:
 ///
 ///     δ = Σ (x₂³ − x₁³) / 3 E I_i,    s = Σ (x₂² − x₁²) / 2 E I_i,    I_i = ½ π d_i⁴/64
 ///
-/// summed over its pieces of one diameter d_i, from x₁ to x₂ behind the tip.   [any] pure.
+/// summed over the pieces of constant diameter d_i, from x₁ to x₂ behind the tip.   [any] pure.
 [[nodiscard]] Outline::Bending tip_bending(const TwistDrill& drill) noexcept;
 
-/// Returns how stiffly a part of the bit at `z` ≤ 0 stands against bone of the stiffness `contact` [N/m], if the host
-/// bends the bit by `tip_bending`: the bone in series with what is left over. A force at a = −z in the shape of the
-/// tip's bending moves its own place by (δ − a s)²/δ; the bit gives way by
+/// Returns the stiffness [N/m] of a contact point on the bit at `z` ≤ 0 [m], for a host that bends the bit by
+/// `tip_bending`. It puts the bone's stiffness `contact` [N/m] in series with the compliance that the host leaves out.
+/// The host's shape moves the point at a = −z by (δ − a s)²/δ per unit force there. The true compliance is
 ///
 ///     ∫ (x − a)² / E I dx,    a … l
 ///
-/// The rest is 0 from some 0.7 l on, where the shape would give more.   [any] pure.
+/// The remainder vanishes from about 0.7 l on, where the host's shape would be more compliant.   [any] pure.
 [[nodiscard]] double shank_stiffness(const TwistDrill& drill, Outline::Bending tip, double z, double contact) noexcept;
 
 }  // namespace kerf::drilling

@@ -13,17 +13,17 @@ namespace kerf::drilling {
 namespace {
 
 constexpr double tension = 133.0 / 193.0;  // [–] of strength in compression; cortex, lengthwise [reilly-burstein-1975]
-constexpr double of_strongest = 0.5;       // [–] what is weaker is not of the shell [judgement]
-constexpr std::size_t free_steps = 2;      // so much air in a row is the far side [judgement]
-constexpr double most_askew = 0.2;         // cosine: what lies along the way is not its far side [judgement]
-constexpr double most_backwards = -0.3;    // along the shaft: it is the side that the tip comes from [judgement]
-constexpr int halvings = 3;                // of a step, in which a side of the shell lies
+constexpr double of_strongest = 0.5;       // [–] weaker bone is not part of the shell [judgement]
+constexpr std::size_t free_steps = 2;      // this many steps of air in a row are the far side [judgement]
+constexpr double most_askew = 0.2;         // cosine: a surface more parallel to the ray is not its far side [judgement]
+constexpr double most_backwards = -0.3;    // n̂·ẑ: below it, the surface faces the side of the tip [judgement]
+constexpr int halvings = 3;                // bisections of the step that contains a side of the shell
 
 double strength_at(const kerf_bone_sample& here, const BoneQuery& bone) noexcept {
     return tension * here.engagement * crushing_pressure(here, bone.tissue_count());
 }
 
-/// [N] 4π m of an upright shell that is `thick` [m] and cracks under `sigma` [Pa].
+/// Returns 4π m [N] of an upright shell of thickness `thick` [m] and strength `sigma` [Pa].
 double plate(double sigma, double thick) noexcept { return 4.0 * pi * sigma * thick * thick / 6.0; }
 
 }  // namespace
@@ -98,7 +98,7 @@ void Shells::follow(std::span<const WayOut> ways, double step, const BoneQuery& 
 
 void Shells::find_sides(std::span<const WayOut> ways, double step, const BoneQuery& bone, const Sections& sections,
                         Ended& ended) noexcept {
-    std::array<double, 2 * most> in, out;  // [m] inside the shell, and outside: its far sides, then the near ones
+    std::array<double, 2 * most> in, out;  // [m] inside and outside the shell: far sides first, then near sides
     std::array<Vec3, 2 * most> at, along;
     std::array<kerf_bone_sample, 2 * most> here;
     for (std::size_t i = 0; i < ended.count; ++i) {

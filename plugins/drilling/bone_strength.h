@@ -5,7 +5,7 @@
 
 #include "kerf/abi.h"
 
-/// How strong bone is.
+/// Compressive strength of bone.
 namespace kerf::drilling {
 
 /// Returns the pressure [Pa] that crushes bone of density `rho` [kg/m³].
@@ -18,7 +18,7 @@ namespace kerf::drilling {
     return 68e6 * grams_per_cm3 * grams_per_cm3;
 }
 
-/// Returns the pressure [Pa] that crushes the bone at a sample, its tissues by weight.   [any] pure.
+/// Returns the pressure [Pa] that crushes the bone at a sample: the weighted sum over its tissues.   [any] pure.
 [[nodiscard]] inline double crushing_pressure(const kerf_bone_sample& sample, std::uint32_t tissues) noexcept {
     double pressure = 0.0;
     for (std::uint32_t i = 0; i < tissues; ++i) pressure += sample.weight[i] * crushing_pressure(sample.density[i]);

@@ -10,25 +10,25 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr double of_one_wall = 0.7;                     // cosine between the normals of its far side [judgement]
-constexpr double all_broken = 1.25, none_broken = 1.5;  // times what broke [judgement]
-constexpr double worth_telling =
-    10.0;                         // [N] what crumbles under less is a sliver between two holes, or a rim [judgement]
-constexpr double far_away = 4.0;  // times `within`: two radii [judgement]
+constexpr double of_one_wall = 0.7;                     // cosine between the normals of two far sides of one wall
+                                                        // [judgement]
+constexpr double all_broken = 1.25, none_broken = 1.5;  // times the load that broke [judgement]
+constexpr double worth_telling = 10.0;  // [N] a weaker break is a sliver between two holes, or a rim [judgement]
+constexpr double far_away = 4.0;        // times `within`, which is two radii [judgement]
 
-/// Whether far sides face one way and lie `within` [m] of each other along that.
+/// Returns whether two far sides have similar normals and are at most `within` [m] apart along them.
 bool is_one_wall(const Shell& a, const Shell& b, double within) noexcept {
     return dot(a.normal, b.normal) >= of_one_wall && std::abs(dot(a.normal + b.normal, b.far - a.far)) <= 2.0 * within;
 }
 
-/// Whether a far side lies in that of a wall, where it may be bent inwards about a hole.
+/// Returns whether a far side is part of a wall. Near a hole the wall may be bent inwards.
 bool is_part_of(const Shell& shell, const Shell& wall, double within) noexcept {
     return dot(shell.normal, wall.normal) >= 0.0 && std::abs(dot(wall.normal, shell.far - wall.far)) <= within;
 }
 
 }  // namespace
 
-// ---- What has broken ------------------------------------------------------------------------------------------------
+// ---- Broken wall ----------------------------------------------------------------------------------------------------
 
 double BrokenWall::is_left_of(const Shell& shell) const noexcept {
     if (!is_there() || !is_part_of(shell, shell_, within_)) return 1.0;
@@ -52,10 +52,10 @@ void BrokenWall::go(const Vec6& rate, double dt, bool is_in_it) noexcept {
     if (length(away_) > far_away * within_) *this = BrokenWall(within_);
 }
 
-// ---- What is pressed on ---------------------------------------------------------------------------------------------
+// ---- Pressed wall ---------------------------------------------------------------------------------------------------
 
-/// The weaker of what is ahead of a piece and beside it. With nothing ahead it is at the far side already: bone beyond
-/// free space is another wall.
+/// Returns the weaker shell of the two rays of a piece: along the shaft and along its normal. A piece with no bone
+/// along the shaft is at the far side already, because bone behind free space is another wall.
 PressedWall::Pressed PressedWall::pressed_by(std::size_t piece, const WallAhead& wall) noexcept {
     const auto has_bone = [&](std::size_t way) { return wall.on(way).load > 0.0 && wall.is_at_once(wall.on(way).air); };
     const std::size_t ahead = WallAhead::ahead_of(piece), beside = WallAhead::beside(piece);
@@ -64,8 +64,8 @@ PressedWall::Pressed PressedWall::pressed_by(std::size_t piece, const WallAhead&
     return {wall.on(way).load < Shell::never && wall.is_at_once(wall.on(way).before), way};
 }
 
-/// The weaker of two ways behind that lead to the same wall, or else the way itself; of a piece at the far side nobody
-/// knows which wall that is.
+/// Returns the weaker of the two rays of the piece behind that lead to the same wall, or else the given ray. For
+/// `no_way` the wall is unknown, so any wall counts.
 std::size_t PressedWall::whole_of(std::size_t way, std::size_t piece_behind, const WallAhead& wall,
                                   double within) noexcept {
     std::size_t whole = way;
@@ -121,7 +121,8 @@ PressedWall::PressedWall(std::span<const double> crushes, std::span<const std::u
         is_broken_ = is_broken_ || group.left < 1.0;
     }
 
-    std::array<double, WallAhead::most_pieces> gives;  // [–] share of each group in what its wall bears
+    std::array<double, WallAhead::most_pieces> gives;  // [–] fraction of its crushing force that each group resists
+                                                       // with
     for (std::size_t i = 0; i < count; ++i) {
         double bears = 0.0, together = 0.0, sharing = 0.0;
         for (std::size_t other = 0; other < count; ++other) {

@@ -8,63 +8,64 @@
 
 #include "wall_ahead.h"
 
-/// A shell of bone before a still tip, with free space behind it, breaks out before it is crushed, if it is thin.
+/// A thin shell of bone between a still tip and free space breaks out before it is crushed.
 namespace kerf::drilling {
 
-/// A wall that has broken, until the tip is away from it. One at a time: the last.
+/// The last wall that broke. It is remembered until the tip has moved away.
 class BrokenWall {
 public:
     BrokenWall() = default;
-    /// @param within  [m] so far from its far side another is the same: half of the tip's radius [judgement]
+    /// @param within  [m] far sides within this distance are one wall: half of the tip's radius [judgement]
     explicit BrokenWall(double within) noexcept : within_(within) {}
 
     [[nodiscard]] bool is_there() const noexcept { return shell_.load > 0.0; }
-    /// What of a shell has not broken with it [–]: nothing of one that bears up to a quarter more, all of one that
-    /// bears half as much again, to which its crack has not come [judgement]; and all of another wall.
+    /// Returns the intact fraction of a shell [–]. It is 0 up to 1.25 times the load that broke the wall and 1 from 1.5
+    /// times on, where the crack has not spread [judgement]. It is 1 for another wall.
     [[nodiscard]] double is_left_of(const Shell& shell) const noexcept;
-    /// More of it broke, or another did.   Whether that is to be told: once, and of no sliver.
+    /// Records that `shell` broke.
+    /// @return true if this break is to be reported: once a wall, and never for a sliver
     bool break_out(const Shell& shell) noexcept;
-    /// The tip went at `rate` [m/s, rad/s] for `dt` [s]; `is_in_it`: it pressed on what is broken. Two radii, 4
-    /// `within`, away from there it is forgotten.
+    /// Moves the wall against the tool, which moved at `rate` [m/s, rad/s] for `dt` [s]. `is_in_it` is true while the
+    /// tip presses on the broken wall. The wall is forgotten when the tip is two radii (4 `within`) away.
     void go(const Vec6& rate, double dt, bool is_in_it) noexcept;
     [[nodiscard]] double within() const noexcept { return within_; }
 
 private:
-    Shell shell_;  ///< tool frame, which goes with the tip
-    Vec3 away_{};  ///< [m] from where the tip last pressed on it
+    Shell shell_;  ///< in the tool frame
+    Vec3 away_{};  ///< [m] travel of the tip since it last pressed on the wall
     double within_ = 0.0;
 };
 
-/// What a tip's pieces press on, and what of that breaks. Pieces behind each other that are in one shell break it
-/// together, and so do those on other sides that press on the same wall: then they are resisted by what it bears, P,
-/// shared out by what crushes each:
+/// Which walls the pieces of a tip press on, and which of them break. Pieces in line in one shell break it together. So
+/// do pieces on other sides that press on the same wall. The resistance is then limited by the wall's breaking load P,
+/// divided in proportion to the crushing force f_i of each piece:
 ///
-///     F = min(Σ f_i, P) + what crushes the rest
+///     F = min(Σ f_i, P) + the crushing force of the other pieces
 class PressedWall {
 public:
-    /// @param crushes  [N] along the shaft, of each piece; 0: it is not in bone
-    /// @param parts    which part of the tip each ring of pieces is on, with something straight between it and the
-    /// next; #N/azimuth_count [haptic, nonblocking]
+    /// @param crushes  [N] crushing force of each piece along the shaft; 0: not in bone
+    /// @param parts    #N/azimuth_count index of the tip's part for each ring; straight sections separate parts
+    /// [haptic, nonblocking]
     PressedWall(std::span<const double> crushes, std::span<const std::uint8_t> parts, const WallAhead& wall,
                 const BrokenWall& broken) noexcept;
 
-    [[nodiscard]] double share(std::size_t piece) const noexcept { return share_[piece]; }  ///< [–] of what crushes it
-    /// A way to what breaks, the strongest of it; `no_way`: nothing does.
+    /// Returns the fraction of a piece's crushing force that resists [–].
+    [[nodiscard]] double share(std::size_t piece) const noexcept { return share_[piece]; }
+    /// Returns the ray to the strongest wall that breaks, or `no_way`.
     [[nodiscard]] std::size_t breaks_on() const noexcept { return breaks_on_; }
-    [[nodiscard]] bool is_broken() const noexcept { return is_broken_; }  ///< some of what is pressed on
+    [[nodiscard]] bool is_broken() const noexcept { return is_broken_; }  ///< the tip presses on broken bone
     static constexpr std::size_t no_way = 2 * WallAhead::most_pieces;
 
 private:
-    /// Pieces of one side behind each other that are in one shell.
+    /// Pieces of one side, in line, in one shell.
     struct Group {
-        std::size_t way =
-            no_way;  ///< to the shell before the first piece behind them: before them it is no more as thick as it was
-        double crushes = 0.0;  ///< [N] of what has not broken
-        double left = 1.0;     ///< [–] that has not broken
+        std::size_t way = no_way;  ///< to the shell before the rearmost piece, which sees its full thickness
+        double crushes = 0.0;      ///< [N] crushing force of the intact part
+        double left = 1.0;         ///< [–] intact fraction
     };
     struct Pressed {
         bool is_in_shell = false;
-        std::size_t way = no_way;  ///< to it; none at its far side
+        std::size_t way = no_way;  ///< to the shell; `no_way` at its far side
     };
     [[nodiscard]] static Pressed pressed_by(std::size_t piece, const WallAhead& wall) noexcept;
     [[nodiscard]] static std::size_t whole_of(std::size_t way, std::size_t piece_behind, const WallAhead& wall,

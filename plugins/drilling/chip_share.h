@@ -8,18 +8,18 @@
 #include "kerf/math.hpp"
 #include "twist_drill.h"
 
-/// Who of the edges takes how much of the feed.
+/// Division of the feed among the cutting edges.
 namespace kerf::drilling {
 
-/// How the drill has gone.
+/// Recent motion of the drill, tool frame.
 struct Travel {
-    double feed_rate = 0.0;  ///< [m/s] in the last law, ≥ 0
-    Vec6 mean{};        ///< [m/s, rad/s] of the tool, tool frame, over half a turn: what one lip leaves to the other
-    Vec6 last{};        ///< [m/s, rad/s] in the last tick
-    Vec6 over_turns{};  ///< [m/s, rad/s] the first of the two filters of `steady`
-    Vec6 steady{};  ///< [m/s, rad/s] over turns, twice filtered: without what a tip that runs off goes round with them
+    double feed_rate = 0.0;  ///< [m/s] in the last tick, ≥ 0
+    Vec6 mean{};             ///< [m/s, rad/s] averaged over half a turn, the delay between the two lips
+    Vec6 last{};             ///< [m/s, rad/s] in the last tick
+    Vec6 over_turns{};       ///< [m/s, rad/s] first filter stage of `steady`
+    Vec6 steady{};           ///< [m/s, rad/s] filtered twice over turns, which removes the swing of a tip with runout
 
-    /// After a tick of `dt` [s] at n revolutions a second.
+    /// Updates the averages after a tick of `dt` [s] at `n` revolutions a second.
     void advance(const Vec6& rate, double dt, double n) noexcept {
         feed_rate = std::max(0.0, rate[2]);
         last = rate;
@@ -32,19 +32,19 @@ struct Travel {
     }
 };
 
-/// What a piece of an edge takes: shares of an even chip and of its edge force [–].
+/// Chip and edge force of a piece of an edge, as fractions of an even chip's [–].
 struct Taken {
-    double chip;  ///< more than 1 where others take less
-    double edge;  ///< at most 1
+    double chip;  ///< above 1 where other pieces take less
+    double edge;  ///< 1 at most
 };
 
-/// The chip of one lip in a feed that is even.
+/// The chip of one lip under a steady feed.
 class EvenChip {
 public:
     EvenChip(double feed_per_lip, double edge_depth) noexcept;
 
-    /// What a piece takes whose share of it is c_0 and that lies g behind the foremost: its front was left half a turn
-    /// ago, by the other lip.
+    /// Returns the chip and edge fraction of a piece that takes the fraction c_0 of the even chip and lies g [m] behind
+    /// the foremost piece. The other lip left this piece's front half a turn ago.
     ///
     ///     c = max(0, c_0 − g/t),   edge: min(1, (1 − e^(−c t/t_e))/(1 − e^(−t/t_e))),   t = max(f/2, t_e)
     [[nodiscard]] Taken taken(double share, double behind) const noexcept;
@@ -53,8 +53,8 @@ private:
     double thickness_, edge_depth_, built_up_;
 };
 
-/// How two lips share the feed when the tip runs out [–] of an even chip: the first takes what the second is too far
-/// behind to reach.
+/// Returns each lip's fraction of an even chip [–] under runout. The first lip takes the feed that the lagging second
+/// lip cannot reach.
 ///
 ///     t_2 = max(0, f/2 − G),   t_1 = f − t_2,    G the lag of the second lip, f the feed per revolution
 [[nodiscard]] std::array<double, lip_count> share_of_lips(double lag, double feed_per_revolution) noexcept;

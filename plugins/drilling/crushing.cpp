@@ -16,15 +16,16 @@ namespace kerf::drilling {
 
 namespace {
 
-/// [m/s] over which the force builds up, λ = τ (1 − e^(−s/w)), so that hand and bone can balance. Half of what crushes
-/// moves the tip by 0.7 w, and 95 % by 3 w.
+/// Rate [m/s] over which the force builds up, λ = τ (1 − e^(−s/w)), so that hand and bone can balance. Half of the
+/// crushing force moves the tip by 0.7 w, and 95 % of it by 3 w.
 constexpr double onset = 1e-6;
 constexpr double deepest_spring = 0.1e-3;  // [m] [judgement]
-constexpr double let_go = 0.1;             // [–] of what it began with, or of what crushes [judgement]
+constexpr double let_go = 0.1;             // [–] of the force at which crushing began, or of the crushing force
+                                           // [judgement]
 constexpr double nowhere = 1e300;          // [m]
-constexpr double all_of_it = 0.95;         // [–] of what crushes; the rest takes 3 w [judgement]
+constexpr double all_of_it = 0.95;         // [–] of the crushing force; the rest takes 3 w [judgement]
 
-/// [–] all of a place that lies on bone, whose surface goes through the middle of what engages it.
+/// Returns the bone fraction at a point [–]. It is 1 on the surface, where engagement is one half.
 double in_bone(const kerf_bone_sample& here) noexcept { return std::min(1.0, 2.0 * here.engagement); }
 
 }  // namespace
@@ -54,7 +55,7 @@ CrushingTip::CrushingTip(const TwistDrill& drill, const DrillParameters& law, co
     }
     on_cones_ = count_;
     for (const Cone& cone : cones) {
-        const double straight = &cone == &cones.last() ? drill.land() : cone.straight;  // all that takes bone
+        const double straight = &cone == &cones.last() ? drill.land() : cone.straight;  // the length that removes bone
         if (straight > 0.0) add_straight(cone.outer + drill.runout, cone.end(), straight);
     }
     for (std::size_t i = 0; i < on_cones_; ++i) {
@@ -71,7 +72,7 @@ void CrushingTip::add_cone(const Cone& cone, double runout, std::size_t rings, s
     const SinCos p = cone.half_angle;
     const double cot = p.cos / p.sin, wide = (cone.outer - cone.inner) / static_cast<double>(rings);
     const double across = (p.cos - friction_ * p.sin) / (p.sin + friction_ * p.cos);
-    const auto radius = [&](std::size_t ring) {  // what runs off has a flat end
+    const auto radius = [&](std::size_t ring) {  // runout gives the tip a flat end
         const double r = cone.inner + static_cast<double>(ring) * wide;
         return r > 0.0 ? r + runout : 0.0;
     };
@@ -138,7 +139,7 @@ void CrushingTip::give_way(Ahead& ahead, const WallAhead& wall, const BrokenWall
 }
 
 void CrushingTip::look(WallAhead& wall, const BoneQuery& bone) const noexcept {
-    // Of each piece the first place that is in bone, or else its first
+    // For each piece, the first point in bone, or its first point.
     std::array<Vec3, most_cone_rings> at{};
     std::array<kerf_bone_sample, most_cone_rings> here;
     const std::size_t rings = on_cones_ / azimuth_count;

@@ -10,25 +10,25 @@
 #include "drill_parameters.h"
 #include "kerf/force.hpp"
 
-/// A tip that takes no bone by turning: pushed harder than the bone before it bears, it crushes its way, as an awl
+/// A tip that removes no bone by turning crushes the bone ahead when the push exceeds the bone's strength, as an awl
 /// does.
 namespace kerf::drilling {
 
-/// How the tip stood on bone in a tick.
+/// The contact load of the tip in one tick.
 struct Standing {
     double force = 0.0;  ///< [N] along the shaft
-    double depth = 0.0;  ///< [m] of the deepest channel that carried
+    double depth = 0.0;  ///< [m] of the deepest contact channel with a force
 
     explicit Standing(const Advance& advance) noexcept;
 };
 
-/// Bone before the tip is crushed at one pressure along the normal of its cones, and rubs along their slope:
+/// The still tip in bone. It crushes bone at one pressure along the normal of its cones, and rubs along their slope:
 ///
 ///     dF = S(ρ) (n̂ + μ t̂) dA,    F_z = ∫ S(ρ) (1 + μ cot p) dA_z
 ///
-/// p the cone's half angle, A_z the cross-section. At any rate, as strength hardly depends on it: (1/s)^0.06. A tip
-/// that runs off crushes what its turning shape removes. Where bone is thin before it and free behind, it breaks out
-/// instead, if that costs less (breaking_wall.h).
+/// with p the cone's half angle and A_z the cross-section. The force does not depend on the rate, because strength
+/// hardly does: (1/s)^0.06. A tip with runout crushes the shape that its turn would remove. A thin wall with free space
+/// behind it breaks out where its breaking load is lower (breaking_wall.h).
 ///
 /// Source: S from [carter-hayes-1977]; docs/models/drilling.md.
 class CrushingTip {
@@ -36,20 +36,21 @@ public:
     CrushingTip() = default;
     CrushingTip(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept;
 
-    /// Whether bone gives way under it: pushed by more than crushes it, or as deep as nothing gives by its spring
-    /// alone; or it is broken already.   [haptic, nonblocking]
+    /// Returns whether the tip starts to crush bone. It does when the push exceeds the crushing force, when contact is
+    /// deeper than any contact spring allows, or when the wall is broken already.   [haptic, nonblocking]
     [[nodiscard]] bool begins(const Standing& standing, const WallAhead& wall, const BrokenWall& broken,
                               const BoneQuery& bone) const noexcept;
-    /// Looks for what is thin before it, on the next of its sides.   [haptic, nonblocking]
+    /// Samples the walls ahead of the next of the tip's sides.   [haptic, nonblocking]
     void look(WallAhead& wall, const BoneQuery& bone) const noexcept;
-    /// What a tick's push meets besides its channels.
+    /// Walls that the tip presses on in a tick.
     struct Met {
-        std::size_t breaks_on = PressedWall::no_way;  ///< a way to what breaks out under it; none: all is crushed
-        bool is_broken = false;                       ///< some of what it presses on
+        std::size_t breaks_on = PressedWall::no_way;  ///< ray to the wall that breaks; `no_way`: all bone is crushed
+        bool is_broken = false;                       ///< the tip presses on broken bone
     };
-    /// A cut along the mean normal of what is crushed, and one each way across the shaft.
-    /// @param wall    looked for before
-    /// @param broken  which of it is   [haptic, nonblocking]
+    /// Adds a cut channel along the mean normal of the crushed surface, and one in each of four directions across the
+    /// shaft.
+    /// @param wall    its present samples
+    /// @param broken  the wall that has broken   [haptic, nonblocking]
     Met add_to(Channels& channels, const WallAhead& wall, const BrokenWall& broken,
                const BoneQuery& bone) const noexcept;
 
@@ -57,35 +58,35 @@ private:
     static constexpr std::size_t most_cone_rings = 24, most_straight_rings = 4 * TwistDrill::most_lands;
     static constexpr std::size_t most_on_cones = azimuth_count * most_cone_rings,
                                  most = most_on_cones + azimuth_count * most_straight_rings;
-    /// So many rings of a cone behind each other, at an azimuth, are a piece that breaks out or does not.
+    /// This many adjacent rings of a cone, at one azimuth, form a piece. A piece breaks out as a whole.
     static constexpr std::size_t rings_of_piece = 3, most_piece_rings = WallAhead::pieces_of_side;
     [[nodiscard]] std::size_t piece_of(std::size_t place) const noexcept {
         return piece_ring_[place / azimuth_count] * azimuth_count + place % azimuth_count;
     }
-    /// A place on a cone, or on what is straight behind it, which stands for an eighth of a ring.
+    /// A sample point on a cone or on the straight section behind it. It represents an eighth of a ring.
     struct Place {
         Vec3 at, out;   ///< [m]; unit, away from the shaft
         SinCos slope;   ///< of the cone's half angle
         double height;  ///< [m] of its ring
-        double ahead;   ///< [m²] area across the shaft
-        double aside;   ///< [m²] area that it shows outwards
-        Vec6 along;     ///< n̂ + μ t̂, and its moment about the tip, for one along the shaft [–], [m]
+        double ahead;   ///< [m²] projected area along the shaft
+        double aside;   ///< [m²] projected area outwards
+        Vec6 along;     ///< n̂ + μ t̂ and its moment about the tip, per unit force along the shaft [–], [m]
         double rubs;    ///< [–] 1 + μ cot p
     };
-    /// Along the shaft: what crushes each place [N] and all of them, and the least way to bone [m].
+    /// Along the shaft: the crushing force of each point and their sum [N], and the smallest gap to bone [m].
     struct Ahead {
         std::array<double, most_on_cones> force;
         double sum = 0.0, gap = 0.0;
-        std::array<double, WallAhead::most_pieces> share;  ///< [–] of each piece, which has not broken out
+        std::array<double, WallAhead::most_pieces> share;  ///< [–] fraction of each piece's crushing force that resists
         Met met;
     };
     using Samples = std::span<const kerf_bone_sample>;
 
-    /// @param part  of the tip, counted by what is straight between them
+    /// @param part  index of the tip's part; straight sections separate parts
     void add_cone(const Cone& cone, double runout, std::size_t rings, std::uint8_t part) noexcept;
     void add_straight(double radius, double from, double length) noexcept;
-    /// @param ahead   [m²] of all of the ring
-    /// @param across  [–] of n̂ + μ t̂ for one along the shaft
+    /// @param ahead   [m²] of the whole ring
+    /// @param across  [–] component of n̂ + μ t̂ across the shaft, per unit along it
     void add_ring(double radius, double z, SinCos slope, double height, double ahead, double across,
                   double rubs) noexcept;
     [[nodiscard]] Ahead ahead_of(Samples ahead, const WallAhead& wall, const BrokenWall& broken,
@@ -95,23 +96,22 @@ private:
     void add_aside(Samples aside, const Ahead& ahead, std::uint32_t tissues, std::size_t way,
                    Channels& channels) const noexcept;
 
-    std::array<Place, most> place_;  ///< on cones, then on what is straight
+    std::array<Place, most> place_;  ///< cone points first, then points of straight sections
     std::size_t on_cones_ = 0, count_ = 0;
-    std::array<std::uint8_t, most_cone_rings> piece_ring_{};  ///< of each ring: which of the rings of pieces it is in
-    std::array<std::uint8_t, most_piece_rings>
-        part_{};  ///< of each ring of pieces: cones with nothing straight between them are one
+    std::array<std::uint8_t, most_cone_rings> piece_ring_{};  ///< index of the ring of pieces that each ring belongs to
+    std::array<std::uint8_t, most_piece_rings> part_{};       ///< index of the part that each ring of pieces belongs to
     std::size_t piece_rings_ = 0;
-    std::array<Vec3, most_on_cones + most> asked_, direction_;  ///< those on cones ahead, then all of them aside
-    double play_ = 0.0;  ///< [m] so far from bone a place presses no more on it sideways
-    double step_ = 0.0;  ///< [m] from place to place as it asks how thick a wall is
+    std::array<Vec3, most_on_cones + most> asked_, direction_;  ///< cone points ahead, then all points outwards
+    double play_ = 0.0;  ///< [m] gap to bone at which a point no longer presses sideways
+    double step_ = 0.0;  ///< [m] sampling step for wall thickness
     double friction_ = 0.0;
 };
 
-/// Whether bone is crushed by as much as crushes it, and not held by less.   [haptic, nonblocking]
+/// Returns whether bone yields under the full crushing force, not under less.   [haptic, nonblocking]
 [[nodiscard]] bool is_crushed(const Advance& advance) noexcept;
-/// Whether bone that was crushed still carries the tip: by more than a tenth of `begun` [N], with which that began, or
-/// of what crushes it. Let go, the tip stands on contact's spring again, which so little hardly presses in.   [haptic,
-/// nonblocking]
+/// Returns whether bone under crushing still supports the tip: with more than a tenth of `begun` [N], the force at
+/// which crushing began, or of the crushing force. Below that the tip is back on the contact spring, which such a force
+/// hardly compresses.   [haptic, nonblocking]
 [[nodiscard]] bool goes_on_crushing(const Advance& advance, double begun) noexcept;
 
 }  // namespace kerf::drilling

@@ -16,7 +16,7 @@ TwistDrill DrillBit::point() const noexcept {
     return drill;
 }
 
-/// The cones and the land behind the last of them cut; what is behind does not.
+/// The cones and the land behind the last cone cut. The outline behind them does not.
 Outline DrillBit::outline_of(const TwistDrill& drill) const noexcept {
     const double widest = drill.widest_radius(), shank = drill.shank_radius(), e = drill.runout;
     const double land_end = drill.land() - drill.cones().last().end(), head = drill.head(),
@@ -24,7 +24,7 @@ Outline DrillBit::outline_of(const TwistDrill& drill) const noexcept {
     if (!(neck < drill.length))
         return refuse("`length` is ", in_mm(drill.length),
                       "; it needs more than the cutting part and the land behind it, ", in_mm(neck), ".");
-    constexpr double softest = 0.1, steepest = 10.0;  // [m/N], [rad/N] that the host takes
+    constexpr double softest = 0.1, steepest = 10.0;  // [m/N], [rad/N] upper limits of the host
     const Outline::Bending bending = tip_bending(drill);
     if (const double over = std::max(bending.deflection / softest, bending.slope / steepest); over > 1.0)
         return refuse("`length` is ", in_mm(drill.length), "; a bit of ", in_mm(2.0 * shank),
@@ -39,7 +39,7 @@ Outline DrillBit::outline_of(const TwistDrill& drill) const noexcept {
         if (head > land_end) outline.to(-head, widest + e);
         outline.to(-neck, shank + e);
     }
-    const double grip_z = -drill.length - 40.0_mm;  // the hand holds the body of the drill behind the chuck
+    const double grip_z = -drill.length - 40.0_mm;  // the hand grips the body of the drill behind the chuck
     return outline.to(-drill.length, shank + e)
         .gripped_at(grip_z)
         .bends(bending)
@@ -78,10 +78,10 @@ TwistDrill ProfileBit::drill() const noexcept {
     return drill;
 }
 
-/// Corners lie behind each other. From one to the next the outline is straight, or it widens by a degree of half angle
-/// or more.
+/// Each corner lies behind the one before it. Between two corners the outline is straight, or it widens by a half angle
+/// of one degree or more.
 Outline ProfileBit::outline() const noexcept {
-    constexpr double slightest = 0.0174550649282176, nearest = 0.01_mm - 1e-9;  // tan 1°; [m], less what rounding takes
+    constexpr double slightest = 0.0174550649282176, nearest = 0.01_mm - 1e-9;  // tan 1°; [m], less rounding
     const TwistDrill drill = this->drill();
     OutlineCorner last{drill.point_depth(), drill.radius()};
     for (std::size_t i = 0; i < drill.corner_count; ++i) {

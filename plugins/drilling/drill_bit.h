@@ -9,13 +9,13 @@
 #include "kerf/spindle.hpp"
 #include "twist_drill.h"
 
-/// The drills as a procedure sets them; all SI.
+/// The drills with their parameters, SI.
 namespace kerf::drilling {
 
 inline constexpr std::size_t spindle_drive = 0;  ///< index of the one drive of every drill
-inline constexpr double slowest_cut = 0.5;       ///< [1/s] from this speed on a drill removes bone
+inline constexpr double slowest_cut = 0.5;       ///< [1/s] from this speed on the drill removes bone
 
-/// What every drill has.
+/// Parameters common to all drills.
 struct DrillBit {
     double diameter, point_angle, web, length, corner, motor_torque;
     double runout, helix_angle, run_up, inertia, mass, yield_strength;
@@ -125,7 +125,7 @@ struct DrillBit {
     }
 
 protected:
-    /// Its point, without anything behind it.
+    /// Returns the geometry of the point, without an outline behind it.
     [[nodiscard]] TwistDrill point() const noexcept;
     [[nodiscard]] Outline outline_of(const TwistDrill& drill) const noexcept;
 };

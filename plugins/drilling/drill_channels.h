@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The law's channels by number.
+/// Numbers of the law's channels.
 namespace kerf::drilling {
 
-/// Two ways from `id_stick` on, four from `id_side` and `id_crush_side`, contact's slots from `id_contact` on.
+/// `id_stick` begins two directions, `id_side` and `id_crush_side` four each, and `id_contact` the slots of contact.
 enum ChannelId : std::uint32_t {
     id_feed = 1,
     id_heel,
@@ -18,7 +18,7 @@ enum ChannelId : std::uint32_t {
     id_crush_side = 12,
     id_contact = 16
 };
-/// The first slots of contact are the still tip's, one for each of eight azimuths.
+/// The first contact slots belong to the still tip, one for each of eight azimuths.
 inline constexpr std::size_t tip_slots = 8;
 
 }  // namespace kerf::drilling

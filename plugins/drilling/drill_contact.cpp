@@ -17,14 +17,14 @@ namespace {
 constexpr std::size_t near_levels = 8, far_levels = 16, most_cones = TwistDrill::most_corners + 1,
                       most_walls = TwistDrill::most_lands - 1;
 static_assert((near_levels + far_levels + most_cones + most_walls) * azimuth_count <= ContactPoints::most);
-constexpr double grazing = 0.05;  // cosine from which on bone holds the shank
-/// A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends:
-/// near the tip and far from it, so that the law knows how stiffly the hole holds a drill that tilts.
+constexpr double grazing = 0.05;  // cosine between the normals from which on bone supports the shank
+/// Contact slots: one for each azimuth of the still tip, which is stiff, and one for each quadrant of the shank, which
+/// bends. Front and rear of the shank have separate slots, so that the law contains the hole's stiffness against tilt.
 using Slots = std::array<std::size_t, azimuth_count>;
 constexpr Slots of_tip{0, 1, 2, 3, 4, 5, 6, 7}, of_front{11, 11, 11, 10, 10, 8, 9, 9},
     of_rear{15, 15, 15, 14, 14, 12, 13, 13};
 
-/// A ring of points of radius `r` at `z` whose normals have these radial and axial parts.
+/// Adds a ring of points of radius `r` at `z` with these radial and axial parts of the normal.
 void add_ring(ContactPoints& points, double r, double z, double radial, double axial, double stiffness, double facing,
               const Slots& slots) noexcept {
     for (std::size_t n = 0; n < azimuth_count; ++n) {
@@ -45,14 +45,14 @@ ContactPoints touching_points(const TwistDrill& drill, const DrillParameters& la
     for (const Cone& cone : cones) {
         if (removes) break;
         const SinCos p = cone.half_angle;
-        // A cone stands on bone ahead of it; it does not climb the wall of its hole.
+        // A cone rests on bone ahead of it. Its threshold keeps it from climbing the wall of its hole.
         const double facing = std::max(std::min(0.6, p.sin - 0.1), grazing);
         for (std::size_t ring = 0; ring < rings; ++ring) {
             const double along =
-                (0.4 + static_cast<double>(ring)) / static_cast<double>(rings);  // short of the wall of its hole
+                (0.4 + static_cast<double>(ring)) / static_cast<double>(rings);  // stops short of the wall of its hole
             double r = cone.inner + (cone.outer - cone.inner) * along;
-            // A slender tip touches as soon as a voxel lets it: nearer to its end the bottom of its own hole is rounded
-            // off.
+            // A slender tip touches as early as the voxel size permits. Closer to the tip, the bottom of its own hole
+            // is rounded off.
             if (cone.inner <= 0.0 && ring == 0) r = std::min(r, 0.5 * bone.voxel() * p.sin / p.cos);
             add_ring(points, r, cone.z_at(r), p.cos, p.sin, stiffness, facing, of_tip);
         }
@@ -61,8 +61,8 @@ ContactPoints touching_points(const TwistDrill& drill, const DrillParameters& la
         add_ring(points, cone.outer - inside_of_hole(law, bone, cone.outer), z, 1.0, 0.0,
                  shank_stiffness(drill, tip, z, stiffness), grazing, of_front);
     }
-    // Along the shank a diameter apart, and from the eighth on as far apart as it takes to come to its end. While bone
-    // is taken the land behind the last cone is an edge; else it touches as the shank does.
+    // Points along the shank: the first eight levels are a diameter apart, the others spread to the end of the shank.
+    // While bone is removed, the land behind the last cone is an edge. Otherwise it touches like the shank.
     const double widest = drill.widest_radius(), apart = 2.0 * widest;
     const double of_head = widest - inside_of_hole(law, bone, widest),
                  of_shank = std::min(drill.shank_radius(), of_head), head = drill.head();
@@ -81,13 +81,13 @@ ContactPoints touching_points(const TwistDrill& drill, const DrillParameters& la
 
 namespace {
 
-/// [N] with which bone can hold as much of the shank as a ring stands for.
+/// Returns the largest force [N] with which bone supports the length of shank that a ring represents.
 double crushing_force(const TwistDrill& drill, const kerf_bone_sample& bone, std::uint32_t tissues) noexcept {
     return crushing_pressure(bone, tissues) * 2.0 * drill.shank_radius() * 2.0 * drill.widest_radius();
 }
 
-/// Where a deep shank finds no wall, it is held by the one of the hole that it was pulled out of. Whether it lies so
-/// deep anywhere.
+/// Where a shank is too deep in bone to find a wall, the wall of the hole that it left supports it. Returns whether
+/// there is such a point.
 bool hold_bent_shank(const HoleLine& hole, const ContactPoints& points, Contact& contact) noexcept {
     bool is_bent = false;
     for (const Contact::Deep& one : contact.deep()) {
@@ -98,7 +98,7 @@ bool hold_bent_shank(const HoleLine& hole, const ContactPoints& points, Contact&
     return is_bent;
 }
 
-/// Bone holds the shank by no more than crushes it.
+/// Limits the force on the shank to the bone's crushing force.
 void crush_beside_shank(const TwistDrill& drill, const BoneQuery& bone, const ContactPoints& points,
                         Contact& contact) noexcept {
     std::array<std::size_t, ContactPoints::most> pressed;
@@ -116,8 +116,8 @@ void crush_beside_shank(const TwistDrill& drill, const BoneQuery& bone, const Co
         contact.bear_at_most(pressed[n], crushing_force(drill, here[n], bone.tissue_count()));
 }
 
-/// Friction of what was carried in the last tick: nearly all of it goes into the turn of a drill that turns, and little
-/// into what moves it.
+/// Adds friction of the contact force in the last tick. A turning drill uses nearly all friction against its turn, and
+/// little against its motion.
 void add_friction(std::uint32_t id, Vec3 along, double carried, const TwistDrill& drill, const DrillParameters& law,
                   const Turning& turning, Channels& channels) noexcept {
     channels.friction({.id = id,
@@ -137,7 +137,9 @@ bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Dri
     crush_beside_shank(drill, bone, points, contact);
     const bool rubs = last.by_shank > 0.0, sticks = last.by_tip > 0.0;
     Vec6 follow{};
-    if (turning.cutting.removes_bone()) follow[5] = -law.friction * drill.shank_radius();  // rubbing against the turn
+    if (turning.cutting.removes_bone())
+        follow[5] = -law.friction * drill.shank_radius();  // friction torque against
+                                                           // the turn
     contact.write(channels, id_contact, (rubs ? 1 : 0) + (sticks ? 2 : 0), follow);
 
     if (rubs) add_friction(id_rub, {0, 0, 1}, last.by_shank, drill, law, turning, channels);
@@ -148,7 +150,7 @@ bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Dri
 }
 
 Carried::Carried(const Advance& advance) noexcept {
-    constexpr double across = 0.1;  // of the normal's axial part: the tip's is larger
+    constexpr double across = 0.1;  // axial part of the normal; the tip's is larger
     for (std::size_t c = 0; c < advance.channel.size(); ++c) {
         if (advance.channel[c].kind != KERF_CONTACT) continue;
         (std::abs(advance.channel[c].d[2]) < across ? by_shank : by_tip) += advance.lambda[c];

@@ -5,27 +5,28 @@
 #include "hole_line.h"
 #include "kerf/contact_points.hpp"
 
-/// Where the drill touches without cutting: the shank always, the tip as far as it does not cut.
+/// Contact without cutting: the shank always, and the tip while it does not cut.
 namespace kerf::drilling {
 
-/// Where the drill may touch, while it takes bone or as it is else.   [haptic, nonblocking]
+/// Returns the points at which the drill may touch bone. `removes` is true while the tip removes or crushes bone.
+/// [haptic, nonblocking]
 [[nodiscard]] ContactPoints touching_points(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone,
                                             bool removes) noexcept;
 
-/// What contact carried in a tick [N].
+/// Contact forces in a tick [N].
 struct Carried {
-    double by_shank = 0.0;  ///< across it, all around together
-    double by_tip = 0.0;    ///< that stood
+    double by_shank = 0.0;  ///< normal force on the shank, summed around it
+    double by_tip = 0.0;    ///< on the still tip
 
     Carried() = default;
     explicit Carried(const Advance& advance) noexcept;
 };
 
-/// As many contact channels as the law has room for; friction along the shaft for what the shank carried in the last
-/// law, and across it for what the tip did. Whether the drill no longer fits into its hole: so bent that only the
-/// hole's line may know where its wall is.
+/// Adds contact channels, as many as fit, and friction: along the shaft for the force on the shank in the last law, and
+/// across it for the force on the tip.
 ///
-/// The tool is smooth, so it pushes along its own normal: a ledge in the wall of a hole cannot hold a round shank back.
+/// The tool is smooth and pushes along its own normal, so a ledge in a hole's wall cannot stop a round shank.
+/// @return true if the shank no longer fits into its hole, so that only the hole's line defines where the wall is
 /// [haptic, nonblocking]
 bool add_contact(const TwistDrill& drill, const ContactPoints& points, const DrillParameters& law,
                  const BoneQuery& bone, const Turning& turning, const HoleLine& hole, const Carried& last,

@@ -16,12 +16,12 @@ namespace kerf::drilling {
 namespace {
 
 constexpr double azimuth[SideEdges::azimuths][2] = {
-    {1, 0}, {cos_45, cos_45}, {cos_45, -cos_45}};  // along the motion, across it
+    {1, 0}, {cos_45, cos_45}, {cos_45, -cos_45}};  // components along the motion and across it
 static_assert(std::size(ways_across) == SideEdges::ways);
 
-/// Points of a land lie inside the hole that it has cut, so that it runs free there, and the hole goes with it. What it
-/// has gone of its play does not count as a way to the front. Where a cone stands at the front, with no way to go to
-/// it, the land beside it has none either.
+/// Points of a land lie inside the hole that it has cut. There the land runs free, and the hole moves with it. This
+/// subtracts the unused part of the play from a land's gap to the front. A cone at the front has no gap. Then the land
+/// behind it has none either.
 void take_up_play(const SideEdges& edges, Vec3 way, const OwnHoles& holes, kerf_bone_sample* of_way) noexcept {
     double of_cones = 1e300;
     const kerf_bone_sample* at = of_way;
@@ -30,7 +30,7 @@ void take_up_play(const SideEdges& edges, Vec3 way, const OwnHoles& holes, kerf_
             if (!level.is_land && at->engagement > 0.0) of_cones = std::min(of_cones, at->gap);
     const OwnHole* hole_of_land = holes.data();
     for (const SideEdges::Level& level : edges.levels()) {
-        const double gone = level.is_land ? (hole_of_land++)->along(way) / level.inside : 0.0;  // [–] of its play
+        const double gone = level.is_land ? (hole_of_land++)->along(way) / level.inside : 0.0;  // [–] used play
         for (const auto& [along, across] : azimuth) {
             kerf_bone_sample& here = *of_way++;
             if (!level.is_land) continue;
@@ -42,8 +42,8 @@ void take_up_play(const SideEdges& edges, Vec3 way, const OwnHoles& holes, kerf_
     }
 }
 
-/// A ring of edges that goes sideways at `rate` [m/s] and forwards at `feed`. A land takes all that it meets, a cone
-/// what the lips' feed leaves.
+/// Returns a ring of edges that moves sideways at `rate` [m/s] and forwards at `feed` [m/s]. A land cuts all bone that
+/// it meets, a cone only the bone that the lips' feed leaves.
 SideRing ring_of(const SideEdges::Level& level, double rate, double n, double feed) noexcept {
     const double aside = level.normal_radial * rate;
     const double onwards = level.is_land ? 0.0 : level.normal_axial() * std::max(0.0, feed);
@@ -53,18 +53,18 @@ SideRing ring_of(const SideEdges::Level& level, double rate, double n, double fe
             .fed = aside > 0.0 ? onwards / aside : 0.0};
 }
 
-/// What a side channel carries at `rate` [m/s] [N].
+/// Returns the force of a side channel [N] at `rate` [m/s].
 double force_at(const ChannelSum& sum, double rate) noexcept {
     return sum.tau > 0.0 ? sum.tau * built_up_at(rate, sum.tau_w / sum.tau) + sum.eta * rate : sum.eta * rate;
 }
 
 }  // namespace
 
-/// A land is asked about where it begins, at the front. Farther back in its own hole it would meet bone for as long as
-/// the committed cut lags, which is a matter of the grid.
+/// A land is sampled where it begins, at the front. Farther back in its own hole it would meet bone during the lag of
+/// the committed cut, which depends on the grid.
 SideEdges::SideEdges(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept {
     const TwistDrill::Cones cones = drill.cones();
-    const std::size_t rings = rings_on_each(cones.count, 6, 3);  // and a land for each that a wall follows
+    const std::size_t rings = rings_on_each(cones.count, 6, 3);  // and one land for each cone that a wall follows
     for (const Cone& cone : cones) {
         const double wide = cone.outer - cone.inner;
         for (std::size_t ring = 0; ring < rings; ++ring) {
@@ -72,7 +72,7 @@ SideEdges::SideEdges(const TwistDrill& drill, const DrillParameters& law, const 
             level_[level_count_++] = {at + drill.runout, cone.z_at(at),
                                       wide / static_cast<double>(rings) / cone.half_angle.sin, cone.half_angle.cos};
         }
-        const double land = &cone == &cones.last() ? drill.land() : cone.straight;  // all that takes bone
+        const double land = &cone == &cones.last() ? drill.land() : cone.straight;  // the length that removes bone
         const double inside = inside_of_hole(law, bone, cone.outer);
         if (land > 0.0)
             level_[level_count_++] = {cone.outer - inside, cone.end(), land, 1.0, true, inside + drill.runout};
@@ -101,7 +101,7 @@ void add_feed_cutting(Edges& e, const DrillParameters& law, const Turning& turni
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = e.resistance[i];
         if (i < e.lip_points) full_width += e.element(i).width;
-        if (m <= 0.0) continue;  // then nothing is said of what it takes
+        if (m <= 0.0) continue;  // `takes` is undefined without resistance
         const auto [chip, edge] = e.takes[i];
         if (chip <= 0.0) continue;
         if (i >= e.lip_points) {
@@ -118,18 +118,20 @@ void add_feed_cutting(Edges& e, const DrillParameters& law, const Turning& turni
     }
     if (axial.tau <= 0.0 && axial.eta <= 0.0) return;
 
-    // Against the mean normal of what is cut: that pushes aside too, and a tool that gives way is pushed less. What
-    // acts along the cut follows.
+    // The channel acts against the mean normal of the cut surface. This normal pushes aside too, so a compliant tool is
+    // pushed less. Forces along the cut surface follow.
     const EdgeForces forces = edge_forces(e, law, turning.n, travel.feed_rate);
     if (kerf_channel* feed = channels.add(KERF_CUT, id_feed)) {
         const double per_newton = 1.0 / forces.thrust();
         axial.write(scaled(per_newton, forces.normal), turning.cutting.fraction, least, feed);
         const Vec6 follow = scaled(per_newton, forces.cutting);
         std::copy(follow.begin(), follow.end(), feed->follow);
-        if (!turning.cutting.removes_bone()) feed->follow[5] = 0.0;  // what holds the drill then is told by its motor
+        if (!turning.cutting.removes_bone())
+            feed->follow[5] = 0.0;  // then the motor's law contains the torque that
+                                    // stops the drill
     }
-    // Faster than the relief behind the edge allows, the heel rides up: f_h = 2π r tan(relief) (R5), each on what its
-    // lip feeds beyond that.
+    // Above the feed that the relief behind the edge allows, the heel rides on bone: f_h = 2π r tan(relief). Each heel
+    // resists the part of its lip's feed beyond that.
     if (!turning.cutting.removes_bone()) return;
     if (kerf_channel* heel = channels.add(KERF_CUT, id_heel)) {
         const SinCos relief = sin_cos_exact(law.relief_angle);
@@ -143,7 +145,7 @@ void add_side_cutting(const SideEdges& edges, const DrillParameters& law, const 
                       const Travel& travel, const OwnHoles& holes, Channels& channels) noexcept {
     constexpr double share_of_turn = 1.0 / 8.0;
     std::array<kerf_bone_sample, SideEdges::most> sample;
-    edges.ask(bone, sample);  // all ways in one question
+    edges.ask(bone, sample);  // one query for all directions
     const std::size_t per_way = edges.levels().size() * SideEdges::azimuths;
 
     const EdgeSet k = law.edges();

@@ -7,9 +7,9 @@
 namespace kerf::drilling {
 
 namespace {
-constexpr double fitted_helix = 28.0 * pi / 180.0;  // [rad] of the drill that the coefficients belong to [assumed]
+constexpr double fitted_helix = 28.0 * pi / 180.0;  // [rad] of the drill that the coefficients were fitted to [assumed]
 
-/// From the axis; nothing on it.
+/// Returns the unit vector from the axis to `p`, or zero on the axis.
 Vec3 outwards(Vec3 p) noexcept {
     const double r = std::sqrt(p.x * p.x + p.y * p.y), per_metre = r > 0.0 ? 1.0 / r : 0.0;
     return {per_metre * p.x, per_metre * p.y, 0.0};
@@ -18,7 +18,7 @@ Vec3 outwards(Vec3 p) noexcept {
 
 EdgePlaces::EdgePlaces(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept
     : lip(make_lip(drill, law.element_pitch)) {
-    double wall = 0.0, farthest = 0.0;  // [m] of the cone that the piece is on
+    double wall = 0.0, farthest = 0.0;  // [m] wall of the piece's cone, and the largest radius sampled on it
     for (std::size_t i = 0; i < lip.count; ++i) {
         const LipElement& el = lip.element[i];
         if (el.wall != wall) {
@@ -46,9 +46,8 @@ EdgePlaces::EdgePlaces(const TwistDrill& drill, const DrillParameters& law, cons
 Edges::Edges(const TwistDrill& of, const EdgePlaces& at, const DrillParameters& law, const BoneQuery& bone,
              double angle) noexcept
     : drill(of), places(at) {
-    // A tip that runs off goes round in a hole that is wider by as much, the shape of which the tool removes. Either
-    // lip is asked about on that shape, which it meets within half a turn; who of the two takes how much is a matter of
-    // shares.
+    // A tip with runout circles in a hole that is wider by the runout, and the tool removes this shape. Both lips are
+    // sampled on that shape, because each meets it within half a turn. `share_out` divides the feed between them.
     const auto put = [&](std::size_t i, std::size_t opposite, Vec3 place) {
         if (drill.runout > 0.0) place = place + drill.runout * outwards(place);
         point[i] = place;
@@ -75,8 +74,8 @@ Edges::Edges(const TwistDrill& of, const EdgePlaces& at, const DrillParameters& 
 
 void Edges::share_out(const Travel& travel, double n, double least, double edge_depth) noexcept {
     constexpr double slowest =
-        10e-6;  // [m/s] feed that sideways motion is compared with; where there is none, chips are even [judgement]
-    constexpr double most = 2.0;  // of a drill that goes mostly sideways [judgement]
+        10e-6;  // [m/s] smallest feed that sideways motion is compared with; without feed, chips are even [judgement]
+    constexpr double most = 2.0;  // limit for a drill that moves mostly sideways [judgement]
     const Vec6& going = travel.mean;
     const double along = going[2], feed = travel.feed_rate / n;
     const double per_feed = std::clamp(along / slowest, 0.0, 1.0) / std::max(along, slowest);
@@ -98,8 +97,7 @@ void Edges::share_out(const Travel& travel, double n, double least, double edge_
 EdgeForces edge_forces(const Edges& e, const DrillParameters& law, double n, double feed_rate) noexcept {
     const EdgeSet k = law.edges();
     const double per_lip = std::max(feed_rate, 1e-6) / (lip_count * n);  // feed per lip [m]
-    std::array<double, largest_element_count>
-        built_up;  // of an even chip, by element: the same on both lips, and for all coefficients
+    std::array<double, largest_element_count> built_up;  // of an even chip for each element; the same on both lips
     for (std::size_t i = 0; i < e.places.lip.count; ++i)
         built_up[i] = built_up_at(per_lip * e.places.lip.element[i].normal_axial, k.thrust.edge_depth);
     const double on_chisel = built_up_at(per_lip, k.chisel.edge_depth);
@@ -124,7 +122,7 @@ EdgeForces edge_forces(const Edges& e, const DrillParameters& law, double n, dou
         const double width = e.places.rake_factor[nth] * m * el.width;
         const double normal = width * force_per_width(thickness, k.thrust, edge * built_up[nth]);
         const double cutting = width * force_per_width(thickness, k.cutting, edge * built_up[nth]);
-        // normal (n_r r̂ + n_z ẑ) on the bone and −cutting t̂ on the tool, with t̂ = ẑ × r̂ the way it runs
+        // normal (n_r r̂ + n_z ẑ) on the bone and −cutting t̂ on the tool; t̂ = ẑ × r̂ is the cutting direction
         const Vec3 out = e.out[i];
         const double radial = normal * el.normal_radial, axial = normal * el.normal_axial;
         const double nx = radial * out.x, ny = radial * out.y, fx = cutting * out.y, fy = -cutting * out.x;

@@ -12,61 +12,61 @@
 #include "kerf/force.hpp"
 #include "twist_drill.h"
 
-/// The cutting edges in the bone: where they are, what they meet, what they give at one feed rate.
+/// The cutting edges in bone: their positions, the bone that they meet, and their forces at a feed rate.
 namespace kerf::drilling {
 
 inline constexpr std::size_t most_chisel_points = 32;  ///< per half of the chisel edge
 inline constexpr std::size_t most_edge_points = lip_count * largest_element_count + 2 * most_chisel_points;
 
-/// [m] how far inside its hole of `radius` the drill's land and shank lie: their play, or more where the hole's wall is
-/// not known so well (B5).
+/// Returns the distance [m] of the drill's land and shank from the wall of a hole of `radius` [m]: their play, or the
+/// position error of the wall where that is larger.
 [[nodiscard]] inline double inside_of_hole(const DrillParameters& law, const BoneQuery& bone, double radius) noexcept {
     return std::max(law.clearance, bone.wall_error(radius));
 }
 
-/// Where the edges are on the drill, and where they are asked about: what follows from parameters and grid alone.
+/// The edges on the drill and the points at which they sample bone. They depend on parameters and grid only.
 struct EdgePlaces {
     Lip lip;
-    /// The end of a lip runs along the wall of its own hole: it is asked about no nearer to it than the wall is known
-    /// (B5), back along the lip.
+    /// The end of a lip runs along the wall of its own hole. Its sample point is moved back along the lip, by the
+    /// position error of this wall.
     struct Asked {
-        double kept;  ///< [–] of its way from the axis
+        double kept;  ///< [–] fraction of its distance from the axis
         double z;     ///< [m]
     };
-    std::array<Asked, largest_element_count> asked;  ///< of each piece
+    std::array<Asked, largest_element_count> asked;  ///< for each piece
     std::array<double, largest_element_count>
-        rake_factor;            ///< [–] on the lips' forces, 1 for the drill they were fitted with
+        rake_factor;            ///< [–] factor on the lips' forces, 1 for the drill of the fit
     std::size_t chisel_points;  ///< on each half of the chisel edge
-    double chisel_width;        ///< [m] that each of them stands for
+    double chisel_width;        ///< [m] that each of them represents
 
     EdgePlaces() = default;
     EdgePlaces(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept;
 };
 
-/// Everything that cuts, sampled once.
+/// All cutting edges, with one bone sample each.
 struct Edges {
-    const TwistDrill& drill;  ///< this and the next must outlive it
+    const TwistDrill& drill;  ///< Pre: this and the next member outlive the edges
     const EdgePlaces& places;
     std::array<Vec3, most_edge_points> point;
-    std::array<Vec3, most_edge_points> out;  ///< of each, the unit vector from the axis to it; nothing on the axis
+    std::array<Vec3, most_edge_points> out;  ///< for each point, the unit vector from the axis to it; zero on the axis
     std::array<kerf_bone_sample, most_edge_points> sample;
-    std::array<double, most_edge_points> resistance;  ///< [–] of each, as shares of the reference tissue's
+    std::array<double, most_edge_points> resistance;  ///< [–] for each point, relative to the reference tissue
     std::size_t lip_points = 0, count = 0;
-    std::array<Taken, most_edge_points> takes;  ///< of each; where there is no resistance nothing is said
+    std::array<Taken, most_edge_points> takes;  ///< for each point; undefined without resistance
 
-    /// Turns all pieces, the first lip to `angle` [rad], and asks the bone about them.
+    /// Turns all pieces, the first lip to `angle` [rad], and samples bone at their points.
     Edges(const TwistDrill& of, const EdgePlaces& at, const DrillParameters& law, const BoneQuery& bone,
           double angle) noexcept;
-    /// Says what each piece takes where the drill turns n times a second: a chip is as thick as the piece moves along
-    /// its own normal,
+    /// Computes the chip and edge fraction of each piece of a drill that turns n times a second. The chip thickness
+    /// follows from the piece's motion along its own normal:
     ///
     ///     c_0 = c_k + (n_r v_r + n_z (v_z − v̄_z))/(n_z v̄_z),   0 … 2
     ///
-    /// with c_k its lip's share (1 but for a tip that runs off), v the piece's mean rate over half a turn and v̄_z the
-    /// tool's along its axis. So a drill that is free to give way where its tip runs off centres itself. A tool that
-    /// does not go forwards has even chips.
+    /// with c_k the fraction of its lip (1 without runout), v the piece's average rate over half a turn, and v̄_z the
+    /// tool's rate along its axis. So a compliant drill with runout centres itself. A tool without forward motion has
+    /// even chips.
     void share_out(const Travel& travel, double n, double least_gap, double edge_depth) noexcept;
-    /// Of a piece of a lip, its place along it.
+    /// Returns the index of a lip point along its lip.
     [[nodiscard]] std::size_t place_on_lip(std::size_t i) const noexcept {
         return i < places.lip.count ? i : i - places.lip.count;
     }
@@ -74,14 +74,14 @@ struct Edges {
         return places.lip.element[place_on_lip(i)];
     }
 
-    /// Share of the edges in bone.
+    /// Returns the fraction of the edges in bone [–].
     [[nodiscard]] double engagement() const noexcept {
         double sum = 0.0;
         for (std::size_t i = 0; i < count; ++i) sum += sample[i].engagement;
         return sum / static_cast<double>(count);
     }
 
-    /// The least way to the front among edges in bone; 0 when none is.
+    /// Returns the smallest gap to the front of the edges in bone [m], or 0 without any.
     [[nodiscard]] double least_gap() const noexcept {
         double least = 1e300;
         for (std::size_t i = 0; i < count; ++i)
@@ -90,16 +90,17 @@ struct Edges {
     }
 };
 
-/// What the edges give at one feed rate, tool frame, about the tip [N, N·m].
+/// Forces of the edges at one feed rate, tool frame, about the tip [N, N·m].
 struct EdgeForces {
-    Vec6 normal{};   ///< on the bone, along the normals of the surfaces they cut: what the tool's motion works against
-    Vec6 cutting{};  ///< on the tool, along those surfaces: the drive works against it
+    Vec6 normal{};   ///< on the bone, along the normals of the cut surfaces; the tool's motion works against it
+    Vec6 cutting{};  ///< on the tool, along the cut surfaces; the drive works against it
 
     [[nodiscard]] double thrust() const noexcept { return normal[2]; }
     [[nodiscard]] double torque() const noexcept { return -cutting[5]; }
 };
 
-/// Pre: shared out.
+/// Returns the forces at `feed_rate` [m/s] and `revolutions` [1/s].
+/// Pre: `share_out` was called.
 [[nodiscard]] EdgeForces edge_forces(const Edges& edges, const DrillParameters& law, double revolutions,
                                      double feed_rate) noexcept;
 

@@ -30,11 +30,11 @@ Turning turning_of(const DrillCutting::State& state, double dt) noexcept {
     return {.n = n, .cutting = state.cutter.cutting, .speed = std::abs(speed), .turns = dt * n};
 }
 
-/// Returns the torque [N·m] on a drill under `push` [N] that removes no bone. To start, its edges must break loose,
-/// with the torque that goes with such a push in cutting; in reverse they rub.
+/// Returns the torque [N·m] on a drill under `push` [N] that removes no bone. To start, its edges must break loose. The
+/// torque is the one that cutting at this thrust would take. In reverse the edges rub.
 double breakaway_torque(Edges& edges, const DrillParameters& law, double push, bool is_reverse) noexcept {
     if (is_reverse) return law.friction * push * 2.0 / 3.0 * edges.drill.radius();
-    constexpr double n = 1.0, built_up = 10.0;  // edge depths: from there on force grows evenly with the chip
+    constexpr double n = 1.0, built_up = 10.0;  // in edge depths; beyond it, force grows linearly with the chip
     const double edge_depth = law.edge_depth;
     const auto at = [&](double chip) {
         const double feed_rate = lip_count * n * chip;
@@ -48,7 +48,7 @@ double breakaway_torque(Edges& edges, const DrillParameters& law, double push, b
     return thin.torque() + (push - thin.thrust()) * (thick.torque() - thin.torque()) / (thick.thrust() - thin.thrust());
 }
 
-/// Decides whether the tip, which does not turn, goes into bone or rests on it from the next tick on, and what breaks.
+/// Decides whether the still tip crushes bone or rests on it from the next tick on, and whether a wall breaks.
 void crush_or_rest(double dt, const BoneQuery& bone, const Noted<DrillCutting::Notes>& advance,
                    DrillCutting::State& state, Actions& actions) noexcept {
     const DrillCutting::Notes& notes = advance.notes;
@@ -158,8 +158,8 @@ void DrillCutting::commit(const AnyDrill& tool, const BoneQuery& bone, const Not
     state.angle += 2.0 * pi * state.cutter.speed() * dt;
     state.angle -= state.angle >= 2.0 * pi ? 2.0 * pi : state.angle < 0.0 ? -2.0 * pi : 0.0;
     state.cutter.step(bit.motor(), bit.spindle_speed, load, dt, slowest_cut, phase_events, actions);
-    // While it cuts, the bone's own torque follows the channels, and only the rest of the motor's is felt; otherwise
-    // all of it.
+    // While the drill cuts, the channels' `follow` contains the bone's torque, so the reaction is only the motor's
+    // excess. Otherwise it is the motor's whole torque.
     const Spindle& motor = state.cutter.motor;
     const bool cuts = motor.speed >= slowest_cut;  // in reverse the edges rub
     const double sense = motor.speed != 0.0 ? motor.speed : bit.spindle_speed;

@@ -12,19 +12,19 @@
 #include "kerf/plugin.hpp"
 #include "kerf/powered_cutter.hpp"
 
-/// What a twist drill feels: lips and chisel edge that cut, a shank that touches and rubs, a motor that turns it.
+/// Forces on a twist drill: lips and chisel edge cut, the shank touches and rubs, a motor turns the drill.
 namespace kerf::drilling {
 
-/// The law of a twist drill, docs/models/drilling.md.
+/// The force law of a twist drill. Source: docs/models/drilling.md.
 struct DrillCutting : DrillParameters {
-    /// What follows from parameters and grid alone.
+    /// Geometry that depends on parameters and grid only.
     struct Prepared {
         TwistDrill drill{};
         EdgePlaces edges;
         SideEdges sides;
-        ContactPoints touching_in_cut, touching;  ///< while its tip goes into bone, else
+        ContactPoints touching_in_cut, touching;  ///< while the tip removes or crushes bone; otherwise
         CrushingTip tip;
-        double bending_share = 0.0;  ///< [–] of a tick in the mean of the bit's stress
+        double bending_share = 0.0;  ///< [–] weight of one tick in the average bending stress
     };
     struct State {
         double angle = 0.0;  ///< [rad] of the first lip about the shaft
@@ -32,21 +32,21 @@ struct DrillCutting : DrillParameters {
         OwnHoles holes;               ///< of its lands
         HoleLine hole;                ///< of its shank
         Carried carried;              ///< by contact in the last tick
-        bool crushes = false;         ///< its tip, which does not cut, the bone it stands on
-        double crushing_from = 0.0;   ///< [N] that it stood with when that began
-        WallAhead wall;               ///< before a tip that stands or crushes
-        BrokenWall broken;            ///< what of it has broken
-        double bending_stress = 0.0;  ///< [Pa] of the bit, in the mean over a few milliseconds
-        bool is_overbent = false;     ///< the bit, since it was last nearly straight
-        double reaction = 0.0;  ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse
+        bool crushes = false;         ///< the still tip crushes bone
+        double crushing_from = 0.0;   ///< [N] contact force when crushing began
+        WallAhead wall;               ///< ahead of a tip that rests or crushes
+        BrokenWall broken;            ///< the part of it that has broken
+        double bending_stress = 0.0;  ///< [Pa] of the bit, averaged over a few milliseconds
+        bool is_overbent = false;     ///< set above the yield stress, cleared when the bit is nearly straight
+        double reaction = 0.0;        ///< [N·m] motor torque beyond the torque from bone; negative in reverse
         PoweredCutter cutter;
         Prepared prepared;
     };
     struct Notes {
         double engagement = 0.0;                      ///< [–] fraction of the edges in bone
-        std::size_t breaks_on = PressedWall::no_way;  ///< the direction out of what breaks before a still tip
+        std::size_t breaks_on = PressedWall::no_way;  ///< ray to the wall that breaks before a still tip
         bool is_bent = false;                         ///< the shank does not fit into its hole
-        bool is_broken = false;                       ///< something has broken out before the tip
+        bool is_broken = false;                       ///< a wall has broken before the tip
     };
     struct Signals {
         double chip_thickness = 0.0, feed_per_revolution = 0.0, engagement = 0.0, drive_power = 0.0,

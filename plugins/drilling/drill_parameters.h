@@ -5,7 +5,7 @@
 #include "kerf/edge_law.hpp"
 #include "kerf/force.hpp"
 
-/// What of the bone and the edges the law of a drill is given.
+/// Parameters of a drill's law: coefficients of bone and edges.
 namespace kerf::drilling {
 
 /// Coefficients of lips and chisel edge.
@@ -13,7 +13,7 @@ struct EdgeSet {
     EdgeCoefficients thrust, cutting, chisel;
 };
 
-/// The parameters of the law; all SI.
+/// The parameters of the law, SI.
 struct DrillParameters {
     double thrust_edge, thrust_chip, cutting_edge, cutting_chip, chisel_edge, chisel_chip, edge_depth;
     double reference_density, element_pitch, rake_effect, relief_angle, heel_stiffness, contact_stiffness, clearance,

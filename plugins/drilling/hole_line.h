@@ -3,15 +3,15 @@
 
 #include "kerf/math.hpp"
 
-/// Where the hole of a shank is that has been pulled out of its middle.
+/// The middle line of a hole, for a shank that has left it.
 namespace kerf::drilling {
 
-/// The middle line of the hole, seen from the tool:  (x + along_x z, y + along_y z)  [m], [–]. It is the tool's own
-/// axis when the shank last fitted into it, and stays where it is in the bone. Small tilts.
+/// The hole's middle line in the tool frame: (x + along_x z, y + along_y z) [m], [–]. It is the tool's own axis when
+/// the shank last fitted, and then stays fixed in the bone. Tilts are small.
 struct HoleLine {
     double x = 0.0, y = 0.0, along_x = 0.0, along_y = 0.0;
 
-    /// The tool has moved by `rate` for `dt` [s].   [any] pure but for itself.
+    /// Updates the line after the tool has moved at `rate` [m/s, rad/s] for `dt` [s].   [any]
     void move(const Vec6& rate, double dt) noexcept {
         const double turn = rate[5] * dt;
         const HoleLine before = *this;
@@ -20,7 +20,7 @@ struct HoleLine {
         along_x += turn * before.along_y - rate[4] * dt;
         along_y += rate[3] * dt - turn * before.along_x;
     }
-    /// How far a place of the tool has come from the line along `outwards` [m].
+    /// Returns the distance [m] of a point of the tool from the line, along the unit vector `outwards`.
     [[nodiscard]] double gone(Vec3 at, Vec3 outwards) const noexcept {
         return -((x + along_x * at.z) * outwards.x + (y + along_y * at.z) * outwards.y);
     }

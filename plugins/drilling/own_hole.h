@@ -6,17 +6,19 @@
 
 #include "kerf/math.hpp"
 
-/// The hole that a land stands in, as it has cut it itself.
+/// The hole that a land has cut for itself.
 namespace kerf::drilling {
 
-/// How far the land is from the middle of its hole, across the shaft; tool frame [m]. In its play it goes free; beyond
-/// it it cuts, and the middle comes along. What it cuts anew, farther ahead, lies where it is.
+/// Offset of a land from the middle of its hole, across the shaft; tool frame [m]. Within its play the land moves
+/// freely. Beyond it the land cuts, and the middle follows. The hole that it cuts anew farther ahead is centred on it.
 struct OwnHole {
     double x = 0.0, y = 0.0;
 
-    /// The tool has moved by `rate` for `dt` [s]; meanwhile its front went `advance` ≥ 0 [m] into bone.
-    /// @param z, length, play  of the land [m]: where it is, how long, how far inside its hole; length > 0   [any] pure
-    /// but for itself.
+    /// Updates the offset after the tool has moved at `rate` for `dt` [s], while its front advanced `advance` ≥ 0 [m]
+    /// in bone.
+    /// @param z       [m] height of the land
+    /// @param length  [m] of the land, > 0
+    /// @param play    [m] between the land and its hole   [any]
     void move(const Vec6& rate, double dt, double advance, double z, double length, double play) noexcept {
         const double aside_x = rate[0] + rate[4] * z + rate[5] * y, aside_y = rate[1] - rate[3] * z - rate[5] * x;
         const double kept = std::max(0.0, 1.0 - advance / length);
@@ -27,7 +29,7 @@ struct OwnHole {
         x *= play / away;
         y *= play / away;
     }
-    /// How far it has gone along `way`, a unit vector across the shaft [m]: so much less is left of its play there.
+    /// Returns the offset [m] along a unit vector across the shaft. It is the used part of the play.
     [[nodiscard]] double along(Vec3 way) const noexcept { return x * way.x + y * way.y; }
 };
 

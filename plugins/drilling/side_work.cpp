@@ -11,10 +11,10 @@ namespace kerf::drilling {
 
 namespace {
 
-/// cos θ in the middle of each eighth of a quarter turn: sums over them are within 0.2 % of integrals.
+/// cos θ in the middle of each eighth of a quarter turn. Sums over them are within 0.2 % of the integrals.
 constexpr double facing[] = {0.99518472667219693, 0.95694033573220882, 0.88192126434835505, 0.77301045336273699,
                              0.63439328416364549, 0.47139673682599764, 0.29028467725446233, 0.09801714032956083};
-constexpr std::size_t nodes = sizeof facing / sizeof facing[0], nodes_ahead = 2;  // up to 22.5° the bone ahead counts
+constexpr std::size_t nodes = sizeof facing / sizeof facing[0], nodes_ahead = 2;  // the sample ahead counts up to 22.5°
 
 }  // namespace
 

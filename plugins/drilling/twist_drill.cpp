@@ -43,7 +43,7 @@ double TwistDrill::head() const noexcept {
 
 namespace {
 
-/// Appends the pieces of an edge at the half web `b` on a cone, from the radius `from` on.
+/// Appends the pieces of an edge at the half web `b` on a cone, from the radius `from` outwards.
 void add_edge(Lip& lip, const Cone& cone, double b, double from, double pitch) noexcept {
     const SinCos p = cone.half_angle;
     const double first = std::sqrt(from * from - b * b), last = std::sqrt(cone.outer * cone.outer - b * b);
@@ -70,9 +70,8 @@ Lip make_lip(const TwistDrill& drill, double pitch) noexcept {
     Lip lip;
     const double b = drill.half_web();
     const TwistDrill::Cones cones = drill.cones();
-    pitch =
-        std::max(pitch, drill.widest_radius() / static_cast<double>(largest_element_count -
-                                                                    cones.count));  // room for one piece more on each
+    pitch = std::max(pitch, drill.widest_radius() /
+                                static_cast<double>(largest_element_count - cones.count));  // one piece more a cone
     for (const Cone& cone : cones) add_edge(lip, cone, b, std::max(cone.inner, drill.chisel_radius()), pitch);
     return lip;
 }

@@ -7,14 +7,15 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr double clear = 0.25;  // [voxels] so far from its own hole's wall no way meets that
+constexpr double clear = 0.25;  // [voxels] start of a ray off the cone, so that it misses the wall of the tip's own
+                                // hole
 
 }  // namespace
 
 void WallAhead::look(std::span<const Piece> pieces, double step, double friction, const BoneQuery& bone) noexcept {
     KERF_ASSERT(pieces.size() <= pieces_of_side, "give the pieces of one side");
 
-    // Ahead of each piece, and across its cone: a wall is met end on or alongside.
+    // Two rays from each piece, along the shaft and along the cone's normal. So a wall is found end on or alongside.
     std::array<WayOut, Shells::most> ways;
     for (std::size_t n = 0; n < pieces.size(); ++n) {
         const Vec3 inside = pieces[n].at + clear * bone.voxel() * pieces[n].normal;
