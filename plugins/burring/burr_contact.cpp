@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t head_rings = 6, neck_rings = 3, slot_neck = wide_count, neck_slots = 3;
 static_assert(slot_neck + neck_slots <= ContactPoints::most_slots && 2 * wide_count + 2 <= KERF_MAX_CHANNELS &&
               1 + head_rings * column_count + neck_rings * azimuth_count <= ContactPoints::most);
-constexpr double facing_head = 0.4, facing_neck = 0.05;  // cosines from which on bone holds them
+constexpr double facing_head = 0.4, facing_neck = 0.05;  // cosines between the normals from which on bone supports head
+                                                         // and neck
 
 }  // namespace
 
@@ -28,7 +29,7 @@ ContactPoints touching_points(const BurrHead& head, double length, const BurrPar
                               bool removes) noexcept {
     ContactPoints points;
     const double meridian = head.meridian();
-    // Inside the groove that it has cut, so that it does not press on walls that are known too narrow.
+    // The points lie inside the groove that the head has cut, because its walls may be sampled too narrow.
     const auto add = [&](double along, std::size_t column, SinCos around) {
         const MeridianPoint p = head.at(along);
         const Vec3 outwards{p.normal_r * around.cos, p.normal_r * around.sin, p.normal_z};
@@ -65,7 +66,7 @@ void add_contact(const BurrHead& head, const ContactPoints& points, const BurrPa
     const std::size_t room = KERF_MAX_CHANNELS - channels.count(), friction = (rubs ? 1 : 0) + (sticks ? 2 : 0);
     contact.write(channels, id_contact, std::min(friction, room), follow);
 
-    // Nearly all rubbing of a neck that turns goes into the turn, and little into what moves it.
+    // A turning neck uses nearly all friction against its turn, and little against its motion.
     if (rubs && channels.count() < KERF_MAX_CHANNELS)
         channels.friction({.id = id_rub,
                            .along = {0, 0, 1},

@@ -9,12 +9,12 @@ namespace kerf::burring {
 
 namespace {
 
-constexpr double min_rate = 1e-6;  // [m/s] of a chip that is as good as none
+constexpr double min_rate = 1e-6;  // [m/s] of a negligible chip
 
-/// What the points of a sector that are at the bone add up to.
+/// Sums over the points of a sector that are at the front.
 struct Sector {
     double least_gap = std::numeric_limits<double>::infinity();  ///< [m]
-    double width = 0.0;                                          ///< [m] of blade, by what the tissue resists
+    double width = 0.0;                                          ///< [m] of blade times relative resistance
     Vec6 normal{};                                               ///< Σ of width times the rate along the normal
     Vec6 against{};                                              ///< Σ of the force against the turn [N, N·m]
     double pressed = 0.0;                                        ///< [N] Σ of the force along the normals
@@ -30,7 +30,7 @@ void add_cutting(const EdgePoints& points, const EdgesInBone& in_bone, const Bur
                  const Turning& turning, Channels& channels) noexcept {
     const EdgeCoefficients thrust = law.thrust(), cutting = law.cutting();
     std::array<Sector, sector_count> sectors{};
-    // While the cut fades, contact takes over and needs the room.
+    // While the cut fades, contact takes over and needs the channels.
     const bool is_fading = !turning.cutting.removes_bone();
     const auto sector_of = [&](std::size_t i) { return is_fading ? wide_sector(points[i].sector) : points[i].sector; };
     for (std::size_t i = 0; i < points.count(); ++i)
@@ -66,8 +66,8 @@ void add_cutting(const EdgePoints& points, const EdgesInBone& in_bone, const Bur
                 thrust.edge_depth * turning.blade_rate);
         sum.write(d, turning.cutting.fraction, sector.least_gap, channel);
 
-        // Per newton of what presses on the same points. So it is never more of the channel's force than the blades
-        // make, however the burr jerks.
+        // Force against the turn per newton of normal force at the same points. So `follow` never exceeds the blades'
+        // force, even if the burr jerks.
         if (sector.pressed <= 0.0) continue;
         const Vec6 follow = scaled(1.0 / sector.pressed, sector.against);
         std::copy(follow.begin(), follow.end(), channel->follow);

@@ -7,9 +7,9 @@ namespace kerf::burring {
 
 namespace {
 
-constexpr double end_normal = 0.8191520442889918;  // cos 35°: what faces the tip belongs to the end
-/// How far along the meridian the points of a column are moved, in twelfths of their distance: columns that mirror each
-/// other differ by one.
+constexpr double end_normal = 0.8191520442889918;  // cos 35°: normals closer to the axis belong to the end
+/// Shift of each column's points along the meridian, in twelfths of their spacing. Columns that mirror each other
+/// differ by one twelfth.
 constexpr std::array<double, column_count> staggered{0.5, 6.5, 2.5, 8.5, 4.5, 10.5, 11.5, 5.5, 9.5, 3.5, 7.5, 1.5};
 
 }  // namespace
@@ -20,7 +20,7 @@ SinCos azimuth_of(std::size_t column) noexcept {
 
 std::size_t EdgePoints::sector_of(const MeridianPoint& at, double along, double meridian, std::size_t column) noexcept {
     if (at.normal_z > end_normal) return 0;
-    // Two columns to a sector: those on either side of x belong together.
+    // Two columns form a sector. The columns on either side of x belong together.
     const std::size_t azimuth = (column + 1) / 2 % azimuth_count;
     return 1 + azimuth + (along > 0.5 * meridian ? azimuth_count : 0);
 }

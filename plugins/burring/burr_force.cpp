@@ -10,11 +10,11 @@ namespace {
 
 using Happened = BurrCutting::Happened;
 
-// A head that stops sinks by as much as its round wall is known too narrow or too wide [judgement].
+// A stopping head sinks by the sampling error of its groove's wall; the fade spreads this over some ticks [judgement].
 constexpr double fading_time = 8e-3;  // [s]
 
-// What the turn adds follows a steady motion: with that of the last tick alone it would run around, and a burr on a
-// soft hand would whirl [judgement].
+// The force against the turn uses an averaged motion. With the motion of the last tick alone, a burr on a soft hand
+// would whirl [judgement].
 constexpr double steadying_time = 50e-3;  // [s]
 
 constexpr PhaseEvents<Happened> phase_events{.off = Happened::off,
@@ -33,7 +33,7 @@ Turning turning_of(const BurrCutting::State& state, double commanded) noexcept {
             .rate = state.rate};
 }
 
-/// The mean chip of the blades that cut [m], over their forces.
+/// Returns the mean chip of the cutting blades [m], weighted by their force.
 double mean_chip(const Advance& advance, const Turning& turning) noexcept {
     double sum = 0.0, total = 0.0;
     for (std::size_t c = 0; c < advance.channel.size(); ++c) {
@@ -85,7 +85,7 @@ void BurrCutting::commit(const AnyBurr& burr, const BoneQuery&, const Noted<Note
     for (std::size_t i = 0; i < state.rate.size(); ++i) state.rate[i] += share * (advance.rate[i] - state.rate[i]);
     state.carried = Carried(advance);
 
-    // What resists the turn: the blades, a neck that rubs; a head that does not cut must break loose.
+    // Load on the motor: the blades, and friction of the neck. A head that does not cut must break loose.
     const bool removes_bone = turning.cutting.removes_bone();
     const double cut = cutting_torque(advance, turning.sense);
     const double load = cut + friction * (state.carried.by_neck * head.neck_radius +
@@ -101,8 +101,8 @@ void BurrCutting::commit(const AnyBurr& burr, const BoneQuery&, const Noted<Note
     PoweredCutter& cutter = state.cutter;
     if (cutter.motor.step(tool.motor(), tool.spindle_speed, load, dt))
         actions.event(phase_events.of(cutter.motor.phase));
-    cutter.cutting.step(std::abs(cutter.speed()) >= slowest_cut, dt, fading_time);  // blades cut either way
-    // While it cuts, the bone's own torque follows the channels, and only the rest of the motor's is felt.
+    cutter.cutting.step(std::abs(cutter.speed()) >= slowest_cut, dt, fading_time);  // blades cut in both directions
+    // While the burr cuts, `follow` contains the bone's torque, so the reaction is only the motor's excess.
     const double sense = cutter.speed() != 0.0 ? cutter.speed() : tool.spindle_speed;
     state.reaction = std::copysign(1.0, sense) *
                      (cutter.cutting.removes_bone() ? cutter.motor.reaction_beyond(load) : cutter.motor.torque);

@@ -5,12 +5,12 @@
 #include "burr_tool.h"
 #include "kerf/plugin.hpp"
 
-/// What a hand feels through a burr: blades all over its head, a neck that rubs, a motor.
+/// Forces on a burr: blades on its head cut, its neck rubs, a motor turns it.
 namespace kerf::burring {
 
 using AnyBurr = Held<RoundBurr, CylindricalBurr, PearBurr>;
 
-/// The law of a burr, docs/models/burr.md.
+/// The force law of a burr. Source: docs/models/burr.md.
 struct BurrCutting : BurrParameters {
     struct Prepared {
         BurrHead head{};
@@ -18,8 +18,8 @@ struct BurrCutting : BurrParameters {
         ContactPoints touching_in_cut, touching;  ///< while it removes bone; otherwise
     };
     struct State {
-        Vec6 rate{};            ///< [m/s, rad/s] of the tool over the last ticks
-        double reaction = 0.0;  ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse
+        Vec6 rate{};            ///< [m/s, rad/s] of the tool, averaged over the last ticks
+        double reaction = 0.0;  ///< [N·m] motor torque beyond the torque from bone; negative in reverse
         Carried carried;
         PoweredCutter cutter;
         Prepared prepared;

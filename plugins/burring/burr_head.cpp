@@ -20,9 +20,8 @@ double BurrHead::widest_radius() const noexcept {
 }
 
 Outline BurrHead::outline(double length) const noexcept {
-    // Few chords carve fast. Each encloses as much as the piece of the arc that it stands for, so its ends lie as
-    // little outside the arc as its middle lies inside: 5 µm and 2 µm on a ball of 4 mm, and a groove has its true
-    // size.
+    // Few chords make removal fast. Each chord encloses the same area as its piece of the arc. So its ends lie outside
+    // the arc, and its middle inside: by 5 µm and 2 µm on a ball of 4 mm. A groove has its true size.
     constexpr double per_radian = 16.0 / (150.0 / 180.0 * pi);
     const double pieces = std::max(2.0, std::ceil(per_radian * arc_angle)), chord = arc_angle / pieces;
     const double wider = std::sqrt(chord / sin_cos_exact(chord).sin);

@@ -4,10 +4,10 @@
 #include "kerf/describe.hpp"
 #include "kerf/edge_law.hpp"
 
-/// What of the bone and the blades the law of a burr is given.
+/// Parameters of a burr's law: coefficients of bone and blades.
 namespace kerf::burring {
 
-/// The parameters of the law; all SI.
+/// The parameters of the law, SI.
 struct BurrParameters {
     double thrust_edge, thrust_chip, cutting_edge, cutting_chip, edge_depth;
     double reference_density, contact_stiffness, friction, edge_points;

@@ -12,7 +12,7 @@ namespace kerf::burring {
 using namespace literals;
 
 Outline Burr::outline_of(const BurrHead& head) const noexcept {
-    constexpr double widest_neck = 0.95;  // of the head where it ends
+    constexpr double widest_neck = 0.95;  // [–] of the head's diameter
     if (std::floor(blades) != blades) return refuse("`blades` is ", Figure(blades), "; it needs a whole number.");
     if (!(neck_diameter <= widest_neck * diameter))
         return refuse("`neck_diameter` is ", in_mm(neck_diameter), "; with this `diameter`, ", in_mm(diameter),
@@ -21,15 +21,15 @@ Outline Burr::outline_of(const BurrHead& head) const noexcept {
     if (!(needed < length))
         return refuse("`length` is ", in_mm(length), "; it needs more than the head and its shoulder, ", in_mm(needed),
                       ".");
-    // The hand holds the handpiece as a pen. A mass across the shaft would keep a burr on a soft hand running around in
-    // its own pit, with what the turn adds: it is left out, as of a saw.
+    // The hand grips the handpiece like a pen. The tool has no mass: with the force against the turn, a mass across the
+    // shaft would keep a burr on a soft hand circling in its own pit.
     return head.outline(length).gripped_at(-length - 15.0_mm);
 }
 
 /// The ball ends where its circle is as wide as the neck.
 BurrHead RoundBurr::head() const noexcept {
     const double neck = std::min(0.5 * neck_diameter, radius());
-    // Halving finds the angle without an arc sine, which has other bits on other machines.
+    // Bisection replaces the arc sine, whose bits differ between machines.
     double low = 0.5 * pi, high = pi;
     for (int i = 0; i < 50; ++i) {
         const double middle = 0.5 * (low + high);
@@ -58,7 +58,7 @@ Outline CylindricalBurr::outline() const noexcept {
     return outline_of(head());
 }
 
-/// The cone begins where the ball's circle leans as it does, and ends with the head or where it is as thin as the neck.
+/// The cone continues the ball's circle tangentially. It ends with the head, or where it is as thin as the neck.
 BurrHead PearBurr::head() const noexcept {
     const SinCos t = sin_cos_exact(taper);
     const double neck = 0.5 * neck_diameter, begins = radius() * (1.0 + t.sin), wide = radius() * t.cos;

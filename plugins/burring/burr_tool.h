@@ -6,12 +6,12 @@
 #include "kerf/plugin.hpp"
 #include "kerf/spindle.hpp"
 
-/// The burrs as a procedure sets them.
+/// The burrs with their parameters.
 namespace kerf::burring {
 
-inline constexpr double slowest_cut = 1000.0 / 60.0;  ///< [1/s] from this speed on a burr removes bone [assumed]
+inline constexpr double slowest_cut = 1000.0 / 60.0;  ///< [1/s] from this speed on the burr removes bone [assumed]
 
-/// What every burr has; all SI.
+/// Parameters common to all burrs, SI.
 struct Burr {
     double diameter, blades, neck_diameter, length;
     double motor_torque, run_up, inertia;
@@ -84,7 +84,7 @@ struct Burr {
     }
 
 protected:
-    /// Its outline, or what of the parameters does not go together.
+    /// Returns the outline, or an error that names parameters which do not fit together.
     [[nodiscard]] Outline outline_of(const BurrHead& head) const noexcept;
 };
 
@@ -95,7 +95,7 @@ struct RoundBurr : Burr {
     [[nodiscard]] Outline outline() const noexcept;
 };
 
-/// A cylinder whose end and side have blades.
+/// A cylinder with blades on its end and side.
 struct CylindricalBurr : Burr {
     double head_length, corner_radius;
 

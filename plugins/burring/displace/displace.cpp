@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
 constexpr std::size_t most_faces = 2'000'000;
-constexpr std::size_t most_attempts = 4;  // with one source each
+constexpr std::size_t most_attempts = 4;  // one source for each attempt
 
 struct FaceCorners {
     std::array<std::uint32_t, 3> numbers;
@@ -30,7 +30,7 @@ FaceCorners corners_of(const Triangles& mesh, std::size_t f) {
             mesh.vertices[t[3 * f + 2]]};
 }
 
-/// On which side of the burr's surface vertices lie.
+/// Position of a vertex relative to the burr's surface.
 enum class Side : std::int8_t { inside = -1, on = 0, outside = 1 };
 
 /// One cut of one mesh.
@@ -81,7 +81,7 @@ public:
     }
 
 private:
-    /// Whether the burr is deeper than that in a face.
+    /// Returns whether the burr reaches more than `deep` [m] into a face.
     [[nodiscard]] bool is_met(Vec3 a, Vec3 b, Vec3 c, double deep) const {
         const Vec3 middle = (a + b + c) / 3.0;
         const double reach = std::max({length(a - middle), length(b - middle), length(c - middle)});
@@ -105,7 +105,7 @@ private:
     [[nodiscard]] bool split_near_burr() {
         const auto wants = [this](const Triangles& mesh, std::uint32_t f, double longest) {
             const auto [numbers, a, b, c] = corners_of(mesh, f);
-            // An earlier wall may be off its own burr by so much.
+            // An earlier wall may be off its own burr by this much.
             const double deep = mesh.tags[f] == KERF_FACE_SURFACE ? deep_ : 1.5 * fineness_.tolerance;
             return longest > fineness_.edge && is_met(a, b, c, deep);
         };
@@ -115,7 +115,7 @@ private:
 
     void find_sides() {
         const double just_inside = std::max(0.02 * fineness_.tolerance, 1e-8);
-        // A vertex of an earlier wall lies on the burr as it was then: a face from there to the burr is off by less.
+        // A vertex of an earlier wall lies on the burr of that cut. A face from there to this burr has a smaller error.
         std::vector<double> just_outside(mesh_->vertices.size(), fineness_.tolerance);
         for (std::size_t f = 0; f < mesh_->tags.size(); ++f)
             if (mesh_->tags[f] == KERF_FACE_SURFACE)
@@ -128,7 +128,7 @@ private:
         }
         forget_shallow(outside);
     }
-    /// What hangs together inside the burr and is nowhere deep counts as on its surface.
+    /// Connected inside vertices that are nowhere deep count as on the surface.
     void forget_shallow(const std::vector<double>& outside) {
         std::vector<std::uint32_t> leader(sides_.size());
         for (std::uint32_t v = 0; v < leader.size(); ++v) leader[v] = v;
@@ -150,7 +150,7 @@ private:
             if (sides_[v] == Side::inside && deepest[find(v)] > -deep_) sides_[v] = Side::on;
     }
 
-    /// Gives each edge that crosses the burr's surface a vertex there.
+    /// Splits each edge that crosses the burr's surface at its crossing point.
     [[nodiscard]] bool split_at_rim() {
         HalfEdges half_edges;
         FaceTags tags;
@@ -186,8 +186,8 @@ private:
         return is_inside;
     }
 
-    /// The sources that all faces inside look at. Points come first: along rays from a point no face turns over. Then
-    /// those that the faces look at more squarely.
+    /// Returns the sources that all faces inside face. Points come first, because no face turns over along rays from a
+    /// point. Then come the sources that the faces face at the best angle.
     [[nodiscard]] std::vector<Source> sources_of(const std::vector<std::uint8_t>& is_inside) const {
         constexpr double least_needed = 0.01;  // [–] the sine of an angle
         struct Rated {
@@ -202,7 +202,7 @@ private:
                 if (is_inside[f] == 0) continue;
                 const auto [numbers, a, b, c] = corners_of(*mesh_, f);
                 const Vec3 across = cross(b - a, c - a), normal = normalized(across);
-                // Where a sliver looks means nothing: it is turned with its neighbour.
+                // The normal of a sliver means nothing. It turns with its neighbour.
                 if (length(across) < fineness_.tolerance * std::max({length(b - a), length(c - b), length(a - c)}))
                     continue;
                 for (const Vec3 p : {a, b, c, (a + b + c) / 3.0})
@@ -218,7 +218,7 @@ private:
         return sources;
     }
 
-    /// The faces inside as a mesh of their own, and the numbers of its vertices in the whole.
+    /// Returns the faces inside as a separate mesh; `numbers` receives the numbers of their vertices in the whole mesh.
     [[nodiscard]] Triangles taken(const std::vector<std::uint8_t>& is_inside,
                                   std::vector<std::uint32_t>& numbers) const {
         Triangles wall;
@@ -237,7 +237,7 @@ private:
         }
         return wall;
     }
-    /// Puts a wall in the place of the faces inside, and mends slivers beside it. Vertices that nothing needs go.
+    /// Replaces the faces inside by a wall, removes slivers next to it, and drops unused vertices.
     void put_back(const Triangles& wall, std::vector<std::uint32_t> numbers,
                   const std::vector<std::uint8_t>& is_inside) {
         for (std::size_t v = 0; v < wall.vertices.size(); ++v) {
@@ -283,7 +283,7 @@ private:
     const SweptBurr* burr_;
     Fineness fineness_;
     double deep_;        ///< [m]
-    std::size_t count_;  ///< of vertices before the cut
+    std::size_t count_;  ///< vertices before the cut
     std::vector<Side> sides_;
 };
 

@@ -17,10 +17,10 @@ namespace kerf::burring {
 namespace displacement {
 namespace {
 
-/// Of the tolerance that a face may be off the burr. All faces lie on one side of it, so their errors add up.
+/// [–] fraction of the tolerance that a face may be off the burr. All faces lie on one side of it, so errors add up.
 constexpr double wall_share = 0.25;
 
-/// What prevents any work with a request; empty if nothing does.
+/// Returns the defect that prevents any work on a request; empty if there is none.
 std::string flaw_of(const Triangles& mesh, double tolerance) {
     if (mesh.tags.empty()) return "the mesh has no faces";
     if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](Vec3 v) { return is_finite(v); }))
@@ -37,7 +37,7 @@ std::string flaw_of(const Triangles& mesh, double tolerance) {
 
 bool less(Vec3 a, Vec3 b) noexcept { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
 
-/// Locked vertices by position: each cut numbers vertices anew.
+/// Locked vertices by position, because each cut renumbers vertices.
 class Locked {
 public:
     Locked(const Triangles& mesh, std::span<const std::uint8_t> flags) {

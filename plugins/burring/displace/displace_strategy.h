@@ -11,7 +11,7 @@ namespace kerf::burring {
 
 namespace displacement {
 
-/// The library, its version and the flags that results depend on.
+/// The library, its version and the flags that affect results.
 inline constexpr auto kernel = [] {
     auto text = std::to_array("OpenMesh 0.0, no fused multiply-add");
     text[9] = static_cast<char>('0' + OM_GET_VER);
@@ -22,7 +22,7 @@ static_assert(OM_GET_VER < 10 && OM_GET_MAJ < 10, "the version in `kernel` has o
 
 }  // namespace displacement
 
-/// Moves the faces inside a swept burr onto it. Declines a cut where another wall is in the way.
+/// Moves the faces inside a swept burr onto it. Declines a cut where another wall obstructs these moves.
 struct Displace {
     double tolerance;
 

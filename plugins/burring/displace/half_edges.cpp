@@ -6,7 +6,7 @@
 namespace kerf::burring::displacement {
 
 bool load(const Triangles& mesh, HalfEdges& half_edges, FaceTags& tags) {
-    omerr().disable();  // what it cannot add is reported by our own message
+    omerr().disable();  // our own message reports faces that it cannot add
     half_edges.add_property(tags, "tag");
     for (const Vec3 v : mesh.vertices) half_edges.add_vertex(point_of(v));
     const auto& t = mesh.triangles;

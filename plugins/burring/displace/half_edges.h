@@ -6,7 +6,7 @@
 
 #include "kerf/remesh_mesh.hpp"
 
-/// OpenMesh behind Kerf's vectors: half-edges of a patch.
+/// OpenMesh with Kerf's vectors: half-edges of a patch.
 namespace kerf::burring::displacement {
 
 using remeshing::Triangles;
@@ -29,7 +29,7 @@ using FaceTags = OpenMesh::FPropHandleT<std::uint8_t>;
 /// Makes half-edges of a mesh; vertices and faces keep their numbers. Returns false where the mesh is not 2-manifold.
 [[nodiscard]] bool load(const Triangles& mesh, HalfEdges& half_edges, FaceTags& tags);
 
-/// Returns the faces that are left, in the order of their numbers, and all vertices.
+/// Returns the remaining faces in the order of their numbers, and all vertices.
 [[nodiscard]] Triangles faces_of(const HalfEdges& half_edges, const FaceTags& tags);
 
 }  // namespace kerf::burring::displacement

@@ -66,7 +66,7 @@ private:
         }
         return wish_[f] == yes;
     }
-    /// Whether two sides have a vertex, or half of a side has one.
+    /// Returns whether two sides have a vertex, or a half of a side has one.
     [[nodiscard]] bool is_unbalanced(std::uint32_t f) const {
         int count = 0;
         for (std::size_t side = 0; side < 3; ++side) {
@@ -79,7 +79,7 @@ private:
         return count > 1;
     }
 
-    /// Splits a face on all its sides but those on the border. Returns false where all are.
+    /// Splits a face on all sides that are not on the border. Returns false if all are.
     bool split(std::uint32_t f) {
         std::array<std::uint32_t, 3> m{};
         std::size_t count = 0;
@@ -100,7 +100,7 @@ private:
         return true;
     }
 
-    /// Puts two, three or four faces in the place of one: `m` has the vertices of its sides.
+    /// Replaces one face by two, three or four; `m` has the vertices of its sides.
     void replace(std::uint32_t f, const std::array<std::uint32_t, 3>& m) {
         const Corners c = corners(f);
         const std::size_t count =
@@ -112,7 +112,7 @@ private:
                 add(part, f);
             return;
         }
-        // The first side is the one that stays, or the only one that is halved.
+        // The first side is the only one that stays, or the only one that is halved.
         std::size_t first = 0;
         while ((m[first] == none) != (count == 2)) ++first;
         const std::uint32_t a = c[first], b = c[(first + 1) % 3], apex = c[(first + 2) % 3];
@@ -142,7 +142,7 @@ private:
         wish_.push_back(unknown);
     }
 
-    /// Halves what has a vertex on one side, and drops what was split.
+    /// Halves faces with a vertex on one side, and drops the faces that were split.
     void close() {
         const auto count = static_cast<std::uint32_t>(mesh_->tags.size());
         for (std::uint32_t f = 0; f < count; ++f) {

@@ -7,13 +7,13 @@
 namespace kerf::burring::displacement {
 namespace {
 
-/// Returns where a function that is convex on [low, high], negative at `low` and not negative at `high`, is 0.
+/// Returns the zero of a function that is convex on [low, high], negative at `low` and not negative at `high`.
 template <class Function>
 double root(const Function& value, double low, double high) noexcept {
     double at_low = value(low), at_high = value(high);
     if (!(at_low < 0.0)) return low;
     if (!(at_high > 0.0)) return high;
-    // False position; the end that stays twice counts half (the Illinois rule).
+    // False position; an end that stays twice counts half (the Illinois rule).
     int stayed = 0;
     for (int n = 0; n < 100 && high - low > 1e-13; ++n) {
         const double middle = low + (high - low) * (at_low / (at_low - at_high));
@@ -79,7 +79,8 @@ std::optional<SweptBurr> SweptBurr::make(std::span<const kerf_profile_point> out
     burr.turns_ = !(a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z);
     const double half_cosine = std::abs(a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z);
     const double angle = 2.0 * std::sqrt(std::max(0.0, 1.0 - half_cosine * half_cosine));  // [rad] or a little less
-    constexpr double most_of_a_piece = 0.01;  // its sweep is convex to 0.1 um, with a tool of 10 mm
+    constexpr double most_of_a_piece = 0.01;  // [rad] the sweep of a piece is then convex to 0.1 um, with a tool of 10
+                                              // mm
     burr.pieces_ = static_cast<int>(std::clamp(std::ceil(angle / most_of_a_piece), 1.0, 64.0));
     burr.turns_little_ = angle < 4.0 * most_of_a_piece;
     burr.way_in_tool_ = rotate(conjugate(from.rotation), to.position - from.position);
@@ -136,7 +137,8 @@ SweptBurr::Least SweptBurr::least(Vec3 point) const noexcept {
 }
 
 SweptBurr::Least SweptBurr::least_between(Instant low, Instant high, Vec3 point) const noexcept {
-    // Where it is convex in t, it lies above its tangents: their intersection is a lower bound, and the next guess.
+    // Where the function is convex in t, it lies above its tangents. Their intersection is a lower bound and the next
+    // guess.
     constexpr double near = 1e-10;  // [m]
     double least = std::min(low.outside, high.outside);
     if (low.slope >= 0.0) return {least, low, low};
@@ -157,7 +159,8 @@ SweptBurr::Least SweptBurr::least_between(Instant low, Instant high, Vec3 point)
 double SweptBurr::outside(Vec3 point) const noexcept { return least(point).outside; }
 
 SweptBurr::Bound SweptBurr::outside_at_least(Vec3 point) const noexcept {
-    // Each instant bounds all points at all instants by a plane; the two together give one that does not depend on t.
+    // Each instant bounds all points at all instants by a plane. The two planes combine to one that does not depend on
+    // t.
     const auto [outside, low, high] = least(point);
     if (low.t == high.t) return {low.outside, low.normal};
     const double share = high.slope / (high.slope - low.slope);

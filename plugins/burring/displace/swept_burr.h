@@ -12,43 +12,43 @@
 namespace kerf::burring::displacement {
 
 /// A straight line inside the swept burr. Rays leave it at right angles, and at its ends in all directions away from
-/// it. A convex body has one point of its surface on each ray.
+/// it. A convex body has one surface point on each ray.
 struct Source {
-    Vec3 from{}, to{};  ///< body frame [m]; a point where they are equal
+    Vec3 from{}, to{};  ///< body frame [m]; equal for a point
 
     [[nodiscard]] Vec3 nearest(Vec3 point) const noexcept;
 };
 
-/// What a convex solid of revolution sweeps on a straight stretch.
+/// The volume that a convex solid of revolution sweeps on a straight stretch.
 class SweptBurr {
 public:
-    /// Returns nothing, with the reason, for a prism, an outline that is not convex to 1 nm, has fewer than two points
-    /// or no volume, and for a pose that is no number.
+    /// Returns the swept burr. Returns nothing, with the reason, for a prism, for an outline that is not convex to 1
+    /// nm, has fewer than two points or no volume, and for a pose that is not finite.
     static std::optional<SweptBurr> make(std::span<const kerf_profile_point> outline, double kerf, const Pose& from,
                                          const Pose& to, std::string& why);
 
-    /// Returns how far a point lies outside [m]; negative inside. Along any line it is convex; it changes no faster
-    /// than the point moves, and is no more than the distance. Off by up to 0.1 nm.
-    /// [any] pure.
+    /// Returns a lower bound of a point's distance outside [m]; negative inside. It is convex along any line, and
+    /// changes no faster than the point moves. Accuracy: 0.1 nm.   [any] pure.
     [[nodiscard]] double outside(Vec3 point) const noexcept;
 
-    /// How far points are outside at least: `at` + slope · (from the point) [m].
+    /// A lower bound of `outside` near a point: `at` + slope · (offset from the point) [m].
     struct Bound {
         double at;
         Vec3 slope;
     };
-    /// Returns a bound for all points that is exact at one, to 0.1 nm.   Pre: turns_little().   [any] pure.
+    /// Returns a bound for all points that is exact at `point`, to 0.1 nm. Pre: turns_little().   [any] pure.
     [[nodiscard]] Bound outside_at_least(Vec3 point) const noexcept;
-    /// Whether the burr turns by less than 0.04 rad on the stretch, so that its sweep is convex to 2 µm.
+    /// Returns whether the burr turns by less than 0.04 rad on the stretch, so that its sweep is convex to 2 µm.
     [[nodiscard]] bool turns_little() const noexcept { return turns_little_; }
 
     /// Returns the point on the ray from a source through a point where the ray leaves the burr.
     /// Pre: the source lies inside.   [any] pure.
     [[nodiscard]] Vec3 exit(const Source& source, Vec3 through) const noexcept;
-    /// Returns the point of the surface between a point inside and one that is not.   [any] pure.
+    /// Returns the surface point between a point inside and one that is not.   [any] pure.
     [[nodiscard]] Vec3 crossing(Vec3 inside, Vec3 other) const noexcept;
 
-    /// Sources along the axis of the tool, at several heights and parts of the stretch; all lie inside.
+    /// Returns sources along the tool's axis, at several heights and at several fractions of the stretch. All lie
+    /// inside.
     [[nodiscard]] std::vector<Source> sources() const;
 
     [[nodiscard]] double largest_radius() const noexcept { return largest_radius_; }  ///< [m]
@@ -58,12 +58,12 @@ private:
     struct Face {
         double across, along, offset;
     };
-    /// How far outside a point is at one pose [m], and how fast that grows with t [m].
+    /// Outside value of a point at one pose [m], and its derivative with respect to t [m].
     struct Instant {
         double t, outside, slope;
-        Vec3 normal;  ///< how it grows as the point moves, body frame [–]
+        Vec3 normal;  ///< gradient with respect to the point, body frame [–]
     };
-    /// Instants around the least: both, or one at an end of the stretch twice.
+    /// Two instants around the minimum; at an end of the stretch the same instant twice.
     struct Least {
         double outside;
         Instant low, high;
@@ -78,7 +78,7 @@ private:
     Pose from_{}, to_{};
     Vec3 way_in_tool_{};
     bool turns_ = false, turns_little_ = true;
-    int pieces_ = 1;                ///< of the stretch, in each of which the burr hardly turns
+    int pieces_ = 1;                ///< of the stretch; the burr hardly turns within one
     double tip_ = 0.0, end_ = 0.0;  /// z [m]
     double largest_radius_ = 0.0;
 };

@@ -15,7 +15,7 @@ using Vertex = HalfEdges::VertexHandle;
 using Edge = HalfEdges::EdgeHandle;
 using Face = HalfEdges::FaceHandle;
 
-constexpr double of_12_degrees = 4.705;  // cotangent: what counts as a sliver
+constexpr double of_12_degrees = 4.705;  // cotangent of the largest angle of a sliver
 
 class Tidying {
 public:
@@ -82,12 +82,12 @@ private:
         if (is_wall(one) != is_wall(two)) return false;
         const Vertex left = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)),
                      right = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(other));
-        if (mesh_.is_boundary(left) && mesh_.is_boundary(right)) return false;  // it may be there beyond the border
+        if (mesh_.is_boundary(left) && mesh_.is_boundary(right)) return false;  // the edge may exist beyond the border
         const Vec3 a = at(mesh_.from_vertex_handle(h)), b = at(mesh_.to_vertex_handle(h)), c = at(left), d = at(right);
         const Corners first{a, d, c}, second{d, b, c};
         const double before = std::max(worst_cotangent({a, b, c}), worst_cotangent({b, a, d}));
         if (!(std::max(worst_cotangent(first), worst_cotangent(second)) < before)) return false;
-        // The four corners span a tetrahedron, and the surface moves by no more than it is high.
+        // The four corners span a tetrahedron. Its height limits how far the surface moves.
         const double most = is_wall(one) ? limits_->wall : limits_->flat;
         const Vec3 across = cross(b - a, d - c);
         if (std::abs(dot(across, c - a)) > most * length(across)) return false;
@@ -95,7 +95,7 @@ private:
         return dot(normal_of(first), out) > 0.0 && dot(normal_of(second), out) > 0.0;
     }
 
-    /// Whether the vertex where a half-edge begins may become one with that where it ends.
+    /// Returns whether the start vertex of a half-edge may be merged into its end vertex.
     [[nodiscard]] bool is_good_to_join(HalfEdges::HalfedgeHandle h) {
         const Vertex gone = mesh_.from_vertex_handle(h), kept = mesh_.to_vertex_handle(h);
         if ((*stays_)[static_cast<std::size_t>(gone.idx())] != 0 || mesh_.is_boundary(gone) || !mesh_.is_collapse_ok(h))
@@ -125,7 +125,7 @@ private:
             if (goes) continue;
             after = std::max(after, worst_cotangent(c));
             const Vec3 turned = normal_of(c);
-            // A sliver's own normal means little: its neighbours' stay.
+            // A sliver's own normal means little. Its neighbours' normals stay.
             if (dot(turned, normal) < (is_wall(f) ? 0.5 : 0.0) && worst_cotangent(old) < of_12_degrees) return false;
             if (!(length(turned) > 0.5)) return false;
             if (is_wall(f)) wall_off = std::min(wall_off, std::abs(dot(turned, from - c[0])));
@@ -133,7 +133,7 @@ private:
         if (has_wall && !has_surface && wall_off > limits_->wall) return false;
         return after < before && has_same_side(gone, kept);
     }
-    /// Whether no face that stays would look to the other side than the faces around the vertex do together.
+    /// Returns whether no remaining face would point away from the summed normal of the faces around the vertex.
     [[nodiscard]] bool has_same_side(Vertex gone, Vertex kept) const {
         for (const bool wall : {false, true}) {
             Vec3 out{};
@@ -156,7 +156,7 @@ private:
         }
         return true;
     }
-    /// A vertex of the rim goes along the rim only, and where that is straight.
+    /// A rim vertex moves along the rim only, and only where the rim is straight.
     [[nodiscard]] bool keeps_the_rim(HalfEdges::HalfedgeHandle h) const {
         const Vertex gone = mesh_.from_vertex_handle(h);
         if (!is_rim(h)) return false;

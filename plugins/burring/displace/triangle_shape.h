@@ -19,10 +19,10 @@ using Corners = std::array<Vec3, 3>;  ///< of a triangle [m]
     return c;
 }
 
-/// The unit normal; zero where the triangle has no area.
+/// Returns the unit normal; zero if the triangle has no area.
 [[nodiscard]] inline Vec3 normal_of(const Corners& c) noexcept { return normalized(cross(c[1] - c[0], c[2] - c[0])); }
 
-/// The cotangent of the least angle; infinite where the triangle has no area.
+/// Returns the cotangent of the smallest angle; infinite if the triangle has no area.
 [[nodiscard]] inline double worst_cotangent(const Corners& c) noexcept {
     const double twice_area = length(cross(c[1] - c[0], c[2] - c[0]));
     if (!(twice_area > 0.0)) return HUGE_VAL;
@@ -32,7 +32,7 @@ using Corners = std::array<Vec3, 3>;  ///< of a triangle [m]
     return most;
 }
 
-/// Over the longest side [m].
+/// Returns the height over the longest side [m].
 [[nodiscard]] inline double height_of(const Corners& c) noexcept {
     return length(cross(c[1] - c[0], c[2] - c[0])) /
            std::max({length(c[1] - c[0]), length(c[2] - c[1]), length(c[0] - c[2])});

@@ -18,9 +18,9 @@ using Vertex = HalfEdges::VertexHandle;
 using Edge = HalfEdges::EdgeHandle;
 
 constexpr std::size_t most_faces = 200'000;
-constexpr double of_35_degrees = 1.428;  // cotangent of an angle that is good enough
+constexpr double of_35_degrees = 1.428;  // cotangent; larger angles need no improvement
 
-/// A wall with its half-edges: what makes its triangles better.
+/// The half-edges of a wall, and the operations that improve its triangles.
 class WallEdges {
 public:
     WallEdges(const Triangles& wall, const SweptBurr& burr, const Source& source, const Fineness& fineness)
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool is_sound() const noexcept { return is_sound_; }
     [[nodiscard]] Triangles triangles() const { return faces_of(mesh_, tags_); }
 
-    /// Mends slivers that look away from the source: turns one of their edges, or joins two of their vertices.
+    /// Repairs slivers that face away from the source: flips one of their edges, or merges two of their vertices.
     void mend_slivers() {
         constexpr int most_sweeps = 4;
         bool has_mended = true;
@@ -54,7 +54,7 @@ public:
         return true;
     }
 
-    /// Joins a vertex with a neighbour that is nearer than half of what the wall needs.
+    /// Merges vertices whose distance is less than half of the wall's edge length.
     void collapse_short() {
         const double shortest = 0.45 * fineness_->edge, longest = 1.3 * fineness_->edge;
         const std::size_t count = mesh_.n_edges();
@@ -78,8 +78,8 @@ public:
         flip();
     }
 
-    /// The faces beside an edge that bends too much, or whose middle lies too deep in the burr. Edges of half the
-    /// wall's fineness stay: the tool itself has an edge there.
+    /// Returns a flag for each face next to an edge that bends too much or whose middle lies too deep in the burr.
+    /// Edges shorter than half of the wall's edge length are left out, because the tool itself has an edge there.
     [[nodiscard]] std::vector<std::uint8_t> coarse_faces() const {
         std::vector<std::uint8_t> coarse(mesh_.n_faces(), 0);
         for (const auto e : mesh_.edges()) {
@@ -89,14 +89,14 @@ public:
             if (length(b - a) < 0.5 * fineness_->edge) continue;
             const Corners one = corners(mesh_.face_handle(h)), two = corners(mesh_.face_handle(other));
             const double bend = dot(normal_of(one), normal_of(two));
-            // A bend off the burr by less than the tolerance is that of a sliver.
+            // A bend that is off the burr by less than the tolerance comes from a sliver.
             const double off = std::min(height_of(one), height_of(two)) * std::sqrt(std::max(0.0, 1.0 - bend * bend));
             if ((bend >= fineness_->bend_cosine || (bend > 0.0 && off < fineness_->tolerance)) &&
                 burr_->outside(0.5 * (a + b)) >= -fineness_->tolerance)
                 continue;
             for (const auto side : {h, other}) coarse[static_cast<std::size_t>(mesh_.face_handle(side).idx())] = 1;
         }
-        // By their order among those that are left, as in triangles().
+        // In the order of the remaining faces, as in triangles().
         std::vector<std::uint8_t> of_left;
         for (const auto f : mesh_.faces()) of_left.push_back(coarse[static_cast<std::size_t>(f.idx())]);
         return of_left;
@@ -111,7 +111,7 @@ private:
     [[nodiscard]] Corners corners(HalfEdges::FaceHandle f) const { return corners_of(mesh_, f); }
     [[nodiscard]] bool is_right(const Corners& c) const { return faces(*source_, c[0], c[1], c[2]); }
 
-    /// The faces around a vertex, as they would be with that vertex elsewhere.
+    /// Visits the faces around a vertex as they would be with that vertex at `to`.
     template <class Visit>
     void for_each_moved(Vertex v, Vec3 to, const Visit& visit) const {
         for (const auto f : mesh_.vf_range(v)) {
@@ -122,7 +122,8 @@ private:
         }
     }
 
-    /// Whether a vertex may become one with a neighbour: the surface stays one, and no face looks away then.
+    /// Returns whether a vertex may be merged into a neighbour: the surface stays 2-manifold and all faces face the
+    /// source.
     [[nodiscard]] bool may_join(Vertex gone, Vertex kept) {
         if (!is_free(gone) || !mesh_.is_collapse_ok(mesh_.find_halfedge(gone, kept))) return false;
         for (const auto v : mesh_.vv_range(gone))
@@ -134,7 +135,7 @@ private:
         for_each_left(gone, kept, [&](const auto, const Corners& c) { is_good = is_good && is_right(c); });
         return is_good;
     }
-    /// The faces that stay when a vertex becomes one with a neighbour.
+    /// Visits the faces that remain when a vertex is merged into a neighbour.
     template <class Visit>
     void for_each_left(Vertex gone, Vertex kept, const Visit& visit) const {
         for_each_moved(gone, at(kept), [&](const auto f, const Corners& c) {
@@ -178,7 +179,7 @@ private:
             if (!has_flipped) return;
         }
     }
-    /// The corners of the two faces beside an edge as they would be with the edge turned.
+    /// The corners of the two faces of an edge, as they would be after a flip.
     struct Turned {
         Vec3 a, b, c, d;  ///< the edge from a to b, left of it c, right of it d
         [[nodiscard]] Corners one() const { return {a, d, c}; }
@@ -202,14 +203,14 @@ private:
         const Turned t = turned(e);
         return is_right(t.one()) && is_right(t.two());
     }
-    /// Turns an edge of two faces where that makes their least angle larger.
+    /// Flips an edge if that increases the smallest angle of its two faces.
     bool flip(Edge e) {
         if (mesh_.is_boundary(e)) return false;
         const Turned t = turned(e);
         const double before = std::max(worst_cotangent({t.a, t.b, t.c}), worst_cotangent({t.b, t.a, t.d}));
         const double after = std::max(worst_cotangent(t.one()), worst_cotangent(t.two()));
         if (before < of_35_degrees || !(after < before - 1e-9) || !may_flip(e) || !both_right(e)) return false;
-        // Not across an edge of the tool.
+        // Does not flip across an edge of the tool.
         if (burr_->outside(0.5 * (t.c + t.d)) < std::min(-fineness_->tolerance, burr_->outside(0.5 * (t.a + t.b))))
             return false;
         mesh_.flip(e);
