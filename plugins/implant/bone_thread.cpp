@@ -14,14 +14,14 @@ namespace kerf::implant {
 
 namespace {
 
-constexpr double beside_core = 0.08e-3;  // [m] outside of it: what the core itself has removed ends there
+constexpr double beside_core = 0.08e-3;  // [m] outside the core: there the bone removed by the core itself ends
 
-/// What a place of a thread bites in the hole that it goes into.
+/// Engagement of a crest in the wall of its hole.
 struct Bite {
     double inner = 0.0;   ///< [m] radius from which on the crest is in bone
     double depth = 0.0;   ///< [m] of the crest in bone
-    double middle = 0.0;  ///< [m] radius in the middle of that
-    double press = 0.0;   ///< [–] of the pressure at which bone gives way, on the core
+    double middle = 0.0;  ///< [m] radius in the middle of the part in bone
+    double press = 0.0;   ///< [–] pressure on the core, relative to the pressure at which bone yields
 
     Bite() = default;
     Bite(double outer, double core, double hole, double yield_strain) noexcept
@@ -58,7 +58,8 @@ BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, co
     const auto count = static_cast<std::size_t>(places.count);
     const double moved = places.moved_in(track);
     const SinCos turned = sin_cos_exact(moved / thread.advance());
-    std::array<Vec3, 2 * most_pieces> place{};  // in the middle of what is in bone of the crests, then beside the core
+    std::array<Vec3, 2 * most_pieces> place{};  // first in the middle of the crests' parts in bone, then next to the
+                                                // core
     std::array<Bite, most_pieces> bites{};
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3& way = places.way[i];
@@ -78,11 +79,11 @@ BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, co
         const double outer = places.outer[i], core = places.core[i], z = place[i].z, length = places.grip[i];
         const bool bites_bone = bite.depth > 0.0;
         const double m = bites_bone ? resistance(found[i], bone.tissue_count(), reference_density) : 0.0;
-        // The first and the last place stand for what the others have been moved away from.
+        // The first and the last piece make up for the shift of the others.
         const double part = i == 0 ? 1.0 - moved / places.piece : i + 1 == count ? 1.0 + moved / places.piece : 1.0;
         if (-z <= thread.cone() + thread.flute_length) {
             const double share = bite.depth / (outer - core);
-            front += m * share * share;  // its groove is a triangle
+            front += m * share * share;  // the groove is a triangle
             flutes += 1.0;
         }
         if (m > 0.0 && !has_front) {
@@ -98,7 +99,7 @@ BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, co
         const double depth = track.depth_of(place[i]);
         const bool is_cut = track.is_cut_at(depth);
         const double relieved = 1.0 - law.tapped_relief * track.share_tapped(depth, outer, core);
-        // All of it at the thread's radius, as the torque of foam goes with it [weidling-2022].
+        // All friction acts at the thread's radius, as the torque in foam scales with it [weidling-2022].
         rubbing += part * relieved * law.friction * law.compaction * bite.middle * length *
                    (m * thread.flank_between(bite.inner, outer) + on_core * 2.0 * pi * core);
         if (m <= 0.0) continue;
@@ -109,7 +110,7 @@ BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, co
             continue;
         }
         const double strong = part * law.shear * m * 2.0 * pi * outer * thread.shape_factor_of(bite.depth) * length,
-                     stiff = part * 1e3 * law.grip_stiffness * m * length;  // of 1 mm, for each metre
+                     stiff = part * 1e3 * law.grip_stiffness * m * length;  // stiffness of 1 mm, per metre
         whole += strong;
         strength += strong * strength_left(track.slip_at(depth), law.yield_share, law.yield_slip, law.strip_slip);
         stiffness += stiff;

@@ -11,39 +11,39 @@
 
 namespace kerf::implant {
 
-/// A thread's places and what bone there is at them, prepared once and sampled in each tick.
+/// The sample points of a thread, prepared once and sampled in each tick.
 struct ThreadPlaces {
     int count = 0;
-    std::array<Vec3, most_pieces> way{};      ///< from the axis to each [–], and its z [m]
-    std::array<double, most_pieces> outer{};  ///< [m] radius over its crest
-    std::array<double, most_pieces> core{};   ///< [m] radius of the core there
-    std::array<double, most_pieces> grip{};   ///< [m] along the shaft
+    std::array<Vec3, most_pieces> way{};      ///< unit direction from the axis [–], and z [m]
+    std::array<double, most_pieces> outer{};  ///< [m] radius over the crest
+    std::array<double, most_pieces> core{};   ///< [m] radius of the core
+    std::array<double, most_pieces> grip{};   ///< [m] length along the shaft
 
-    double piece = 0.0;  ///< [m] along the shaft from place to place
+    double piece = 0.0;  ///< [m] spacing along the shaft
 
     ThreadPlaces() = default;
     explicit ThreadPlaces(const ScrewThread& thread) noexcept;
-    /// How far the places are moved along their helix, so that they stay where they are in the bone while the tool
-    /// turns in its thread [m]: less than half of a piece.
+    /// Returns the shift of the points along their helix [m], less than half of a piece. With it the points stay fixed
+    /// in the bone while the tool turns in its thread.
     [[nodiscard]] double moved_in(const ThreadTrack& track) const noexcept;
 };
 
-/// What the bone around a thread does to it.
+/// Forces and stiffness of the bone around a thread.
 struct BoneThread {
-    double rubbing = 0.0;        ///< [N·m] torque of the bone that presses on it
-    double strength = 0.0;       ///< [N] along the shaft before it slips, as far as it has not slipped yet
+    double rubbing = 0.0;        ///< [N·m] friction torque of the bone that presses on the thread
+    double strength = 0.0;       ///< [N] along the shaft at which it slips, reduced by earlier slip
     double stiffness = 0.0;      ///< [N/m] along the shaft
     double engaged = 0.0;        ///< [m] of thread in bone
-    double front = 0.0;          ///< [–] resistance of the bone at the flutes, in dense bone
-    double leading = 0.0;        ///< [m] of z, the end towards the tip of what is in bone
-    double last = 0.0;           ///< [m] of z, its other end
-    double front_in_bone = 0.0;  ///< [–] of the quarter of a turn behind that
-    double left = 1.0;           ///< [–] of its strength
-    double blocked = 0.0;        ///< [N] along the shaft at which crests are pushed through bone without a groove
-    double pressed = 0.0;        ///< [N] across the shaft at which it presses its way through bone
-    double middle = 0.0;         ///< [m] of z, the middle of what grips
-    double spread = 0.0;         ///< [m] of what grips about there, root of the mean square
-    std::int32_t body = -1;      ///< whose bone it is in
+    double front = 0.0;          ///< [–] resistance of the bone at the flutes, relative to dense bone
+    double leading = 0.0;        ///< [m] of z, end of the engaged part towards the tip
+    double last = 0.0;           ///< [m] of z, its end towards the head
+    double front_in_bone = 0.0;  ///< [–] bone fraction in the quarter turn behind `leading`
+    double left = 1.0;           ///< [–] remaining fraction of its strength
+    double blocked = 0.0;        ///< [N] along the shaft that pushes crests through bone without a groove
+    double pressed = 0.0;        ///< [N] across the shaft that crushes the bone
+    double middle = 0.0;         ///< [m] of z, stiffness-weighted middle of the engaged part
+    double spread = 0.0;         ///< [m] of the engaged part about `middle`, root mean square
+    std::int32_t body = -1;      ///< number of the bone's body
 
     BoneThread(const ThreadPlaces& places, const ScrewThread& thread, const ThreadTrack& track, const HoleBefore& hole,
                const ScrewParameters& law, const BoneQuery& bone) noexcept;

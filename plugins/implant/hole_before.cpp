@@ -9,9 +9,9 @@ namespace kerf::implant {
 
 namespace {
 
-constexpr double ahead = 0.3e-3;    // [m] of the tip: its own cut has not come so far
-constexpr double radial = 0.7;      // [–] least share of a normal across the axis: else it is not the hole's wall
-constexpr double withdrawn = 1e-3;  // [m] of the tip before the hole, from which on it has left it [judgement]
+constexpr double ahead = 0.3e-3;    // [m] ahead of the tip, which its own cut has not reached
+constexpr double radial = 0.7;      // [–] smallest radial part of a normal of the hole's wall
+constexpr double withdrawn = 1e-3;  // [m] from the tip to the hole, beyond which it has left the hole [judgement]
 constexpr std::size_t ways = 4;
 
 }  // namespace

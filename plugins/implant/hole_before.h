@@ -8,24 +8,24 @@
 
 namespace kerf::implant {
 
-/// How wide the hole was that a tool goes into, before its core went through: measured ahead of the tip, kept by depth.
-/// Bone presses on a core by how much wider it is than that.
+/// The width of the hole before the tool's core entered it. It is measured ahead of the tip and stored by depth. The
+/// pressure on the core depends on the difference in width.
 class HoleBefore {
 public:
-    /// Measures the hole around the axis, a little ahead of the tip, where no place so deep has been measured yet.
-    /// Deep in bone the hole is as narrow as can be known there. A tool that was withdrawn forgets it.
-    /// @param along  [m] by which the tip moved along the axis in this tick
+    /// Measures the hole around the axis, a little ahead of the tip, at depths not measured before. Without a measured
+    /// wall the hole has the smallest width that can be resolved there. A withdrawn tool clears all measurements.
+    /// @param along  [m] motion of the tip along the axis in this tick
     void measure(const ScrewThread& thread, const BoneQuery& bone, double along) noexcept;
-    /// Returns the radius of the hole at `z` ≤ 0 of the tool [m]; 0: there was none that is known.
+    /// Returns the radius of the hole at `z` ≤ 0 of the tool [m]; 0 if no hole is known.
     [[nodiscard]] double radius_at(double z) const noexcept;
 
 private:
     static constexpr int most = 256;
-    static constexpr double step = 0.4e-3;  ///< [m] of depth that a place stands for
+    static constexpr double step = 0.4e-3;  ///< [m] depth per entry
 
     [[nodiscard]] static int place_of(double depth) noexcept;
 
-    double depth_ = 0.0;  ///< [m] of the place ahead of the tip, since the first place was measured
+    double depth_ = 0.0;  ///< [m] depth of the point ahead of the tip since the first entry
     int known_ = 0;
     std::array<float, most> radius_{};  ///< [m]
 };

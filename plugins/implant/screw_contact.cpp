@@ -12,7 +12,7 @@ namespace {
 
 using namespace literals;
 
-constexpr double soon = 0.3_mm;  // a contact is stated from there on, so that it is in the solve when it closes
+constexpr double soon = 0.3_mm;  // gap from which on a contact is in the law, so that the solve has it when it closes
 
 Vec3 at(double radius, double z, std::size_t i, std::size_t of) noexcept {
     const SinCos angle = sin_cos_exact(2.0 * pi * static_cast<double>(i) / static_cast<double>(of));
@@ -22,7 +22,7 @@ Vec3 at(double radius, double z, std::size_t i, std::size_t of) noexcept {
 }  // namespace
 
 ScrewContact::ScrewContact(const ScrewThread& thread) noexcept : has_head(thread.head > 0.0) {
-    // Both behind the cone of the tip, which is narrower than the core.
+    // Both levels lie behind the tip's cone, which is narrower than the core.
     const double low = -thread.cone(), high = std::min(low - 0.1 * thread.length, -0.4 * thread.length - low);
     for (std::size_t i = 0; i < ways; ++i) {
         wall[i] = at(0.5 * thread.core_at(low), low, i, ways);
@@ -31,7 +31,7 @@ ScrewContact::ScrewContact(const ScrewThread& thread) noexcept : has_head(thread
     const double radius = 0.5 * thread.core_at_tip, area = pi * radius * radius;
     tip[0] = {};
     tip_area[0] = 0.25 * area;
-    for (std::size_t i = 0; i < around; ++i) {  // the middle of the cone's rest
+    for (std::size_t i = 0; i < around; ++i) {  // the middle of the cone's outer part
         tip[i + 1] = at(0.75 * radius, -1.5 * radius, i, around);
         tip_area[i + 1] = 0.75 * area / around;
         seat[i] = at(0.25 * (thread.outer + thread.head), -thread.seat, i, around);
@@ -58,9 +58,9 @@ void ScrewContact::add_to(Channels& channels, const ScrewParameters& law, const 
 
 namespace {
 
-/// A wall that one place of the core may touch.
+/// A wall that one point of the core may touch.
 struct Wall {
-    double stiffness = 0.0;  ///< [N/m]; 0: there is none
+    double stiffness = 0.0;  ///< [N/m]; 0: no wall
     double depth = 0.0;      ///< [m]
 };
 
@@ -73,7 +73,7 @@ Wall wall_at(const kerf_surface_point& found, Vec3 place, double stiffness) noex
 
 }  // namespace
 
-/// One channel for two opposite places: a core that is wider than its hole rests between them.
+/// Adds one channel for two opposite points, because a core that is wider than its hole rests between them.
 void ScrewContact::add_walls(Channels& channels, const ScrewParameters& law, const BoneQuery& bone) const noexcept {
     std::array<kerf_surface_point, levels * ways> found;
     bone.nearest(wall, found);

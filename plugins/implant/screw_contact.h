@@ -10,12 +10,12 @@
 
 namespace kerf::implant {
 
-/// How the core lies in its hole, the tip beside it, and the head on its seat.
+/// Contact of the core with its hole, of the tip with bone ahead, and of the head with its seat.
 struct ScrewContact {
     static constexpr std::size_t levels = 2, ways = 4, around = 8;
-    std::array<Vec3, levels * ways> wall{};     ///< places of the core, at each level +x, +y, -x, -y
-    std::array<Vec3, around + 1> tip{};         ///< its centre and its rim
-    std::array<double, around + 1> tip_area{};  ///< [m²] that each stands for
+    std::array<Vec3, levels * ways> wall{};     ///< points of the core, at each level +x, +y, -x, -y
+    std::array<Vec3, around + 1> tip{};         ///< centre and rim
+    std::array<double, around + 1> tip_area{};  ///< [m²] that each point represents
     std::array<Vec3, around> seat{};            ///< under the head
     bool has_head = false;
 

@@ -15,22 +15,23 @@ using Happened = ScrewInsertion::Happened;
 
 constexpr std::uint32_t id_helix = 0, id_flanks = 1, id_flutes = 2, id_head = 3, id_blocked = 4;
 constexpr std::uint32_t id_beside_x = 5, id_beside_y = 6, id_askew_x = 7, id_askew_y = 8;
-constexpr double creep = 1e-6;          // [m/s] below which friction is a stiff damper: a screw at rest stays
+constexpr double creep = 1e-6;          // [m/s] below which friction is a stiff damper, so that a screw at rest stays
 constexpr double cut_onset = 1e-4;      // [m/s]
 constexpr double crush_onset = 1e-5;    // [m/s]
 constexpr double seated_force = 5.0;    // [N] under the head from which on it counts as seated [judgement]
-constexpr double first_slip = 0.02_mm;  // from there on a thread yields [judgement]
-constexpr double stripped_at = 0.3;     // [–] of its strength left, at which a thread counts as stripped
-constexpr double bitten = 0.05;         // [rad] of a turn in bone after which a crest has begun its groove [judgement]
-constexpr double turned_back = 0.3;     // [rad] behind the farthest turn, from which on a screw is backing out
-constexpr double held_turns = 2.0;      // of thread in bone, from which on it yields or strips [judgement]
-constexpr double left_bone = 0.2_mm;    // without bone, after which a thread has left it [judgement]
-constexpr double catching_up = 2.0;     // [–] by which crests that were pushed in cut faster than the helix
+constexpr double first_slip = 0.02_mm;  // [m] slip from which on a thread yields [judgement]
+constexpr double stripped_at = 0.3;     // [–] of its strength; below it a thread counts as stripped
+constexpr double bitten = 0.05;         // [rad] turn in bone after which a crest has begun its groove [judgement]
+constexpr double turned_back = 0.3;     // [rad] behind the farthest turn, from which on a screw backs out
+constexpr double held_turns = 2.0;      // [–] turns of thread in bone from which on it can yield or strip [judgement]
+constexpr double left_bone = 0.2_mm;    // [m] travel without bone after which a thread has left it [judgement]
+constexpr double catching_up = 2.0;     // [–] rate, relative to the helix, at which crests that were pushed in still
+                                        // cut
 constexpr double flute_scale = 10.0_mm;
-constexpr double tilt_arm = 10.0_mm;    // of a channel that turns [m]
-constexpr double same_width = 0.05_mm;  // a groove that is narrower by no more needs no cutting
+constexpr double tilt_arm = 10.0_mm;    // [m] lever of a channel that turns
+constexpr double same_width = 0.05_mm;  // [m] a groove narrower by no more than this needs no cutting
 
-/// Along the thread at its mean radius: a unit motion there, as a rate of the tool.
+/// Unit motion along the thread at its mean radius, as a rate of the tool.
 struct Slide {
     Vec6 d{};
     double radius;  ///< [m]
@@ -46,20 +47,20 @@ struct Slide {
 
 Vec6 helix_of(const ScrewThread& thread) noexcept { return {0, 0, 1, 0, 0, -thread.advance()}; }
 
-/// Bone that the flutes have cut away does not press.
+/// Returns the fraction of the pressure that remains where flutes have cut bone away [–].
 double pressed_share(const ScrewThread& thread, double relief) noexcept {
     return 1.0 - relief * (1.0 - exp_exact(-thread.flutes * thread.flute_length / flute_scale));
 }
 
-/// Fraction of the groove that is to be cut at `z` of the tool: what a narrower tap has left of it [–].
+/// Returns the fraction of the groove still to be cut at `z` of the tool, after a narrower tap [–].
 double share_to_cut(const ThreadTrack& track, const ScrewThread& thread, double z) noexcept {
     const double front = track.depth_of({0, 0, z});
     const double tapped = track.share_tapped(front, 0.5 * thread.outer_at(z), 0.5 * thread.core_at(z));
     return 1.0 - tapped * tapped;
 }
 
-/// Distance of the leading crest, at `z` of the tool, from bone that it has not cut, along the shaft [m]: 0 at the
-/// front.
+/// Returns the distance along the shaft [m] of the leading crest, at `z` of the tool, from bone that it has not cut; 0
+/// at the front.
 double way_to_front(const ThreadTrack& track, const ScrewThread& thread, double z) noexcept {
     if (!track.is_there()) return 0.0;
     const double front = track.depth_of({0, 0, z});
@@ -77,7 +78,7 @@ void ScrewInsertion::begin(const HeldThread& tool, const BoneQuery&, State& stat
     p.contact = ScrewContact(p.thread);
 }
 
-/// The thread keeps the tool on its axis.
+/// Adds channels that keep the tool on the thread's axis.
 void ScrewInsertion::add_track(const ThreadTrack& track, const BoneThread& found, Channels& channels) const noexcept {
     if (!track.is_there() || found.stiffness <= 0.0) return;
     const Vec3 beside = track.beside(found.middle), askew = track.askew();
@@ -164,7 +165,7 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
         groove.radius = 0.5 * thread.outer;
         groove.to = std::max(groove.from, front - along);
     }
-    // Crests that were pushed in cut all of their helix in one turn.
+    // Crests that were pushed in cut their whole helix within one turn.
     if (const double last = track.depth_of({0, 0, static_cast<double>(notes.last)}); turn > 0.0 && last < groove.from)
         groove.from = std::max(last, groove.from - turn / (2.0 * pi) * thread.length);
     if (turn > 0.0 && front > groove.to) {
@@ -175,14 +176,15 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
     }
     if (thread.takes_chips_out) {
         const double radius = 0.5 * thread.outer;
-        if (radius > groove.tapped_radius + same_width) {  // it widens what a narrower tap has cut, as far as it goes
+        if (radius > groove.tapped_radius + same_width) {  // it widens the groove of a narrower tap, up to its own
+                                                           // depth
             groove.tapped_radius = radius;
             groove.tapped_to = groove.from;
         }
         if (radius > groove.tapped_radius - same_width) groove.tapped_to = std::max(groove.tapped_to, front);
     }
 
-    if (front < groove.tapped_to) return;  // what is ahead keeps its axis
+    if (front < groove.tapped_to) return;  // the thread ahead keeps its axis
     const double stiffness = static_cast<double>(notes.left) * notes.stiffness,
                  spread = static_cast<double>(notes.spread);
     const Vec3 beside = track.beside(notes.middle), askew = track.askew();
@@ -201,7 +203,8 @@ void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) 
     };
     once(reported.is_in, state.angle > bitten, Happened::going_in);
     once(reported.has_seated, state.seat_force > seated_force, Happened::head_contact);
-    // Crests that were pushed through on the way in are no stripped thread, nor is a tool that leaves through them.
+    // Crests that were pushed through during insertion do not strip a thread. Neither does a tool that leaves through
+    // them.
     const bool is_held = notes.engaged > held_turns * state.prepared.thread.lead();
     once(reported.has_yielded, is_held && state.is_slipping && state.slip > first_slip, Happened::yield);
     once(reported.is_stripped,
@@ -232,7 +235,7 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
     state.seat_force = std::max(0.0, advance.carried_by_id(ScrewContact::id_seat));
     const bool is_blocked = advance.carried_by_id(id_blocked) != 0.0;
     if (is_blocked) state.pushed += std::max(0.0, advance.rate[2] * dt - thread.advance() * std::max(0.0, turn));
-    // By then the next crest is where the first one was: nothing is left between them.
+    // By then the next crest has reached the first one's position, so no bone is left between them.
     const bool is_broached = is_blocked && state.pushed > thread.pitch;
     if (notes.engaged > 0.0) {
         state.away = 0.0;
@@ -262,7 +265,7 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
     bool meets_bone = notes.engaged > 0.0;
     for (const kerf_channel& channel : advance.channel) meets_bone = meets_bone || channel.id == ScrewContact::id_tip;
     if (is_broached) actions.cut_thread();
-    if (meets_bone) actions.cut();  // of the core; what is between the crests stays
+    if (meets_bone) actions.cut();  // removes bone inside the core's outline; bone between the crests stays
     signals = {.torque = state.torque,
                .turned = state.angle,
                .engaged = notes.engaged,

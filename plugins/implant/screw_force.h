@@ -13,35 +13,35 @@
 #include "thread_grip.h"
 #include "thread_track.h"
 
-/// What a hand feels through the driver of a screw, or the handle of a tap.
+/// Forces on the driver of a screw, or on the handle of a tap.
 namespace kerf::implant {
 
 using HeldThread = Held<PedicleScrew, BoneScrew, DentalImplant, Tap>;
 
-/// The law of a thread in bone, docs/models/screw.md: a helix that holds until it slips, rubbing thread, flutes that
-/// cut, a core in its hole, a head on its seat. What it leaves in bone is a thread of the bone.
+/// The force law of a thread in bone. A helix supports the tool until it slips, the thread rubs, flutes cut, the core
+/// touches its hole, the head its seat. The tool leaves a thread in the bone. Source: docs/models/screw.md.
 struct ScrewInsertion : ScrewParameters {
     struct Prepared {
         ScrewThread thread{};
         ThreadPlaces places;
         ScrewContact contact;
     };
-    /// What is reported once, until the thread has left bone.
+    /// Events that fire once, until the thread has left bone.
     struct Reported {
         bool is_in = false, has_seated = false, has_yielded = false, is_stripped = false, is_backing_out = false;
-        bool is_crossed = false, is_cut = false;  ///< another thread; the bone around its crests
+        bool is_crossed = false, is_cut = false;  ///< by another thread; the bone around its crests is cut
     };
     struct State {
         double angle = 0.0;       ///< [rad] turned since the thread met bone
-        double front = 0.0;       ///< [rad] the largest of it
-        double torque = 0.0;      ///< [N·m] of the bone, against the turn, in the last tick
+        double front = 0.0;       ///< [rad] largest `angle`
+        double torque = 0.0;      ///< [N·m] of the bone against the turn, in the last tick
         double seat_force = 0.0;  ///< [N] under the head in the last tick
-        double stretch = 0.0;     ///< [m] elastic, of the thread against bone along the shaft
-        double slip = 0.0;        ///< [m] plastic, of this tool, either way
-        double away = 0.0;        ///< [m] moved along the shaft since the thread was in bone
+        double stretch = 0.0;     ///< [m] elastic, of the thread in bone along the shaft
+        double slip = 0.0;        ///< [m] plastic, of this tool, in both directions
+        double away = 0.0;        ///< [m] moved along the shaft since the thread left bone
         double grip_force = 0.0;  ///< [N] along the helix in the last tick; negative: it pulls the screw in
-        double pushed = 0.0;      ///< [m] that crests without a groove were pushed further than a turn takes them
-        std::uint32_t held = KERF_NEW_THREAD;  ///< number of the thread that it is in; KERF_NEW_THREAD: none
+        double pushed = 0.0;      ///< [m] push of crests without a groove beyond the lead of the turn
+        std::uint32_t held = KERF_NEW_THREAD;  ///< number of the tool's thread in bone; KERF_NEW_THREAD: none
         bool is_slipping = false;              ///< in the last tick
         HoleBefore hole;
         Reported reported;
@@ -50,10 +50,11 @@ struct ScrewInsertion : ScrewParameters {
     struct Notes {
         double strength = 0.0, stiffness = 0.0;  ///< of the bone's thread [N], [N/m]
         double engaged = 0.0;                    ///< [m]
-        double middle = 0.0, across = 0.0;       ///< [m], [N]: where the bone holds it sideways, and how strongly
-        float left = 1.0f, front = 0.0f;         ///< [–] of its strength, of its first crest in bone
-        float spread = 0.0f;                     ///< [m] along the shaft of what holds it sideways
-        float leading = 0.0f, last = 0.0f;       ///< [m] of z, the ends of what is in bone, towards tip and head
+        double middle = 0.0, across = 0.0;       ///< [m], [N]: centre and limit of the sideways support
+        float left = 1.0f, front = 0.0f;    ///< [–] remaining fraction of its strength, bone fraction at its first
+                                            ///< crest
+        float spread = 0.0f;                ///< [m] along the shaft, of the sideways support
+        float leading = 0.0f, last = 0.0f;  ///< [m] of z, ends of the engaged part, towards tip and head
         std::int32_t body = -1;
     };
     struct Signals {
@@ -94,7 +95,7 @@ struct ScrewInsertion : ScrewParameters {
 
 private:
     void add_track(const ThreadTrack& track, const BoneThread& found, Channels& channels) const noexcept;
-    /// Moves the tool in the thread, which goes on where it turns into new bone.
+    /// Moves the tool in the thread, and extends the thread where it turns into new bone.
     void turn_in(const Noted<Notes>& advance, double dt, ThreadTrack& track, State& state) const noexcept;
     void report(const Notes& notes, State& state, Actions& actions) const noexcept;
 };

@@ -5,9 +5,9 @@
 
 namespace kerf::implant {
 
-inline constexpr double reference_density = 1850.0;  ///< [kg/m³] that the coefficients below are of: dense bone
+inline constexpr double reference_density = 1850.0;  ///< [kg/m³] dense bone, to which the coefficients below refer
 
-/// How bone holds a screw. Strengths grow with the square of the density.
+/// Parameters of bone around a screw, SI. Strengths grow with the square of the density.
 struct ScrewParameters {
     double friction, head_friction, compaction, yield_strain, shear, grip_stiffness, chip, crush, wall_stiffness,
         seat_stiffness;

@@ -6,7 +6,7 @@
 namespace kerf::implant {
 
 int make_pieces(const ScrewThread& thread, ThreadPiece (&pieces)[most_pieces]) noexcept {
-    constexpr double in_a_turn = 11.0;  // no divisor of it: neighbouring turns do not line up
+    constexpr double in_a_turn = 11.0;  // not a divisor of it, so that neighbouring turns do not line up
     const double threaded = thread.length - thread.cone(), wanted = in_a_turn * threaded / thread.lead();
     const int count = static_cast<int>(std::clamp(std::ceil(wanted), 8.0, static_cast<double>(most_pieces)));
     const double piece = threaded / count;

@@ -5,7 +5,7 @@
 
 namespace kerf::implant {
 
-/// A tap: it cuts a thread, takes the chips out and is turned back.
+/// A tap: it cuts a thread, removes the chips and is turned back out.
 struct Tap : ThreadedTool {
     Tap() noexcept { takes_chips_out = true; }
     static constexpr auto about() {

@@ -10,10 +10,10 @@ namespace kerf::implant {
 
 namespace {
 
-// What counts as the tool's own thread [judgement]
+// Limits within which a thread is the tool's own [judgement]
 constexpr double same_lead = 0.02;   // [–] of the lead
 constexpr double most_askew = 0.17;  // [–] sine of 10°
-constexpr double within = 1.0;       // [–] of a lead before its beginning
+constexpr double within = 1.0;       // [–] leads before its beginning
 
 double across(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y); }
 
@@ -29,7 +29,7 @@ ThreadTrack ThreadTrack::found(const BoneQuery& bone, const ScrewThread& tool, s
     std::array<kerf_thread, KERF_MAX_THREADS> all;
     const std::size_t count = bone.threads(all);
     ThreadTrack best;
-    double nearest = tool.depth(tool.first_crest());  // farther beside, its crests meet other bone
+    double nearest = tool.depth(tool.first_crest());  // [m] if farther from the axis, the crests meet other bone
     bool is_crossed = false;
     for (std::size_t i = 0; i < count; ++i) {
         const ThreadTrack track(all[i]);

@@ -7,9 +7,9 @@ using namespace literals;
 
 namespace {
 
-constexpr double step = 1e-6;                                // [m] along the axis, of an edge across it
-constexpr double driver = 4.0_mm;                            // its radius [assumed]
-constexpr double driver_length = 120.0_mm, hand = 150.0_mm;  // behind the seat
+constexpr double step = 1e-6;                                // [m] along the axis, for a step of the outline
+constexpr double driver = 4.0_mm;                            // [m] radius [assumed]
+constexpr double driver_length = 120.0_mm, hand = 150.0_mm;  // [m] behind the seat
 
 }  // namespace
 

@@ -6,15 +6,15 @@
 
 namespace kerf::implant {
 
-/// What every tool with a thread has; all SI.
+/// Parameters common to all tools with a thread, SI.
 struct ThreadedTool {
     double outer_diameter, outer_taper, core_diameter, tip_core_diameter, pitch, starts, thread_length, flank_angle;
     double flutes, flute_length;
-    double head_diameter = 0.0;                       ///< of the seat under the head; 0: there is none
+    double head_diameter = 0.0;                       ///< of the seat under the head; 0: none
     double shaft_length = 0.0, shaft_diameter = 0.0;  ///< without thread, between thread and head
     bool takes_chips_out = false;                     ///< a tap
 
-    /// A default, and where it comes from.
+    /// A default and its source.
     struct Default {
         Amount value;
         const char* source;
@@ -106,9 +106,8 @@ struct ThreadedTool {
                                             .source = diameter.source});
     }
 
-    [[nodiscard]] double seat() const noexcept {
-        return thread_length + shaft_length;
-    }  ///< [m] of the head, from the tip
+    /// Returns the distance of the head's seat from the tip [m].
+    [[nodiscard]] double seat() const noexcept { return thread_length + shaft_length; }
     [[nodiscard]] ScrewThread thread() const noexcept {
         return {.outer = outer_diameter,
                 .outer_at_tip = outer_diameter - outer_taper,
@@ -124,7 +123,7 @@ struct ThreadedTool {
                 .seat = seat(),
                 .takes_chips_out = takes_chips_out};
     }
-    /// Of an implant on its driver, or of a tap on its handle.
+    /// Returns the outline of an implant with its driver, or of a tap with its handle.
     [[nodiscard]] Outline outline() const noexcept;
 };
 
