@@ -10,7 +10,7 @@ namespace kerf::sawing {
 
 namespace {
 
-/// The impulse of one strike alone, `u` [m/s] the velocity there without it.
+/// Returns the impulse of a single strike; `u` [m/s] is the velocity at its point before the strike.
 Vec3 impulse_of(const Strike& strike, Vec3 u, double friction) noexcept {
     const Vec3 n = strike.normal;
     const double approach = dot(u, n);
@@ -20,14 +20,14 @@ Vec3 impulse_of(const Strike& strike, Vec3 u, double friction) noexcept {
     if (pressed >= 0.0 && dot(sideways, sideways) <= friction * friction * pressed * pressed) return sticking;
 
     const Vec3 t = normalized(u - approach * n), direction = n - friction * t;
-    // Where friction would press the point into the bone faster than the impulse lifts it, only a part of it counts.
+    // If friction pressed the point into bone faster than the impulse lifts it, only a part of it counts.
     constexpr double min_lift = 0.1;  // [–] of that without friction
     const double alone = dot(n, strike.softened * n),
                  lift = std::max(dot(n, strike.softened * direction), min_lift * alone);
     return std::max(0.0, (strike.rebound - approach) / lift) * direction;
 }
 
-/// Returns one strike in place of all: their mean point, normal and softness.
+/// Returns one strike that replaces all: their mean point, normal and softness.
 Strike middle_of(std::span<const Strike> strikes) noexcept {
     Strike sum{};
     if (strikes.empty()) return sum;

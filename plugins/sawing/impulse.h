@@ -54,7 +54,7 @@ struct Restitution {
 struct Strike {
     Vec3 r;                 ///< [m] from the centre of mass
     Vec3 normal;            ///< N, unit, out of the bone
-    double softness = 0.0;  ///< [1/kg] ≥ 0: how far the bone there gives way, as of a tooth that is partly in it
+    double softness = 0.0;  ///< [1/kg] ≥ 0: compliance of the bone, as of a tooth that is partly in it
     Vec3 impulse{};         ///< [N·s] on the tool: the result
 
     // Worked out by the solver.
@@ -62,7 +62,7 @@ struct Strike {
     double rebound = 0.0;             ///< [m/s] along the normal, after the strike: −e u_n
 };
 
-/// What the strikes together do.
+/// Result of all strikes together.
 struct Struck {
     RigidMotion motion;     ///< of the tool after them
     double energy = 0.0;    ///< [J] change of its kinetic energy, ≤ 0
@@ -79,9 +79,9 @@ inline constexpr int impulse_sweeps = 16;  ///< over all strikes, in turn from e
 /// with u the velocity of the tool at the point, u_n = u·N, T the unit tangential velocity. A strike sticks if its
 /// impulse then lies in the friction cone. Points that leave the bone (u_n ≥ 0) are not reversed, and no impulse pulls.
 ///
-/// Sequential impulses: each strike is solved with what all others do to it, in a fixed number of sweeps and a fixed
-/// order, so that N strikes do not act N times. In the end all impulses are multiplied by one fraction where they would
-/// make kinetic energy, as Newton's restitution with friction may.   [haptic, nonblocking] no allocation.
+/// Sequential impulses: each strike is solved with the effect of all others, in a fixed number of sweeps and a fixed
+/// order, so that N strikes do not act N times. At the end all impulses are multiplied by one fraction if they would
+/// create kinetic energy, as Newton's restitution with friction may.   [haptic, nonblocking] no allocation.
 ///
 /// Source: [mandibular-angle] equations (1) and (2) with E04-1 … E04-5 corrected; the sweeps after [guendelman-2003];
 /// the fraction is ours.

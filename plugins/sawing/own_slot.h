@@ -3,22 +3,22 @@
 
 #include "kerf/math.hpp"
 
-/// The slot the blade stands in, as it has cut it itself.
+/// The slot that the blade has cut for itself.
 namespace kerf::sawing {
 
-/// The middle plane of the slot, seen from the blade:  y = offset + along_x x + along_z z.
+/// The middle plane of the slot in the blade's frame: y = offset + along_x x + along_z z.
 ///
-/// Points of the bone go backwards past the blade as it moves; what the teeth cut anew lies where the blade is. So the
-/// slot is the blade's own plane over about the last two voxels it has cut, without the noise that sampled walls have:
-/// binding is judged from it there, and from the bone farther back (B5). Small tilts.
+/// Points of the bone move backwards past the blade as it moves. The slot that the teeth cut anew lies at the blade's
+/// present plane. So the slot is the average plane of the blade over about the last two voxels of its cut, without the
+/// noise of sampled walls. Binding uses this plane there, and the bone farther back. Tilts are small.
 struct OwnSlot {
     double offset = 0.0;   ///< [m]
     double along_x = 0.0;  ///< [–]
     double along_z = 0.0;  ///< [–]
-    double depth = 0.0;    ///< [m] that the blade has cut since its teeth last were in air
+    double depth = 0.0;    ///< [m] cut by the blade since its teeth were last in air
 
-    /// The blade has moved by `rate` for `dt` [s]; while it cut, its front went `advance` ≥ 0 [m] into bone, and the
-    /// slot forgets over `memory` [m].   [any] pure but for itself.
+    /// Updates the slot after the blade has moved at `rate` for `dt` [s]. While it cut, its front advanced `advance` ≥
+    /// 0 [m] in bone. The average extends over `memory` [m].   [any]
     void move(const Vec6& rate, double dt, double advance, double memory) noexcept {
         const Vec3 v = linear(rate), w = angular(rate);
         offset += (along_x * v.x + along_z * v.z - v.y) * dt;
@@ -30,7 +30,7 @@ struct OwnSlot {
         along_z *= kept;
         depth += advance;
     }
-    /// Where its middle is at a place of the blade [m].
+    /// Returns the middle of the slot at a point of the blade [m].
     [[nodiscard]] double middle(double x, double z) const noexcept { return offset + along_x * x + along_z * z; }
 };
 

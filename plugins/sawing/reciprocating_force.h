@@ -5,7 +5,7 @@
 #include "reciprocating_tool.h"
 #include "saw_tick.h"
 
-/// What a reciprocating saw feels: teeth that cut, sides that bind and rub, a motor, and the torque that twists it.
+/// Forces on a reciprocating saw: teeth cut, sides bind and rub, a motor moves it, a torque twists it.
 namespace kerf::sawing {
 
 struct ReciprocatingState : SawState {
@@ -37,7 +37,7 @@ enum class ReciprocatingEvent { off, speeding_up, running, bogging, stalled, run
                                             "threshold: blade or bone may break."}));
 }
 
-/// The parameters that all laws of a reciprocating saw share.
+/// Parameters common to all laws of a reciprocating saw.
 struct ReciprocatingParameters : SawParameters {
     double torque_threshold;
 
@@ -55,11 +55,11 @@ struct ReciprocatingParameters : SawParameters {
     }
 };
 
-/// Writes the torque of a tick, and warns when it crosses the threshold.   [haptic, nonblocking]
+/// Computes the torque of a tick, and fires the warning when it crosses the threshold.   [haptic, nonblocking]
 void watch_torque(const Advance& advance, const StraightBlade& blade, double threshold, double dt,
                   ReciprocatingState& state, ReciprocatingSignals& signals, Actions& actions) noexcept;
 
-/// The law of a reciprocating saw, docs/models/reciprocating-saw.md.
+/// The force law of a reciprocating saw. Source: docs/models/reciprocating-saw.md.
 struct ReciprocatingCutting : ReciprocatingParameters {
     struct State : ReciprocatingState {
         PreparedSaw<StraightBlade> prepared;

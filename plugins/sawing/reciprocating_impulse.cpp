@@ -11,13 +11,13 @@ namespace kerf::sawing {
 
 namespace {
 
-/// What one feed of the blade does at each tooth.
+/// Impulses at each tooth for one feed rate.
 struct Blow {
     std::array<double, most_teeth> pressed{};  ///< [N·s] along the tooth's normal
     std::array<double, most_teeth> dragged{};  ///< [N·s] along x, on the blade
 };
 
-/// Which teeth strike: those in bone that are at the front, of whatever density: bone is rigid here.
+/// Teeth that strike: teeth in bone at the front, at any density, because bone is rigid here.
 struct Striking {
     std::array<std::size_t, most_teeth> tooth;
     std::array<double, most_teeth> engaged{};  ///< [–] of each tooth
@@ -38,7 +38,7 @@ Striking striking(const TeethInBone& in_bone) noexcept {
     return found;
 }
 
-/// The impulses of a blade that is fed at `feed` [m/s] while its teeth move at `along` [m/s].
+/// Returns the impulses of a blade with the feed `feed` [m/s] whose teeth move at `along` [m/s].
 Blow blow_of(const ReciprocatingImpulse& law, const StraightBlade& blade, const Teeth& teeth, const Striking& which,
              double feed, double along) noexcept {
     const double of_inertia = 1.0 / (law.mass * law.gyration * law.gyration);
@@ -69,7 +69,7 @@ double add_impulse_feed(const ReciprocatingImpulse& law, const StraightBlade& bl
     const Striking which = striking(in_bone);
     if (which.count == 0) return 0.0;
 
-    // Both strokes, half of the time each: what they drag along the blade cancels.
+    // Both strokes, half of the time each, so that their drag along the blade cancels.
     const double speed = motion.stroke.mean_speed();
     const Blow to = blow_of(law, blade, in_bone.teeth, which, feed, speed),
                fro = blow_of(law, blade, in_bone.teeth, which, feed, -speed);

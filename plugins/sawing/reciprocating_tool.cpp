@@ -24,7 +24,7 @@ Outline ReciprocatingBlade::outline() const noexcept {
         .to(-tooth_height, saw.half_sweep())
         .cuts()
         .to(-blade_height, saw.half_sweep())
-        .gripped_at(-blade_height - 80.0_mm)  // as of a saw that is held behind the back of its blade
+        .gripped_at(-blade_height - 80.0_mm)  // the grip lies behind the back of the blade
         .in_both_hands();
 }
 

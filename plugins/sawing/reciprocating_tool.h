@@ -11,7 +11,7 @@
 
 namespace kerf::sawing {
 
-/// The blade of a reciprocating saw as a procedure sets it; all SI.
+/// The blade of a reciprocating saw with its parameters, SI.
 struct ReciprocatingBlade {
     double blade_length, blade_height, stroke, tooth_pitch, blade_thickness, tooth_set, tooth_height;
     double motor_torque, run_up, inertia;
@@ -123,7 +123,8 @@ struct ReciprocatingBlade {
         constexpr double full_speed = 15000.0 / 60.0;  // [1/s] that `run_up` is the time to
         return Motor::with_run_up(run_up, full_speed, motor_torque, inertia);
     }
-    /// What the teeth sweep in a stroke removes bone, one tooth's height deep; the blade behind it does not.
+    /// Returns the outline. The teeth's sweep in a stroke removes bone, one tooth height deep. The blade behind it does
+    /// not.
     [[nodiscard]] Outline outline() const noexcept;
 };
 

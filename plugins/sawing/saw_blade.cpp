@@ -8,7 +8,7 @@ namespace kerf::sawing {
 Teeth teeth_of(const SawBlade& blade, double swing) noexcept {
     Teeth teeth;
     teeth.count = std::min(blade.count(), most_teeth);
-    // From tooth to tooth by the same turn: one sine for all.
+    // All teeth differ by the same angle, so one sine is enough.
     const double per_tooth = blade.pitch / blade.radius;
     const SinCos step = sin_cos_exact(per_tooth);
     SinCos at = sin_cos_exact(swing - 0.5 * static_cast<double>(teeth.count - 1) * per_tooth);

@@ -18,7 +18,8 @@ constexpr double row_behind[rows] = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m]
 static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::most &&
               2 * rows * columns <= TouchingPoints::most_on_sides);
 
-/// Bending stiffness across the blade [N/m] at `z`, the blade held at the axis of its swing, in series with the bone's.
+/// Returns the stiffness across the blade [N/m] at `z`: bending of a blade clamped at the axis of its swing, in series
+/// with the bone.
 ///
 ///     k = 3 E I / l³,    I = w d³/12
 ///
@@ -71,8 +72,8 @@ void add_contact(const Blade& blade, const TouchingPoints& points, const SawPara
     Contact contact(points.all);
     contact.ask(bone, blade.thickness);
 
-    // Where the blade has cut the last two voxels itself, its slot is known better than samples tell it: there is a
-    // wall where the bone has one, but it stands where the teeth have put it (B5).
+    // Along the last two voxels of its cut, the blade's own slot is more accurate than samples. The bone decides
+    // whether there is a wall, the slot where it is.
     const double own = std::min(slot.depth - blade.tooth_height, 2.0 * bone.voxel());
     for (std::size_t n = 0; n < points.side_count; ++n) {
         const TouchingPoints::OnSide& one = points.of_sides[n];
@@ -83,7 +84,7 @@ void add_contact(const Blade& blade, const TouchingPoints& points, const SawPara
     const bool rubs = last_binding > 0.0;
     contact.write(channels, id_contact, rubs ? 1 : 0);
 
-    // While the saw goes, nearly all of the rubbing goes into the oscillation and little into the feed.
+    // A moving saw uses nearly all friction against its oscillation, and little against the feed.
     if (!rubs) return;
     channels.friction({.id = id_rub,
                        .along = {0, 0, 1},

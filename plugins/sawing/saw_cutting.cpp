@@ -12,7 +12,7 @@ namespace kerf::sawing {
 
 namespace {
 
-/// The oscillation as the law takes it now: in the mean in two parts, else at its phase.
+/// The parts of the oscillation in the law: averaged, two parts; otherwise one, at the present phase.
 struct Parts {
     std::array<StrokePart, part_count> part;
     std::size_t count;
@@ -22,16 +22,16 @@ Parts parts_now(const Oscillation& motion) noexcept {
     return {{{{1.0, chip_per_feed(motion.stroke, sin_cos_exact(motion.phase).cos)}, {}}}, 1};
 }
 
-/// Which way the teeth go, without a jump where they turn [–].
+/// Returns the direction of the teeth's motion, without a jump at the turning points [–].
 double sense_of(const Oscillation& motion) noexcept {
-    constexpr double turning = 0.1;  // of the highest speed [assumed]
+    constexpr double turning = 0.1;  // [–] of the highest speed [assumed]
     return std::clamp(sin_cos_exact(motion.phase).cos / turning, -1.0, 1.0);
 }
 
-/// A short row of points that one channel stands for.
+/// A short row of sample points for one channel.
 struct Row {
     static constexpr std::size_t count = 5;
-    /// Where a point stands along it: −1 … 1.
+    /// Returns the position of a point in the row: −1 … 1.
     [[nodiscard]] static constexpr double place(std::size_t i) noexcept { return 0.5 * static_cast<double>(i) - 1.0; }
     std::array<Vec3, count> point;
     std::array<kerf_bone_sample, count> sample;
@@ -56,7 +56,7 @@ void add_feed_cutting(const TeethInBone& in_bone, double kerf, const SawParamete
         const std::size_t first = sector * n / sector_count, last = (sector + 1) * n / sector_count;
         const double least = in_bone.least_gap(first, last);
 
-        // Teeth that meet bone at the same time, in the mean: one direction, one wrench of what goes along.
+        // Teeth that meet bone at the same average time have one common direction, and one common `follow`.
         double total = 0.0;
         Vec6 d{}, aside{}, along{};
         for (std::size_t i = 2 * first; i < 2 * last; ++i) {
@@ -88,7 +88,7 @@ void add_feed_cutting(const TeethInBone& in_bone, double kerf, const SawParamete
             sum.write(d, motion.cutting.fraction, least, feed);
             if (feed == nullptr) continue;
             for (std::size_t c = 0; c < 6; ++c) feed->follow[c] = law.set_share * aside[c];
-            if (motion.is_averaged) continue;  // to and fro alike: it goes into `vibration`
+            if (motion.is_averaged) continue;  // alternating forces cancel and go into `vibration`
             const double t = part.chip_per_feed * std::max(last_feed_rate, 1e-6), thrust = force_per_width(t, k.thrust);
             const double against = thrust > 0.0 ? -sense_of(motion) * force_per_width(t, k.cutting) / thrust : 0.0;
             for (std::size_t c = 0; c < 6; ++c) feed->follow[c] += against * along[c];
@@ -100,14 +100,14 @@ template <class Blade>
 void add_side_cutting(const TeethInBone& in_bone, const Blade& blade, const SawParameters& law, const BoneQuery& bone,
                       const Oscillation& motion, Channels& channels) noexcept {
     if (in_bone.least_gap(0, in_bone.teeth.count) > left_behind)
-        return;  // drawn back, the flanks run free in their slot (B5)
+        return;  // behind the front, the flanks run free in their slot
     const struct { EdgeCoefficients thrust, cutting; } k{law.thrust(), law.cutting()};
     const double reference = law.reference_density;
-    // At the front: farther back the slot would be bone for as long as the committed cut lags, which is a matter of the
-    // grid. And a little inside what the blade sweeps, so that the points lie free in a slot as wide as the kerf: by an
-    // eighth of a voxel a wall is known.
+    // Samples lie at the front: farther back the slot would be bone during the lag of the committed cut, which depends
+    // on the grid. They also lie a little inside the blade's sweep, so that they are free in a slot as wide as the
+    // kerf. The position of a wall is accurate to an eighth of a voxel.
     const double inside = std::max(0.125 * 0.25 * bone.reach(), 0.02e-3);
-    constexpr double play = 1e-8;  // [m] so that a rounding across does not count as a cut
+    constexpr double play = 1e-8;  // [m] so that rounding across the blade does not count as a cut
     const auto add = [&](Row& row, Vec3 way, double edge_length, double chip_per_feed, std::uint32_t id) {
         bone.sample(row.point, way, row.sample);
         double least = 1e300, total = 0.0;
@@ -129,7 +129,7 @@ void add_side_cutting(const TeethInBone& in_bone, const Blade& blade, const SawP
         sum.write(rate_at((1.0 / total) * at, way), motion.cutting.fraction, least, channels.add(KERF_CUT, id));
     };
 
-    // Every other tooth is set to a side: its flank takes what two pitches have gained.
+    // Every other tooth is set to one side, so its flank removes the advance over two pitches.
     Stroke by_twos = motion.stroke;
     by_twos.pitch *= 2.0;
     const double flank_chip = mean_chip_per_feed(by_twos);
@@ -141,7 +141,7 @@ void add_side_cutting(const TeethInBone& in_bone, const Blade& blade, const SawP
         add(row, {0, side, 0}, 0.5 * blade.tooth_count * blade.tooth_height, flank_chip,
             id_side + (side > 0.0 ? 0 : 1));
     }
-    // At an end the last tooth comes by once an oscillation.
+    // At an end the last tooth passes once an oscillation.
     const Vec3 end = blade.end_of_sweep();
     for (const double side : {1.0, -1.0}) {
         Row row;

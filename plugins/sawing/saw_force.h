@@ -4,10 +4,10 @@
 #include "saw_tick.h"
 #include "saw_tool.h"
 
-/// What an oscillating saw feels: teeth that cut, sides that bind and rub, a motor that swings it.
+/// Forces on an oscillating saw: teeth cut, sides bind and rub, a motor swings it.
 namespace kerf::sawing {
 
-/// The law of an oscillating saw, docs/models/oscillating-saw.md.
+/// The force law of an oscillating saw. Source: docs/models/oscillating-saw.md.
 struct SawCutting : SawParameters {
     struct State : SawState {
         PreparedSaw<SawBlade> prepared;

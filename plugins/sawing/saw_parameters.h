@@ -5,10 +5,10 @@
 #include "kerf/edge_law.hpp"
 #include "kerf/force.hpp"
 
-/// What of the bone and the teeth the law of a saw is given.
+/// Parameters of a saw's law: coefficients of bone and teeth.
 namespace kerf::sawing {
 
-/// The parameters of the law; all SI.
+/// The parameters of the law, SI.
 struct SawParameters {
     double thrust_edge, thrust_chip, cutting_edge, cutting_chip, edge_depth;
     double set_share, reference_density, contact_stiffness, friction;

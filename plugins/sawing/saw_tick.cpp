@@ -12,7 +12,7 @@ namespace kerf::sawing {
 namespace {
 
 constexpr double averaged_from =
-    100.0;  // [1/s] forces are averaged from here on: in ticks of 1 ms a faster one aliases
+    100.0;  // [1/s] above it forces are averaged; in ticks of 1 ms a faster force would alias
 
 /// Returns the thrust on the teeth of all sectors [N].
 double thrust_of(const Advance& advance) noexcept {
@@ -24,8 +24,8 @@ double thrust_of(const Advance& advance) noexcept {
     return sum;
 }
 
-/// Returns the force along the teeth's motion [N] of a saw that is pushed with `push` [N] and removes no bone: to move,
-/// its teeth must break loose, with the force that goes with such a push in cutting.
+/// Returns the force along the teeth's motion [N] of a saw under `push` [N] that removes no bone. To move, its teeth
+/// must break loose. The force is the one that cutting at this thrust would take.
 double breakaway_force(const SawParameters& law, double push) noexcept {
     const double thrust = force_per_width(law.edge_depth, law.thrust()),
                  cutting = force_per_width(law.edge_depth, law.cutting());
@@ -34,7 +34,7 @@ double breakaway_force(const SawParameters& law, double push) noexcept {
 
 }  // namespace
 
-/// A saw passes all rates as it speeds up and runs down: it shakes with every stroke only if it is commanded to.
+/// A saw passes all rates as it speeds up and runs down. It shakes with every stroke only if its command is that slow.
 template <class Blade>
 Oscillation oscillation_of(const Blade& blade, double commanded, const SawState& state) noexcept {
     return {.stroke = {blade.stroke(), blade.pitch, std::max(state.cutter.speed(), slowest_cut)},
@@ -66,7 +66,7 @@ double commit_saw(const Blade& blade, const SawParameters& law, const Oscillatio
                   const Advance& advance, const CutInTick& cut, double dt, SawState& state, SawSignals& signals,
                   Actions& actions) noexcept {
     auto [engaged, resisting] = cut.teeth;
-    if (!motion.cutting.resists()) {  // a still saw samples its teeth for its motor, which must break them loose
+    if (!motion.cutting.resists()) {  // a still saw samples its teeth, because its motor must break them loose
         TeethInBone in_bone;
         in_bone.sample(law, bone, blade, motion);
         engaged = in_bone.engaged;
@@ -93,7 +93,7 @@ double commit_saw(const Blade& blade, const SawParameters& law, const Oscillatio
     signals.drive_power = 2.0 * pi * state.cutter.speed() * load;
     signals.stroke_rate = state.cutter.speed();
 
-    // The slot is cut while the teeth advance in bone, and forgotten when none is in it any more.
+    // The slot is cut while the teeth advance in bone. Its depth is reset when no tooth is in bone.
     if (engaged <= 0.0 && !is_cutting && state.feed_rate > 0.0) state.slot.depth = 0.0;
     state.slot.move(advance.rate, dt, is_cutting ? state.feed_rate * dt : 0.0, 0.5 * bone.reach());
 

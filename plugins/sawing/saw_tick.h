@@ -9,7 +9,7 @@
 #include "saw_contact.h"
 #include "saw_parameters.h"
 
-/// One tick of a saw's law, whatever its blade.
+/// One tick of a saw's law, for any blade.
 namespace kerf::sawing {
 
 struct SawState {
@@ -19,7 +19,7 @@ struct SawState {
     PoweredCutter cutter;    ///< its speed is the stroke rate
     OwnSlot slot;
 };
-/// What follows from parameters and grid alone.
+/// Geometry that depends on parameters and grid only.
 template <class Blade>
 struct PreparedSaw {
     Blade blade{};
@@ -80,7 +80,7 @@ inline constexpr PhaseEvents<E> phase_events{.off = E::off,
                                              .stalled = E::stalled,
                                              .running_down = E::running_down};
 
-/// The oscillation of a saw that is commanded to `commanded` [1/s].
+/// Returns the oscillation of a saw with the command `commanded` [1/s].
 template <class Blade>
 [[nodiscard]] Oscillation oscillation_of(const Blade& blade, double commanded, const SawState& state) noexcept;
 
@@ -92,19 +92,20 @@ void prepare_saw(const Blade& blade, const SawParameters& law, const BoneQuery& 
     prepared.touching = touching_points(blade, law, bone, false);
 }
 
-/// The channels of a tick.   [haptic, nonblocking] pure.
+/// Adds the channels of a tick.   [haptic, nonblocking] pure.
 template <class Blade>
 [[nodiscard]] SawNotes resist_saw(const PreparedSaw<Blade>& saw, const SawParameters& law, double commanded,
                                   const BoneQuery& bone, const SawState& state, Channels& channels) noexcept;
 
-/// What `resist` found of the teeth, for the commit.
+/// Results of `resist` about the teeth, for the commit.
 struct CutInTick {
     SawNotes teeth;
-    std::optional<double> along_per_thrust;  ///< [–] force along the teeth; none: by the edge and chip law of a tooth
+    std::optional<double> along_per_thrust;  ///< [–] force along the teeth; none: computed from a tooth's edge and chip
+                                             ///< law
 };
 
 /// Takes over the motion of a tick, except in the motor.   [haptic, nonblocking]
-/// @return  [N·m] the torque that the motor must overcome
+/// @return [N·m] load torque on the motor
 template <class Blade>
 [[nodiscard]] double commit_saw(const Blade& blade, const SawParameters& law, const Oscillation& motion,
                                 const BoneQuery& bone, const Advance& advance, const CutInTick& cut, double dt,

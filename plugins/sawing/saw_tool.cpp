@@ -9,7 +9,8 @@ namespace kerf::sawing {
 
 Outline OscillatingBlade::outline() const noexcept {
     using namespace literals;
-    constexpr int pieces = 8;  // of half of the front: an arc of 60 mm is met within 8 µm; fewer pieces carve faster
+    constexpr int pieces = 8;  // half of the front: an arc of 60 mm is accurate to 8 µm; fewer pieces make removal
+                               // faster
     constexpr double widest = 60.0_deg;
     const SawBlade saw = blade();
     if (std::floor(tooth_count) != tooth_count)

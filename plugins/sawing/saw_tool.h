@@ -10,7 +10,7 @@ namespace kerf::sawing {
 
 inline constexpr double slowest_cut = 5.0;  ///< [1/s] from this rate on the blade removes bone
 
-/// The oscillating blade as a procedure sets it; all SI.
+/// The oscillating blade with its parameters, SI.
 struct OscillatingBlade {
     double radius, arc, tooth_pitch, tooth_count, blade_thickness, tooth_set, tooth_height;
     double motor_torque, run_up, inertia;
@@ -114,7 +114,8 @@ struct OscillatingBlade {
         constexpr double full_speed = 12000.0 / 60.0;  // [1/s] that `run_up` is the time to
         return Motor::with_run_up(run_up, full_speed, motor_torque, inertia);
     }
-    /// All that the teeth sweep as they swing removes bone, as deep as they are high; the blade behind it does not.
+    /// Returns the outline. The sweep of the swinging teeth removes bone, one tooth height deep. The blade behind it
+    /// does not.
     [[nodiscard]] Outline outline() const noexcept;
 };
 

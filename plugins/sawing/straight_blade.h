@@ -8,11 +8,11 @@
 #include "kerf/math.hpp"
 #include "saw_blade.h"
 
-/// The geometry of a reciprocating saw's blade: a row of teeth along one long edge.
+/// Geometry of a reciprocating saw's blade: a row of teeth along one long edge.
 namespace kerf::sawing {
 
-/// Tool frame: origin at the tip, in the middle of the toothed edge; +z out of that edge, x along the blade and so
-/// along the motion of the teeth, y across the blade. The handpiece holds the blade at its −x end.
+/// Tool frame: origin at the tip, in the middle of the toothed edge; +z out of that edge, x along the blade, which is
+/// the direction of the teeth's motion, y across the blade. The handpiece clamps the blade at its −x end.
 struct StraightBlade {
     double length;        ///< [m] along x
     double height;        ///< [m] from the back edge to the tips of the teeth
@@ -20,31 +20,31 @@ struct StraightBlade {
     double pitch;         ///< [m] from tip to tip
     double tooth_count;   ///< [–] a whole number: the teeth that fit on the length
     double thickness;     ///< [m] of the blade
-    double set;           ///< [m] how far teeth protrude on alternate sides
-    double tooth_height;  ///< [m] from tip to root: as deep the front cuts
+    double set;           ///< [m] protrusion of the teeth on alternate sides
+    double tooth_height;  ///< [m] from tip to root, the cutting depth of the front
 
     [[nodiscard]] double kerf() const noexcept { return thickness + 2.0 * set; }  ///< [m]
     [[nodiscard]] double stroke() const noexcept { return travel; }               ///< S [m]
     [[nodiscard]] std::size_t count() const noexcept { return static_cast<std::size_t>(tooth_count); }
-    /// [m] of the toothed edge at rest, and of all that it sweeps in a stroke, from the middle to one end.
+    /// [m] half length of the toothed edge at rest, and of its sweep in a stroke.
     [[nodiscard]] double half_front() const noexcept { return 0.5 * tooth_count * pitch; }
     [[nodiscard]] double half_sweep() const noexcept { return half_front() + 0.5 * travel; }
     [[nodiscard]] double amplitude() const noexcept { return 0.5 * travel; }  ///< [m] of the swing
-    /// The front at a fraction of itself, −1 … 1 from end to end.
+    /// Returns the point of the front at a fraction of its length, −1 … 1 from end to end.
     [[nodiscard]] FrontPoint front(double fraction) const noexcept {
         return {{fraction * half_front(), 0.0, 0.0}, {0.0, 0.0, 1.0}};
     }
-    /// The end of what the front sweeps, on the +x side.
+    /// Returns the end of the front's sweep on the +x side.
     [[nodiscard]] Vec3 end_of_sweep() const noexcept { return {half_sweep(), 0.0, 0.0}; }
-    /// The points on the front at `distance` [m] to either side of a tooth's tip.
+    /// Returns the points on the front at `distance` [m] to either side of a tooth's tip.
     [[nodiscard]] std::array<Vec3, 2> beside(const Tooth& tooth, double distance) const noexcept {
         return {tooth.tip - Vec3{distance, 0.0, 0.0}, tooth.tip + Vec3{distance, 0.0, 0.0}};
     }
-    /// [m] the height of the blade's long axis in the tool frame: half way between its edges.
+    /// Returns z of the blade's long axis, midway between its edges [m].
     [[nodiscard]] double middle_z() const noexcept { return -0.5 * height; }
 };
 
-/// All teeth, the blade displaced along x by `swing` [m].   [any] pure.
+/// Returns all teeth of a blade displaced along x by `swing` [m].   [any] pure.
 [[nodiscard]] inline Teeth teeth_of(const StraightBlade& blade, double swing) noexcept {
     Teeth teeth;
     teeth.count = std::min(blade.count(), most_teeth);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a straight blade may touch.
+// Contact points of a straight blade.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -31,12 +31,12 @@ Rows rows_of(const StraightBlade& blade) noexcept {
     return rows;
 }
 
-/// Stiffness across the blade [N/m] at (`x`, `z`), the blade held at its −x end, in series with the bone's. The blade
-/// bends about z and twists about its long axis:
+/// Returns the stiffness across the blade [N/m] at (`x`, `z`), for a blade clamped at its −x end, in series with the
+/// bone. The blade bends about z and twists about its long axis:
 ///
 ///     1/k = l³/(3 E I) + a² l/(G J) + 1/k_bone,    I = w d³/12,    J = w d³/3
 ///
-/// with l the distance from the end that is held, a that from the long axis, w the blade's height, d its thickness.
+/// with l the distance from the clamped end, a that from the long axis, w the blade's height, d its thickness.
 double side_stiffness(const StraightBlade& blade, double x, double z, double contact) noexcept {
     constexpr double poisson = 0.3, shear_modulus = stainless_steel / (2.0 * (1.0 + poisson));
     const double cubed = blade.thickness * blade.thickness * blade.thickness;

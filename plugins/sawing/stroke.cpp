@@ -9,8 +9,8 @@ namespace kerf::sawing {
 
 namespace {
 
-constexpr std::size_t step_count = 64;                  // of a quarter of the oscillation
-constexpr std::size_t fast_steps = step_count * 3 / 4;  // those before the quarter next to the turning point
+constexpr std::size_t step_count = 64;                  // in a quarter of the oscillation
+constexpr std::size_t fast_steps = step_count * 3 / 4;  // without the quarter of them next to the turning point
 
 constexpr std::array<double, step_count> cosines = [] {
     std::array<double, step_count> c{};
