@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one unit that includes CGAL.
+// The only unit that includes CGAL.
 #include "booleans.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -33,7 +33,7 @@ using Tags = typename Mesh::template Property_map<typename Mesh::Face_index, std
 
 constexpr const char* tags_of_faces = "f:tag";
 
-/// Carries tags over: faces of the tool that stay are walls.
+/// Copies tags to new faces. Faces of the tool that remain are walls.
 template <class Mesh>
 struct TagVisitor : pmp::Corefinement::Default_visitor<Mesh> {
     using Face = typename Mesh::Face_index;
@@ -52,7 +52,7 @@ struct TagVisitor : pmp::Corefinement::Default_visitor<Mesh> {
     }
 };
 
-/// CGAL needs the nearest rounding, and leaves another one behind where it throws.
+/// Sets rounding to nearest, which CGAL needs, and restores the previous mode. CGAL leaves another mode when it throws.
 class Rounding {
 public:
     Rounding() : before_(std::fegetround()) { std::fesetround(FE_TONEAREST); }
@@ -87,12 +87,12 @@ bool read(const Triangles& triangles, Mesh& mesh, bool must_be_closed, std::stri
 
 double rounded(double x) { return x; }
 double rounded(const CGAL::Exact_predicates_exact_constructions_kernel::FT& x) {
-    // An interval is wider than one rounding until the exact number was asked for.
+    // An interval is wider than one rounding until the exact number is evaluated.
     if (const auto [low, high] = CGAL::to_interval(x); low == high) return low;
     return CGAL::to_double(x.exact());
 }
 
-/// Collects faces of meshes. What rounds to one point is one vertex, and a face that this leaves without a side goes.
+/// Collects faces of meshes. Points that round to one point become one vertex. A face that loses a side is dropped.
 class Writer {
 public:
     template <class Mesh>
@@ -105,7 +105,7 @@ public:
         triangles_.triangles.insert(triangles_.triangles.end(), corners.begin(), corners.end());
         triangles_.tags.push_back(tag);
     }
-    /// Without slivers narrower than `width` [m].
+    /// Returns the mesh without slivers narrower than `width` [m].
     [[nodiscard]] Triangles take(double width) {
         remove_slivers(triangles_, width);
         return std::move(triangles_);
@@ -123,8 +123,8 @@ private:
     std::map<std::array<double, 3>, std::uint32_t> known_;
 };
 
-/// How narrow a face may be [m] before rounding, which moves points along lines between nearly parallel faces by far
-/// more than a double's last bit, makes it cross its neighbours.
+/// Smallest width of a face [m]. Rounding moves points along lines between nearly parallel faces by far more than a
+/// double's last bit, and makes narrower faces cross their neighbours.
 template <class Mesh>
 constexpr double narrowest = std::is_same_v<Mesh, ExactMesh> ? 1e-12 : 1e-9;
 
@@ -151,7 +151,7 @@ bool has_volume(const Mesh& hull) {
 }
 constexpr const char* no_volume = "a part of the tool's sweep has no volume";
 
-/// Neighbours in time overlap, so they are joined first. What cannot be joined stays apart.
+/// Joins parts in pairs: neighbours in time overlap. Parts that cannot be joined stay apart.
 std::vector<ExactMesh> joined(std::vector<ExactMesh> parts, const std::function<bool()>& cancelled) {
     for (bool has_joined = true; has_joined && parts.size() > 1;) {
         has_joined = false;
@@ -162,7 +162,7 @@ std::vector<ExactMesh> joined(std::vector<ExactMesh> parts, const std::function<
                 fewer.push_back(std::move(parts[i]));
                 continue;
             }
-            // A copy: corefinement changes its input even where it fails.
+            // A copy, because corefinement changes its input even if it fails.
             ExactMesh one = parts[i], other = parts[i + 1], both;
             if (pmp::corefine_and_compute_union(one, other, both)) {
                 fewer.push_back(std::move(both));
@@ -177,7 +177,7 @@ std::vector<ExactMesh> joined(std::vector<ExactMesh> parts, const std::function<
     return parts;
 }
 
-/// Removes closed tools from a closed mesh, one after the other.
+/// Subtracts closed tools from a closed mesh, one after the other.
 template <class Mesh>
 Outcome subtract(Triangles& triangles, std::vector<Mesh> tools, const std::function<bool()>& cancelled,
                  std::string& why) {
@@ -216,21 +216,21 @@ bool make_hulls(const std::vector<ConvexPart>& parts, std::vector<Mesh>& hulls, 
     return true;
 }
 
-// ---- a piece with a border ----------------------------------------------------------------------------------------
+// ---- a patch with a border ------------------------------------------------------------------------------------------
 
 template <class Mesh>
 using Halfedge = typename Mesh::Halfedge_index;
 template <class Mesh>
 using CutEdges = typename Mesh::template Property_map<typename Mesh::Edge_index, bool>;
 
-/// The point of a halfedge's face that does not lie on it.
+/// Returns the vertex of a halfedge's face that is not on the halfedge.
 template <class Mesh>
 const typename Mesh::Point& apex(const Mesh& mesh, Halfedge<Mesh> h) {
     return mesh.point(mesh.target(mesh.next(h)));
 }
 
-/// Where a point lies that sees an edge of a surface, next to that edge: 1 in the solid, −1 outside, 0 in the plane of
-/// one of the edge's two faces, or the edge is on the border.
+/// Returns on which side of a surface a point near one of its edges lies: 1 in the solid, −1 outside, 0 if it is in the
+/// plane of one of the edge's two faces or the edge is on the border.
 template <class Mesh>
 int side_at_edge(const Mesh& mesh, Halfedge<Mesh> h, const typename Mesh::Point& point) {
     const Halfedge<Mesh> other = mesh.opposite(h);
@@ -238,9 +238,9 @@ int side_at_edge(const Mesh& mesh, Halfedge<Mesh> h, const typename Mesh::Point&
     const typename Mesh::Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h));
     const typename Mesh::Point &one = apex(mesh, h), &two = apex(mesh, other);
     const int under_one = -CGAL::orientation(p, q, one, point), under_two = -CGAL::orientation(q, p, two, point);
-    const int bend = -CGAL::orientation(p, q, one, two);  // 1: the solid is convex there
+    const int bend = -CGAL::orientation(p, q, one, two);  // 1: the solid is convex at the edge
     if (under_one == 0 || under_two == 0) {
-        // In the plane of one face, but on the far side of the edge the other one decides.
+        // The point is in the plane of one face. If it is beyond the edge, the other face decides.
         if (bend > 0 && (under_one < 0 || under_two < 0)) return -1;
         if (bend < 0 && (under_one > 0 || under_two > 0)) return 1;
         return 0;
@@ -253,7 +253,7 @@ int side_at_edge(const Mesh& mesh, Halfedge<Mesh> h, const typename Mesh::Point&
 template <class Mesh>
 using EdgeKey = std::pair<typename Mesh::Point, typename Mesh::Point>;
 
-/// Halfedges on the lines of intersection by their ends.
+/// Returns the halfedges on the lines of intersection, keyed by their ends.
 template <class Mesh>
 std::map<EdgeKey<Mesh>, Halfedge<Mesh>> halfedges_of(const Mesh& mesh, const CutEdges<Mesh>& cut) {
     std::map<EdgeKey<Mesh>, Halfedge<Mesh>> found;
@@ -265,11 +265,11 @@ std::map<EdgeKey<Mesh>, Halfedge<Mesh>> halfedges_of(const Mesh& mesh, const Cut
     return found;
 }
 
-/// For each stretch of a surface between lines of intersection: whether it lies in the solid that the other surface
-/// bounds. Long edges count more: the ends of short ones were rounded by as much.
+/// The stretches of a surface between lines of intersection, with a vote on whether each lies in the solid that the
+/// other surface bounds. Long edges count more, because rounding shifts the ends of short edges by as much.
 struct Stretches {
     std::vector<std::size_t> of_face;
-    std::vector<double> votes;  ///< > 0 inside; 0: none of its edges is on a line of intersection
+    std::vector<double> votes;  ///< > 0 inside; 0: no edge on a line of intersection
 };
 
 template <class Mesh>
@@ -306,7 +306,7 @@ Stretches judged(const Mesh& mesh, const CutEdges<Mesh>& cut, const Mesh& other,
     return found;
 }
 
-/// Whether a point lies in a convex hull.
+/// Returns whether a point lies in a convex hull.
 template <class Mesh>
 bool is_in_hull(const Mesh& hull, const typename Mesh::Point& point) {
     for (const auto face : hull.faces()) {
@@ -318,7 +318,7 @@ bool is_in_hull(const Mesh& hull, const typename Mesh::Point& point) {
     return true;
 }
 
-/// Removes one convex part.
+/// Subtracts one convex part.
 template <class Mesh>
 Outcome cut_once(Triangles& triangles, const ConvexPart& part, std::string& why) {
     Mesh patch, tool = hull_of<Mesh>(part);
@@ -360,7 +360,7 @@ Outcome cut_once(Triangles& triangles, const ConvexPart& part, std::string& why)
     return Outcome::cut;
 }
 
-/// Runs what CGAL may throw out of.
+/// Runs `work` and turns exceptions of CGAL into `refused`.
 template <class Work>
 Outcome guarded(std::string& why, const Work& work) {
     const Rounding rounding;

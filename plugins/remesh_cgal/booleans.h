@@ -14,23 +14,23 @@ namespace kerf::remesh_cgal {
 
 enum class Outcome { cut, unchanged, refused, cancelled };
 
-/// Removes the union of convex parts from a closed mesh, in exact arithmetic; only the result is rounded to doubles.
-/// Refused: the mesh is not closed or not 2-manifold, or the result would not be; `why` is for people. Restores the
-/// rounding mode whatever happens.   [worker] may take long
-/// @param cancelled   asked between two steps
+/// Removes the union of convex parts from a closed mesh, in exact arithmetic. Only the result is rounded to doubles.
+/// Refuses a mesh that is not closed or not 2-manifold, and a result that would not be; `why` is text for people.
+/// Always restores the rounding mode.   [worker] may take long
+/// @param cancelled  called between steps; true ends the work
 [[nodiscard]] Outcome cut_whole(Triangles& mesh, const std::vector<ConvexPart>& parts,
                                 const std::function<bool()>& cancelled, std::string& why);
 
-/// Removes convex parts one after the other from a piece of a mesh, which may have a border. Each part of the surface
-/// between the lines of intersection is kept or dropped as a whole, by on which side of the other surface its faces
-/// begin; long edges of intersection count more. A wrong decision leaves an open or crossing surface, which the host
-/// refuses. No part may meet the border: the host gives a margin.   [worker]
-/// @param is_exact   points are rounded at the end of each part only: slower by far, where rounded ones fail
+/// Removes convex parts one after the other from a patch, which may have a border. Each stretch of the surface between
+/// lines of intersection is kept or dropped as a whole. The side on which its faces begin at these lines decides; long
+/// edges count more. A wrong decision leaves an open or crossing surface, which the host refuses. No part may meet the
+/// border, so the host adds a margin.   [worker]
+/// @param is_exact  rounds points only at the end of each part; far slower, for patches where rounded points fail
 [[nodiscard]] Outcome cut_patch(Triangles& patch, const std::vector<ConvexPart>& parts, bool is_exact,
                                 const std::function<bool()>& cancelled, std::string& why);
 
-/// The same as `cut_whole`, one part after the other with rounded points: what `cut_patch` is measured against.
-/// [worker]
+/// Does the work of `cut_whole` one part after the other, with rounded points. It is the baseline of `cut_patch` in
+/// measurements.   [worker]
 [[nodiscard]] Outcome cut_whole_rounded(Triangles& mesh, const std::vector<ConvexPart>& parts,
                                         const std::function<bool()>& cancelled, std::string& why);
 

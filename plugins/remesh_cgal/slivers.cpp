@@ -13,7 +13,7 @@ using Corners = std::array<std::uint32_t, 3>;
 
 double squared(Vec3 v) noexcept { return dot(v, v); }
 
-/// A mesh whose faces are known at each vertex.
+/// A mesh with a list of the faces at each vertex.
 class Mender {
 public:
     Mender(Triangles& mesh, double width) : mesh_(&mesh), width_(width) {
@@ -34,7 +34,7 @@ public:
             }
     }
 
-    /// In rounds, each over all faces in their order, until nothing changes. Returns whether anything did.
+    /// Runs rounds over all faces, in order, until nothing changes. Returns whether anything changed.
     bool run() {
         constexpr int most_rounds = 20;
         for (int round = 0; round < most_rounds; ++round) {
@@ -71,7 +71,7 @@ private:
         const Corners& t = faces_[face];
         return t[0] == v || t[1] == v || t[2] == v;
     }
-    /// The other face of an edge; none on the border.
+    /// Returns the other face of an edge; `none` on the border.
     [[nodiscard]] std::uint32_t other_face(std::uint32_t face, std::uint32_t a, std::uint32_t b) const {
         for (const std::uint32_t f : at_[a])
             if (f != face && has(f, b)) return f;
@@ -91,7 +91,7 @@ private:
         is_there_[face] = 0;
     }
 
-    /// Makes the ends of a face's shortest side one vertex, if it is short and the surface stays a surface.
+    /// Merges the ends of a face's shortest side if the side is short and the surface stays 2-manifold.
     bool collapse_shortest(std::uint32_t face) {
         const Corners t = faces_[face];
         std::size_t side = 0;
@@ -105,14 +105,14 @@ private:
         std::uint32_t kept = t[side], gone = t[(side + 1) % 3];
         if (is_on_border_[gone] != 0) std::swap(kept, gone);
         if (is_on_border_[gone] != 0) return false;
-        // The edge's two faces go. Any other vertex that both ends know would get a fold.
+        // The edge's two faces disappear. If the ends have any other vertex in common, the surface would fold there.
         const std::vector<std::uint32_t> one = neighbours(kept), two = neighbours(gone);
         std::vector<std::uint32_t> both;
         std::set_intersection(one.begin(), one.end(), two.begin(), two.end(), std::back_inserter(both));
         if (both.size() != 2) return false;
         const std::uint32_t second = other_face(face, kept, gone);
         if (second == none) return false;
-        // An edge between two border vertices may be there already, beyond the border.
+        // An edge between two border vertices may exist already, beyond the border.
         if (is_on_border_[kept] != 0)
             for (const std::uint32_t v : two)
                 if (v != kept && is_on_border_[v] != 0 && !std::binary_search(one.begin(), one.end(), v)) return false;
@@ -131,7 +131,7 @@ private:
         return true;
     }
 
-    /// Where a corner lies on the opposite, longest side: gives the side's other face that corner, in two.
+    /// If a corner lies on its opposite, longest side, flips that side: the neighbouring face is split at the corner.
     bool flip_longest(std::uint32_t face) {
         const Corners t = faces_[face];
         std::size_t side = 0;
@@ -149,9 +149,9 @@ private:
         std::uint32_t far = none;
         for (const std::uint32_t corner : faces_[other])
             if (corner != a && corner != b) far = corner;
-        if (far == none || far == apex || other_face(none, apex, far) != none) return false;  // that edge is there
-        if (is_on_border_[apex] != 0 && is_on_border_[far] != 0) return false;  // it may be, beyond the border
-        // A flip must help: else two needles pass one sliver to and fro.
+        if (far == none || far == apex || other_face(none, apex, far) != none) return false;  // that edge exists
+        if (is_on_border_[apex] != 0 && is_on_border_[far] != 0) return false;  // it may exist beyond the border
+        // A flip must improve the shape. Otherwise two needles would pass one sliver to and fro.
         const double before = height(faces_[other]);
         const Corners first{a, far, apex}, second{far, b, apex};
         if (std::min(height(first), height(second)) <= std::min(area / std::sqrt(most), before)) return false;
@@ -177,7 +177,7 @@ private:
     double width_;
     std::vector<Corners> faces_;
     std::vector<std::uint8_t> is_there_, is_on_border_;
-    std::vector<std::vector<std::uint32_t>> at_;  ///< faces of each vertex
+    std::vector<std::vector<std::uint32_t>> at_;  ///< faces at each vertex
 };
 
 }  // namespace

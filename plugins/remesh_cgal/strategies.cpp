@@ -14,7 +14,7 @@ namespace {
 using Cancelled = std::function<bool()>;
 using Cut = std::function<Outcome(Triangles&, const std::vector<ConvexPart>&, const Cancelled&, std::string&)>;
 
-/// Cuts the job's mesh by what its tools sweep.
+/// Cuts the job's mesh with the sweeps of its tools.
 RemeshAnswer answer(const RemeshJob& job, const Cut& cut_mesh) {
     std::vector<ConvexPart> parts;
     const Nudge nudge = Nudge::of(job.seed());

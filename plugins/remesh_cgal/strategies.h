@@ -5,10 +5,10 @@
 
 namespace kerf::remesh_cgal {
 
-/// The library, its version and the flags that results depend on.
+/// The library, its version and the flags that affect results.
 inline constexpr const char* kernel = "CGAL " KERF_CGAL_VERSION ", assertions on, no fused multiply-add";
 
-/// How round a tool of revolution becomes: all strategies cut it as a prism of many sides.
+/// Resolution of a tool of revolution, which all strategies cut as a prism with many sides.
 struct Facets {
     double tolerance = 0.0;
 
@@ -34,7 +34,7 @@ struct Exact : Facets {
     [[nodiscard]] RemeshAnswer remesh(const RemeshJob& job) const;
 };
 
-/// At first with rounded points, which is fast. What that spoils is cut exactly when the host requests it again.
+/// Cuts with rounded points first, which is fast. If the host requests the cut again, it is exact.
 struct Local : Facets {
     static constexpr auto about() {
         return describe("local", "The faces near each cut, one stretch after the other, with rounded points.",

@@ -11,7 +11,7 @@
 namespace kerf::remesh_cgal {
 namespace {
 
-/// The next number of a fixed sequence.
+/// Returns the next number of a fixed sequence.
 std::uint64_t scrambled(std::uint64_t& state) noexcept {
     state += 0x9e3779b97f4a7c15u;
     std::uint64_t z = state;
@@ -20,7 +20,7 @@ std::uint64_t scrambled(std::uint64_t& state) noexcept {
     return z ^ (z >> 31);
 }
 
-/// In some direction, by up to the nudge.
+/// Returns a random vector with components up to the nudge.
 Vec3 nudged(const Nudge& nudge, std::uint64_t& state) noexcept {
     const auto next = [&] { return nudge.most * (static_cast<double>(scrambled(state) >> 11) * 0x1p-52 - 1.0); };
     const double x = next(), y = next(), z = next();
@@ -42,7 +42,7 @@ void add_ring(const kerf_profile_point& point, std::size_t sides, ConvexPart& pa
     }
 }
 
-/// The corners of the solid's convex parts, tool frame.
+/// Returns the corners of the solid's convex parts, tool frame.
 std::vector<ConvexPart> parts_of(const CutSolid& solid, double tolerance) {
     std::vector<ConvexPart> parts;
     if (solid.kerf > 0.0) {
@@ -65,7 +65,7 @@ std::vector<ConvexPart> parts_of(const CutSolid& solid, double tolerance) {
     return parts;
 }
 
-/// The same part, smaller on all sides: by so much along x, y and z.
+/// Returns the part made smaller on all sides by the components of `by` [m].
 ConvexPart shrunk(ConvexPart part, Vec3 by) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const Vec3 p : part) {
@@ -79,7 +79,7 @@ ConvexPart shrunk(ConvexPart part, Vec3 by) {
     return part;
 }
 
-/// A number that follows from a pose's bits.
+/// Returns a hash of a pose's bits.
 std::uint64_t number_of(const Pose& pose) noexcept {
     std::uint64_t number = 0;
     for (const double x : {pose.position.x, pose.position.y, pose.position.z, pose.rotation.w, pose.rotation.x,
