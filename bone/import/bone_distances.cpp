@@ -51,7 +51,7 @@ void WithoutRooms::fill(const BrickLattice& lattice, DistanceRange needed, Brick
     for (std::size_t n = 0; n < room.size(); ++n) distances[n] = std::max(distances[n], -room[n]);
 }
 
-/// A shell of thickness t ends where the face is t away: depth − t is needed, the face's distance is −depth.
+/// A shell of thickness t ends at depth t under the face. The border's distance is depth − t, the face's is −depth.
 DistanceRange TissueBorder::of_face(DistanceRange needed) const noexcept {
     return {-(tissue_->thickness + needed.high), -(tissue_->thickness + needed.low)};
 }

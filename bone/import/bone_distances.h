@@ -9,18 +9,18 @@
 #include "core/field/grid/region.h"
 #include "documents/anatomy.h"
 
-/// The distances that a bone's fields are built from, put together out of others.
+/// Distance sources for the fields of a bone, composed of other sources.
 namespace kerf {
 
-/// A source as a plain function, exact everywhere. `source` must live longer.
+/// Returns a source as a plain function, exact everywhere. Pre: `source` outlives it.
 [[nodiscard]] inline std::function<double(Vec3)> as_function(DistanceSource& source) {
     return [&source](Vec3 p) { return source.at(p, {}); };
 }
 
-/// Beyond a region the bone continues as it is at the region's face.
+/// Distance to a bone that continues beyond a region as it is at the region's face.
 class InRegion final : public DistanceSource {
 public:
-    /// Both must live longer. The region may change.
+    /// Pre: both outlive it. The region may change.
     InRegion(DistanceSource& distance, const Region& region) : distance_(&distance), region_(&region) {}
     [[nodiscard]] double at(Vec3 p, DistanceRange needed) override;
     void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override;
@@ -30,7 +30,7 @@ private:
     const Region* region_;
 };
 
-/// To the nearest of several surfaces.
+/// Distance to the nearest of several surfaces.
 class NearestSurface final : public DistanceSource {
 public:
     explicit NearestSurface(std::vector<MeshDistances> surfaces) : surfaces_(std::move(surfaces)) {}
@@ -41,10 +41,10 @@ private:
     std::vector<MeshDistances> surfaces_;
 };
 
-/// To the bone: its outside without the rooms in it.
+/// Distance to the bone: its outer surface without its cavities.
 class WithoutRooms final : public DistanceSource {
 public:
-    /// Both must live longer.
+    /// Pre: both outlive it.
     WithoutRooms(DistanceSource& outer, DistanceSource& room) : outer_(&outer), room_(&room) {}
     [[nodiscard]] double at(Vec3 p, DistanceRange needed) override;
     void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override;
@@ -53,10 +53,10 @@ private:
     DistanceSource *outer_, *room_;
 };
 
-/// To where a tissue is, which is no base: its shell under a face, its solids, or what both have in common.
+/// Distance to the border of a tissue other than the base: its shell under a face, its solids, or their intersection.
 class TissueBorder final : public DistanceSource {
 public:
-    /// Both must live longer.
+    /// Pre: both outlive it.
     TissueBorder(DistanceSource& face, const Tissue& tissue) : face_(&face), tissue_(&tissue) {}
     [[nodiscard]] double at(Vec3 p, DistanceRange needed) override;
     void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override;

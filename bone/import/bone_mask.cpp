@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-/// Voxels that can be reached from `start` over faces, among those that hold `of`; marked in `seen`.
+/// Returns the voxels with the value `of` that are connected to `start` over faces; marks them in `seen`.
 std::vector<std::size_t> connected(const BoneMask& mask, std::array<int, 3> start, bool of,
                                    std::vector<std::uint8_t>& seen) {
     std::vector<std::size_t> found;
@@ -121,7 +121,8 @@ void follow_grey(BoneMask& mask, double threshold) {
         if (is_bone == is_bright(i, j, k)) return;
         for (const auto& [x, y, z] : face_neighbours) {
             if (!mask.image.has(i + x, j + y, k + z) || before.at(i + x, j + y, k + z) == is_bone) continue;
-            // Bone darker than the threshold is no bone only if brighter bone lies behind it: cancellous bone is dark.
+            // A bone voxel darker than the threshold becomes air only if brighter bone lies behind it, because
+            // cancellous bone is dark.
             const bool has_rim =
                 mask.image.has(i - x, j - y, k - z) && before.at(i - x, j - y, k - z) && is_bright(i - x, j - y, k - z);
             if (!is_bone || has_rim) mask.is_bone[at] = is_bone ? 0 : 1;

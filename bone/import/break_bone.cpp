@@ -17,7 +17,7 @@ namespace {
 
 constexpr double least_part = 1e-6;  // [m³] of bone on each side of a fracture [judgement]
 
-/// What of a bone is farther than half the gap in front of the fracture (`side` 1), or behind it (−1).
+/// Returns the part of a bone more than half the gap in front of the fracture (`side` 1) or behind it (−1).
 Body part_of(const Body& bone, const Fracture& fracture, double side) {
     Body part = bone;
     part.surface = LevelSet::build(bone.grid(), [&](Vec3 p) {
@@ -26,7 +26,7 @@ Body part_of(const Body& bone, const Fracture& fracture, double side) {
     return part;
 }
 
-/// Notes where the fragment lies, and warns where that is in the rest.
+/// Notes the position of the fragment, and warns if it overlaps the rest.
 void note_fragment(const Body& fragment, const Body& rest, const Anatomy& anatomy, ImportReport& report,
                    Diagnostics& diagnostics) {
     constexpr double apart = 1e-3, most = 0.01;  // [m]; [–] of the fragment

@@ -10,9 +10,9 @@
 
 namespace kerf {
 
-/// Takes the fragment of the anatomy's fracture out of the whole bone. Returns it, where it is in the whole bone;
-/// `bone` keeps the rest. The tissues of both are those of the whole bone, so the fracture shows no new cortex. Error:
-/// E0605, a side of the fracture has no bone; `bone` is the whole one then.   [main]
+/// Splits the whole bone at the anatomy's fracture. Returns the fragment at its position in the whole bone; `bone`
+/// keeps the rest. Both keep the tissues of the whole bone, so the fracture has no new cortex. Error: E0605, one side
+/// of the fracture has no bone; then `bone` is unchanged.   [main]
 [[nodiscard]] std::optional<Body> break_bone(Body& bone, const Anatomy& anatomy, ImportReport& report,
                                              Diagnostics& diagnostics);
 

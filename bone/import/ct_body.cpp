@@ -29,22 +29,22 @@ namespace {
 using header::list_of;
 using header::name_to_write;
 
-constexpr double hounsfield_step = 50.0;  // [HU] by which a border's threshold is doubted
-constexpr double grey_step = 0.05;        // [–] the same, of the threshold
-constexpr double around_border = 12e-3;   // [m] of distance on both sides, beyond all shells
+constexpr double hounsfield_step = 50.0;  // [HU] change of the threshold for the uncertainty of a border
+constexpr double grey_step = 0.05;        // [–] the same for grey levels, as a fraction of the threshold
+constexpr double around_border = 12e-3;   // [m] range of distances on both sides, beyond all shells
 constexpr float metal = 2800.0f;          // [HU] above enamel and cortex
-constexpr double least_metal = 5e-9;      // [m³] worth a word
+constexpr double least_metal = 5e-9;      // [m³] less is not reported
 
-/// What is wrong; becomes a Diagnostic at the only way out.
+/// An error. The caller turns it into a Diagnostic.
 struct Refusal {
     const char* code;
-    std::vector<std::string> keys;  ///< that lead to the line of the anatomy that would have to change
+    std::vector<std::string> keys;  ///< path to the line of the anatomy that has to change
     std::string message;
 };
 
 std::string millimetres(double metres) { return rounded(metres * 1e3, 2); }
 
-/// A scan and its labels, opened but not read, wherever they come from.
+/// A scan and its labels, opened but not read, from any source.
 struct Sources {
     VoxelGrid scan;
     std::function<std::optional<VoxelImage>(const VoxelRange&)> read_scan;
@@ -56,12 +56,12 @@ struct Sources {
 
 // ---- labels ---------------------------------------------------------------------------------------------------------
 
-/// The segmentation's own names of what it holds.
+/// Describes the structures that the segmentation names.
 std::string known_segments(const std::vector<Segment>& segments) {
     return segments.empty() ? "It names none: write the label's number." : "It has " + list_of(segments) + ".";
 }
 
-/// The one structure that `asked` means; refuses none, several, and one whose voxels are another's, too.
+/// Returns the only structure that matches. Refuses none, several, and one with the voxels of another.
 template <class IsMeant>
 Segment only_segment(const std::vector<Segment>& segments, const std::string& asked, const IsMeant& is_meant) {
     const auto refuse = [](const char* code, const std::string& message) {
@@ -83,7 +83,7 @@ Segment only_segment(const std::vector<Segment>& segments, const std::string& as
     return found[0];
 }
 
-/// Which labels of which layers are the bone.
+/// Returns the labels and layers that are the bone.
 std::vector<Segment> kept_segments(const CtSource& ct, const std::vector<Segment>& segments) {
     std::vector<Segment> kept;
     for (const int label : ct.keep) {
@@ -103,7 +103,7 @@ std::vector<Segment> kept_segments(const CtSource& ct, const std::vector<Segment
     return kept;
 }
 
-/// Nearest voxel of an image on another grid; 0 outside.
+/// The nearest voxel of an image on another grid; 0 outside.
 class NearestLabel {
 public:
     NearestLabel(const VoxelImage& labels, const VoxelGrid& asked)
@@ -124,7 +124,7 @@ private:
     const VoxelGrid& asked_;
 };
 
-/// Marks what the labels keep, and what they give to others. False: a layer could not be read.
+/// Marks the kept labels, and the voxels of other labels. Returns false if a layer cannot be read.
 bool mark_labels(BoneMask& mask, const CtSource& ct, const Sources& sources, std::vector<std::string>& notes) {
     const double around = std::max({sources.labels.spacing(0), sources.labels.spacing(1), sources.labels.spacing(2)});
     const VoxelRange range = sources.labels.range(grown(mask.image.box(), around));
@@ -163,7 +163,7 @@ bool mark_labels(BoneMask& mask, const CtSource& ct, const Sources& sources, std
 
 // ---- the mask -------------------------------------------------------------------------------------------------------
 
-/// Leaves the piece that was asked for, and says how many there were, or how far the landmark was.
+/// Keeps the requested piece. Returns a note with the number of pieces, or the distance of the landmark.
 std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) {
     const CtSource& ct = *anatomy.ct;
     if (ct.component_at.empty()) {
@@ -194,7 +194,7 @@ std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) 
     return way ? "; the piece at " + ct.component_at + " is kept, " + std::to_string(mask.count()) + " voxels" : "";
 }
 
-/// What is bone when the border is at `threshold`; the last note says how it came about.
+/// Returns the bone voxels for a border at `threshold`, and adds notes.
 BoneMask mask_at(double threshold, BoneMask mask, const Anatomy& anatomy, std::vector<std::string>& notes) {
     const CtSource& ct = *anatomy.ct;
     const bool has_labels = !mask.is_other.empty();
@@ -238,9 +238,9 @@ BoneMask mask_at(double threshold, BoneMask mask, const Anatomy& anatomy, std::v
     return mask;
 }
 
-// ---- how sure it is -------------------------------------------------------------------------------------------------
+// ---- uncertainty ----------------------------------------------------------------------------------------------------
 
-/// Where an axis enters bone [m from its beginning].
+/// Returns where an axis enters bone [m from its beginning].
 std::optional<double> entry_of(const LandmarkAxis& axis, const VoxelImage& distance) {
     constexpr double step = 0.1e-3;  // [m]
     const Vec3 along = normalized(axis.to - axis.from);
@@ -305,9 +305,9 @@ void doubt_values(const Anatomy& anatomy, const VoxelImage& part, std::vector<st
              " HU, as metal and its streaks are: bone near them may be too thick or missing.");
 }
 
-// ---- all of it ------------------------------------------------------------------------------------------------------
+// ---- the whole import -----------------------------------------------------------------------------------------------
 
-/// What must be read: the planned axes, and wherever fits look for the bone.
+/// Returns the region to read: the planned axes, and the search regions of fits.
 Box region_to_read(const Anatomy& anatomy, const Box& available) {
     const Box planned = planned_region(anatomy.axes, available);
     if (is_empty(planned) || !has_fits(anatomy)) return planned;
@@ -333,7 +333,7 @@ std::optional<CtBone> made(const Anatomy& written, const Sources& sources, Diagn
     CtBone bone;
     bone.region = region_to_read(anatomy, sources.scan.box());
     const VoxelGrid& scan = sources.scan;
-    // So that closing and distance see both sides of the region's faces.
+    // The margin lets closing and distance see both sides of the region's faces.
     const double margin = ct.closing + 3.0 * std::max({scan.spacing(0), scan.spacing(1), scan.spacing(2)});
     const VoxelRange range = is_empty(bone.region) ? VoxelRange{} : scan.range(grown(bone.region, margin));
     if (range.voxels() == 0)
@@ -341,7 +341,7 @@ std::optional<CtBone> made(const Anatomy& written, const Sources& sources, Diagn
                       {"landmarks", "axes"},
                       "the landmarks' axes lie outside the image. "
                       "Check that the axes are LPS, and the image is theirs."};
-    // Values, mask, distance and densities, with what they are made of meanwhile
+    // Values, mask, distance and densities, with temporary data
     constexpr double bytes_per_voxel = 25.0;
     if (const double bytes = bytes_per_voxel * static_cast<double>(range.voxels()); bytes > most_bone_memory)
         throw Refusal{"E0602",

@@ -11,7 +11,7 @@
 #include "core/field/grid/box.h"
 #include "documents/anatomy.h"
 
-/// Bone out of a CT: which voxels, where the border between them runs, how dense it is.
+/// Makes bone from a CT: selects voxels, finds the border between them, computes densities.
 ///
 ///     E0630  the label map covers nothing of the region
 ///     E0631  the axes lie outside the image
@@ -21,31 +21,32 @@
 ///     E0619  a link leads out of the document's folder
 ///     E0635  the segmentation has no structure of that name
 ///     E0636  several structures of that name or number, or with the same voxels
-///     W0675  values that are no HU, or metal
+///     W0675  values that are not HU, or metal
 namespace kerf {
 
-/// A bone on the grid of its CT, cut out around the planned axes.
+/// A bone on the grid of its CT, cropped around the planned axes.
 struct CtBone {
-    VoxelImage distance;  ///< [m] to the border, negative in bone; grows as fast as the way to it
-    Box region{};         ///< [m] LPS: around the axes, as far as the image goes; what lies outside was not looked at
-    double mean_value = 0.0;  ///< [HU or grey] of the voxels deeper in bone than the cortex, or else the threshold
-    /// [kg/m³] of the base tissue, if `ct.density` says how: by their own values in the voxels deeper in bone than the
-    /// cortex, from there extended to all others, so that nothing brighter or darker beside the tissue is mixed in.
+    VoxelImage distance;      ///< [m] to the border, negative in bone; its gradient has length 1
+    Box region{};             ///< [m] LPS: around the axes, clipped to the image; data outside are not read
+    double mean_value = 0.0;  ///< [HU or grey] of the voxels below the cortex; without any, the threshold
+    /// [kg/m³] of the base tissue, if `ct.density` defines it. Voxels below the cortex use their own values. All others
+    /// take over these densities, so that brighter or darker neighbours do not mix in.
     std::optional<VoxelImage> density;
-    std::size_t voxels = 0;  ///< that are bone, in the region
-    ImportReport report;     ///< what was done, and with which files
+    std::size_t voxels = 0;  ///< bone voxels in the region
+    ImportReport report;     ///< operations and hashes of the files
 };
 
-/// Reads the files that `anatomy.ct` names, and of them only the region, and makes the bone.
+/// Reads the region from the files of `anatomy.ct`, and makes the bone.
 ///
-/// Mask: the labels to keep, or whatever reaches the threshold, of it the largest piece or the one at a landmark;
-/// closed and filled as told. Border: voxels beside the mask's border that the grey values put on its other side change
-/// sides (one voxel, never into another label); then as `distance_in_voxels` says. A label map on another grid gives
-/// each voxel its nearest label. Error: E062x, E063x, E066x, E067x.   Pre: `anatomy.ct`.   [main]
+/// Mask: the kept labels, or all voxels above the threshold; of these the largest piece or the one at a landmark;
+/// closed and filled as configured. Border: a voxel next to the mask's border changes sides if its grey value is on the
+/// other side of the threshold (one voxel, never into another label). Then `distance_in_voxels` finds the border. A
+/// label map on another grid gives each voxel its nearest label. Error: E062x, E063x, E066x, E067x. Pre: `anatomy.ct`.
+/// [main]
 [[nodiscard]] std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics,
                                                  const ImportOptions& options = {});
 
-/// The same for images that are in memory. `labels` may be null.   [main]
+/// Makes the bone from images in memory. `labels` may be null.   [main]
 [[nodiscard]] std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image,
                                                  const VoxelImage* labels, Diagnostics& diagnostics,
                                                  const ImportOptions& options = {});

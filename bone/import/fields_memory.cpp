@@ -13,7 +13,7 @@ namespace {
 
 constexpr int probes = 20'000;
 constexpr double margin_voxels = 6.0;  // of air around the bone
-constexpr double most_bricks = 16e6;   // of a grid: 64 MB of tables per field
+constexpr double most_bricks = 16e6;   // in a grid: 64 MB of tables per field
 
 }  // namespace
 
@@ -26,11 +26,11 @@ FieldsMemory fields_memory(const Box& bounds, double spacing, const std::vector<
     FieldsMemory needed;
     needed.bricks = extent.x / edge * (extent.y / edge) * (extent.z / edge);
 
-    // Scattered evenly and without a seed: multiples of the plastic number's powers, modulo 1.
+    // Quasi-random points without a seed: multiples of the plastic number's powers, modulo 1.
     constexpr double g = 1.22074408460575947536;
     const double reach = (0.5 * brick_edge * std::sqrt(3.0) + clamp_voxels) * spacing;
     const auto part_of = [](double value) { return value - std::floor(value); };
-    double near = 0.0, inside = 0.0;  // probes near a border, summed over the fields; and those not in air
+    double near = 0.0, inside = 0.0;  // probes near a border, summed over the fields; probes not in air
     for (int i = 1; i <= probes; ++i) {
         const Vec3 at{part_of(i / g), part_of(i / (g * g)), part_of(i / (g * g * g))};
         const Vec3 p = low + Vec3{at.x * extent.x, at.y * extent.y, at.z * extent.z};

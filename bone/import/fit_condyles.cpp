@@ -11,11 +11,11 @@ namespace kerf {
 namespace {
 
 constexpr double apart = 0.5e-3;  // [m] between rays
-constexpr double patch = 6e-3;    // [m] radius of what the paraboloid is put through: a condyle's is about 20 mm
+constexpr double patch = 6e-3;    // [m] radius of the paraboloid's patch; a condyle's radius is about 20 mm
 constexpr int most_rounds = 40;
-constexpr double at_rest = 1e-8;  // [–] of the direction
+constexpr double at_rest = 1e-8;  // [–] change of the direction
 
-/// The directions of a plane: along the line and the shaft, and backwards.
+/// The directions of a plane: along the line, along the shaft, and backwards.
 struct Frame {
     Vec3 line{}, shaft{}, back{};
 };
@@ -29,7 +29,7 @@ struct Apex {
     double residual = 0.0;  ///< [m]
 };
 
-/// How far back the bone's surface reaches around a point; nothing where bone lies beyond the search.
+/// Returns how far back the surface reaches around a point. Leaves out rays that start in bone.
 std::vector<Height> heights_around(const BoneShape& bone, Vec3 centre, const Frame& frame, double half, double reach) {
     std::vector<Height> heights;
     const int count = static_cast<int>(std::ceil(half / apart));
@@ -44,9 +44,9 @@ std::vector<Height> heights_around(const BoneShape& bone, Vec3 centre, const Fra
     return heights;
 }
 
-/// z = c0 + c1 x + c2 y + c3 x² + c4 xy + c5 y², and its apex. Nothing where it has none within the patch.
+/// Fits z = c0 + c1 x + c2 y + c3 x² + c4 xy + c5 y² and returns its apex. Nothing without an apex within the patch.
 std::optional<Apex> apex_of(const std::vector<Height>& heights, Vec3 centre, const Frame& frame) {
-    constexpr double scale = 1e-3;  // [m] so that all unknowns are about 1
+    constexpr double scale = 1e-3;  // [m] scales all unknowns to about 1
     LeastSquares<6> equations;
     const auto row = [&](const Height& h) {
         const double x = h.x / scale, y = h.y / scale;
@@ -72,7 +72,7 @@ std::optional<Apex> apex_of(const std::vector<Height>& heights, Vec3 centre, con
                 std::sqrt(squares / static_cast<double>(heights.size()))};
 }
 
-/// The backmost point near `guess`; nothing if the surface reaches farther back at the edge of the search.
+/// Returns the backmost point near `guess`; nothing if the surface reaches farther back at the edge of the search.
 std::optional<Vec3> backmost_near(const BoneShape& bone, Vec3 guess, const Frame& frame, double within) {
     const std::vector<Height> heights = heights_around(bone, guess, frame, within, 2.0 * within);
     const auto highest =

@@ -22,13 +22,13 @@ namespace {
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 std::string percent(double share) { return rounded(100.0 * share, 0) + " %"; }
 
-/// As YAML has it, to a hundredth of a millimetre.
+/// Returns a position as YAML, to a hundredth of a millimetre.
 std::string yaml_position(Vec3 at) {
     const auto hundredths = [](double x) { return rounded(std::round(x * 1e5) * 1e-2 + 0.0 /* no -0.00 */, 2); };
     return hundredths(at.x) + " " + hundredths(at.y) + " " + hundredths(at.z) + " mm";
 }
 
-/// Where a landmark is written, what it is called, and what its fit may be.
+/// A landmark's id, its position in the document, and the limits of its fit.
 struct Asked {
     std::string id;
     Reason place;
@@ -45,7 +45,7 @@ public:
         for (LandmarkPoint& point : anatomy_.points)
             if (point.fit) fit(point);
         const auto is_condyles = [](const LandmarkAxis& a) { return a.fit->shape == LandmarkFit::Shape::condyles; };
-        for (const bool now : {false, true})  // condyles are seen along another axis
+        for (const bool now : {false, true})  // condyles need another axis, so they come last
             for (LandmarkAxis& axis : anatomy_.axes)
                 if (axis.fit && is_condyles(axis) == now) fit(axis);
         return !is_refused_;
@@ -63,7 +63,7 @@ private:
         return {id, in_anatomy(anatomy_, {"landmarks", sort, id, "fit"}), fit.residual.value_or(tolerance), fit.within};
     }
 
-    /// The checks that all fits share: residual, and what lies how far from what is written.
+    /// Checks the residual and the distance from the guess.
     bool is_allowed(const Asked& asked, double residual, Vec3 found, Vec3 guess, double off, const char* key) {
         if (off > asked.within) {
             refuse(asked, "E0617",
@@ -84,7 +84,7 @@ private:
         return true;
     }
 
-    /// A sphere that may be used; nothing, with one error, if there is none.
+    /// Returns an acceptable sphere; nothing, with one error, if there is none.
     std::optional<FittedSphere> sphere_at(const Asked& asked, Vec3 guess, double radius) {
         const auto sphere = fit_sphere(bone_, {guess, radius, asked.within});
         if (!sphere || sphere->share < least_share_of_sphere) {
@@ -132,7 +132,7 @@ private:
         }
     }
 
-    /// How far an axis lies from one that is written, at its ends; and at which.
+    /// Returns the distances of an axis's ends from a fitted line [m].
     static std::array<double, 2> off_ends(const LandmarkAxis& axis, Vec3 from, Vec3 to) {
         const Vec3 along = normalized(to - from);
         return {length(cross(axis.from - from, along)), length(cross(axis.to - from, along))};
@@ -171,7 +171,7 @@ private:
 
     void fit_as_neck(LandmarkAxis& axis, const Asked& asked) {
         const auto head = heads_.find(axis.fit->reference);
-        if (head == heads_.end()) {  // its own error says why
+        if (head == heads_.end()) {  // the head's own error gives the reason
             is_refused_ = true;
             return;
         }
@@ -202,7 +202,7 @@ private:
             return refuse(asked, "E0618",
                           "the shaft of the condyles `" + asked.id + "` is unknown: got `" + axis.fit->reference +
                               "`, expected an axis of this anatomy. Add it under `landmarks.axes`.");
-        if (shaft->fit) {  // its own error says why
+        if (shaft->fit) {  // the axis's own error gives the reason
             is_refused_ = true;
             return;
         }
@@ -229,7 +229,7 @@ private:
     bool is_refused_ = false;
 };
 
-/// `all` with a ball around `at`.
+/// Returns `all`, extended by a ball around `at`.
 Box with_ball(const Box& all, Vec3 at, double radius) {
     const Box ball = grown({at, at}, radius);
     return {{std::min(all.low.x, ball.low.x), std::min(all.low.y, ball.low.y), std::min(all.low.z, ball.low.z)},

@@ -8,28 +8,28 @@
 #include "documents/anatomy.h"
 #include "text/source.h"
 
-/// Landmarks that are found from the bone.
+/// Fits landmarks to the bone.
 ///
-///     E0615  too little of the bone has the shape that is fitted, in about the size that is written
+///     E0615  too little of the bone has the fitted shape at about the given size
 ///     E0616  the residual is too large
-///     E0617  what is found lies too far from what is written
-///     E0618  the axis along which condyles are seen is not there
+///     E0617  the fit is too far from the guess
+///     E0618  the axis of view of condyles is missing
 namespace kerf {
 
-/// Whether any landmark has a `fit:`.
+/// Returns whether any landmark has a `fit:`.
 [[nodiscard]] bool has_fits(const Anatomy& anatomy) noexcept;
 
-/// Returns the box in which fits look for the bone, LPS [m]; empty (`low` not below `high`) if there are none.
+/// Returns the search region of all fits, LPS [m]; empty (`low` not below `high`) without fits.
 [[nodiscard]] Box region_of_fits(const Anatomy& anatomy) noexcept;
 
-/// Replaces the positions of all landmarks that have a `fit:` by what is found from `bone`, and removes their `fit`:
-/// nothing behind this sees whether a landmark was written or fitted. Points come first, then axes, and condyles last:
-/// each refers only to what is known by then. Adds a note for each fit to `report`, and the landmarks themselves.
-/// False, with one error for each fit that is refused: then those landmarks stay as written.   [main]
+/// Replaces the positions of all landmarks with a `fit:` by positions fitted to `bone`, and removes their `fit`. Later
+/// code cannot distinguish fitted and written landmarks. The order is points, axes, condyles, because each refers to
+/// earlier ones. Adds a note for each fit and the fitted landmarks to `report`. Returns false, with one error for each
+/// refused fit; these landmarks stay as written.   [main]
 [[nodiscard]] bool fit_landmarks(Anatomy& anatomy, const BoneShape& bone, ImportReport& report,
                                  Diagnostics& diagnostics);
 
-/// Replaces the landmarks of `anatomy` by those of the same name that import fitted.
+/// Replaces landmarks of `anatomy` by the fitted ones with the same name.
 void use_fits(Anatomy& anatomy, const ImportReport& report);
 
 }  // namespace kerf

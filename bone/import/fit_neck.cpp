@@ -13,7 +13,7 @@ constexpr int sections = 61;
 constexpr double nearest = 0.5, farthest = 2.0;  // [–] radii of the head from its centre
 constexpr double widest = 1.1;                   // [–] of the smallest area
 constexpr int most_rounds = 60;
-constexpr double at_rest = 1e-8;  // [–] of the direction
+constexpr double at_rest = 1e-8;  // [–] change of the direction
 
 struct Section {
     double way = 0.0;  ///< [m] from the head's centre
@@ -21,7 +21,7 @@ struct Section {
     double area = 0.0;  ///< [m²]; 0: open, or no bone
 };
 
-/// Sectors of a circle between the rays: each has the area ρ² dθ / 2, and its centroid at 2/3 ρ.
+/// Sums sectors of a circle between the rays: each has the area ρ² dθ / 2, and its centroid at 2/3 ρ.
 Section section_at(const BoneShape& bone, const NeckGuess& guess, const std::vector<Vec3>& directions, Vec3 to_base,
                    double way) {
     constexpr double pi = 3.14159265358979323846;
@@ -40,8 +40,7 @@ Section section_at(const BoneShape& bone, const NeckGuess& guess, const std::vec
     return section;
 }
 
-/// The narrowest section, if it lies between wider ones. A section that does
-/// not count is wider.
+/// Returns the narrowest section if it lies between wider ones. A section without an area counts as wider.
 std::optional<std::size_t> narrowest(const std::vector<Section>& all) {
     const auto area = [&](std::size_t i) { return all[i].area > 0.0 ? all[i].area : HUGE_VAL; };
     std::size_t least = 0;

@@ -16,7 +16,7 @@ namespace {
 constexpr int rays = 1000;
 constexpr int draws = 2000;  // of four points: with a third of the points on the sphere, 24 draws are good
 constexpr int most_rounds = 40;
-constexpr double widest_band = 0.04;        // [–] of the radius: farther off, a point is on something else
+constexpr double widest_band = 0.04;        // [–] of the radius: a point farther off belongs to another surface
 constexpr double narrowest_band = 0.02e-3;  // [m]
 constexpr double at_rest = 1e-7;            // [m]
 
@@ -34,11 +34,11 @@ struct Sphere {
     [[nodiscard]] double off(Vec3 p) const noexcept { return length(p - centre) - radius; }
 };
 
-/// Through four points: 2 (p_i − p_0) · c = |p_i|² − |p_0|², seen from p_0.
+/// Returns the sphere through four points: 2 (p_i − p_0) · c = |p_i|² − |p_0|², relative to p_0.
 std::optional<Sphere> sphere_through(const std::array<Vec3, 4>& p) {
     const Vec3 a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
     const double volume = 2.0 * dot(a, cross(b, c));
-    if (!(std::abs(volume) > 1e-12)) return std::nullopt;  // [m³] nearly in a plane
+    if (!(std::abs(volume) > 1e-12)) return std::nullopt;  // [m³] nearly coplanar
     const Vec3 centre = (dot(a, a) * cross(b, c) + dot(b, b) * cross(c, a) + dot(c, c) * cross(a, b)) / volume;
     return Sphere{p[0] + centre, length(centre)};
 }
@@ -80,7 +80,7 @@ std::optional<Sphere> best_drawn(const std::vector<Vec3>& points, const SphereGu
     return best;
 }
 
-/// One step of Gauss and Newton to the least squares of the distances. False: the points determine no sphere.
+/// Takes one Gauss–Newton step of the least-squares distances. Returns false if the points determine no sphere.
 bool improve(Sphere& sphere, const std::vector<Vec3>& points, double band) {
     LeastSquares<4> equations;
     for (const Vec3 p : points) {

@@ -14,9 +14,9 @@ namespace {
 
 constexpr int sections = 41;
 constexpr int most_rounds = 60;
-constexpr double widest_band = 0.10;        // [–] of the radius: farther off, a point is on something else
+constexpr double widest_band = 0.10;        // [–] of the radius: a point farther off belongs to another surface
 constexpr double narrowest_band = 0.02e-3;  // [m]
-constexpr double met_around = 0.75;         // [–] of a section's rays: else it is part of something wider
+constexpr double met_around = 0.75;         // [–] of a section's rays; with fewer hits, it is part of something wider
 constexpr double at_rest = 1e-7;            // [m]
 
 struct Axis {
@@ -26,16 +26,16 @@ struct Axis {
     [[nodiscard]] Vec3 foot(Vec3 p) const noexcept { return from + dot(p - from, along()) * along(); }
 };
 
-/// A point of a section, seen from the axis.
+/// A point of a section, relative to the axis.
 struct WallPoint {
     Vec3 out{};             ///< unit
     double distance = 0.0;  ///< [m] from the axis
 };
 
 struct Section {
-    double share = 0.0;  ///< [–] of the way along the axis
+    double share = 0.0;  ///< [–] position along the axis
     std::vector<WallPoint> points;
-    double radius = 0.0;  ///< [m] their median
+    double radius = 0.0;  ///< [m] median distance
 };
 
 Section section_at(const BoneShape& bone, Vec3 centre, const std::vector<Vec3>& directions, double share, double far) {
@@ -59,8 +59,8 @@ bool is_met_around(const Section& section, std::size_t rays, double radius) {
            std::abs(section.radius / radius - 1.0) <= most_off_size;
 }
 
-/// The middle of the section near `at`, found from its points again and again, as these lie around the middle only when
-/// they are seen from there.
+/// Returns the middle of the section near `at`. The search is repeated from each new middle, because the points lie
+/// evenly around the middle only as seen from there.
 std::optional<Vec3> middle_near(const BoneShape& bone, Vec3 at, const std::vector<Vec3>& directions,
                                 const TubeGuess& guess) {
     Vec3 middle = at;
@@ -80,7 +80,7 @@ std::optional<Vec3> middle_near(const BoneShape& bone, Vec3 at, const std::vecto
     return middle;
 }
 
-/// A line through the middles of the sections; those farther off than 2.5 times the residual do not count.
+/// Returns a line through the middles of the sections. Middles farther off than 2.5 times the residual do not count.
 std::optional<Axis> first_axis(const BoneShape& bone, const TubeGuess& guess) {
     const Axis guessed{guess.from, guess.to};
     const std::vector<Vec3> directions = directions_across(guessed.along());
@@ -123,8 +123,8 @@ struct Round {
     double residual = 0.0, radius = 0.0, share = 0.0;
 };
 
-/// Samples the tube around `axis` and moves the axis by one step of Gauss and Newton. In each section the mean distance
-/// is the radius; so its equation is taken out of all others of the section.
+/// Samples the tube around `axis` and moves the axis by one Gauss–Newton step. The radius of a section is its mean
+/// distance, so the mean equation is subtracted from all equations of the section.
 std::optional<Round> improve(Axis& axis, const BoneShape& bone, double radius, double band) {
     const std::vector<Vec3> directions = directions_across(axis.along());
     const Vec3 right = directions.front(), up = cross(axis.along(), right);
@@ -176,8 +176,7 @@ std::optional<FittedTube> fit_tube(const BoneShape& bone, const TubeGuess& guess
     for (int n = 0; n < most_rounds; ++n) {
         const auto round = improve(*axis, bone, guess.radius, band);
         if (!round) return std::nullopt;
-        // The ends stay beside those of the guess, so that the same stretch of bone is met however far the guess is
-        // off.
+        // The ends stay next to those of the guess, so that the same stretch of bone is sampled for any guess.
         *axis = {axis->foot(guess.from), axis->foot(guess.to)};
         fitted = {axis->from, axis->to, round->radius, round->residual, round->share};
         band = std::clamp(2.5 * round->residual, narrowest_band, widest_band * guess.radius);

@@ -13,11 +13,11 @@
 namespace kerf {
 namespace {
 
-constexpr double most_of_zone = 0.25;  // [–] that may be bone: its border is coarse
-constexpr double finest = 1e-3;        // [m] between the points a zone is looked at
+constexpr double most_of_zone = 0.25;  // [–] that may be bone, because a zone's border is coarse
+constexpr double finest = 1e-3;        // [m] between the sample points of a zone
 constexpr double most_points = 200'000.0;
 
-/// Where a landmark stands; one of a markups file has no line of its own.
+/// Returns a landmark's location in the document. A landmark of a markups file has no line.
 Reason named(const Anatomy& anatomy, const char* sort, const std::string& id, std::string message = {}) {
     const Reason list = in_anatomy(anatomy, {"landmarks", sort}),
                  own = in_anatomy(anatomy, {"landmarks", sort, id}, message);
@@ -27,7 +27,7 @@ Reason named(const Anatomy& anatomy, const char* sort, const std::string& id, st
 
 std::string millimetres(double metres) { return rounded(metres * 1e3, 1); }
 
-/// `left_pedicle` for `right_pedicle`; empty for a name without the word `right`.
+/// Returns `left_pedicle` for `right_pedicle`; empty for a name without the word `right`.
 std::string other_side(const std::string& id) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     for (std::size_t at = id.find("right"); at != std::string::npos; at = id.find("right", at + 1)) {
@@ -97,7 +97,7 @@ PlaceOnBone place_on_bone(const Body& body, Vec3 at) noexcept {
 double share_in_bone(const Body& body, const Zone& zone) {
     std::size_t inside = 0, in_bone = 0;
     const Box box = bounds_of(zone.solids);
-    const Region& region = body.region;  // no need to look beyond
+    const Region& region = body.region;  // nothing is known beyond it
     const Vec3 low{std::max(box.low.x, region.low.x), std::max(box.low.y, region.low.y),
                    std::max(box.low.z, region.low.z)};
     const Vec3 high{std::min(box.high.x, region.high.x), std::min(box.high.y, region.high.y),

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// Sums up the normal equations of a linear least-squares problem in N unknowns: rows · x ≈ value.
+/// Accumulates the normal equations of a linear least-squares problem in N unknowns: rows · x ≈ value.
 template <std::size_t N>
 class LeastSquares {
 public:

@@ -25,13 +25,13 @@ namespace kerf {
 
 namespace {
 
-constexpr double least_share = 0.80;        // of a planned axis in bone
-constexpr double least_wall_voxels = 3.0;   // what one distance field carries
-constexpr double finest_spacing = 0.05e-3;  // [m] that a procedure may ask for
+constexpr double least_share = 0.80;        // [–] fraction of a planned axis in bone
+constexpr double least_wall_voxels = 3.0;   // thickness that one distance field can represent
+constexpr double finest_spacing = 0.05e-3;  // [m] smallest spacing of a procedure
 
 using Distance = std::function<double(Vec3)>;  // body frame [m] → [m], negative inside
 
-/// Where the anatomy says what bone is.
+/// Returns the location in the document that defines the bone.
 Reason bone_in(const Anatomy& anatomy) {
     return in_anatomy(anatomy, {anatomy.ct ? "ct" : anatomy.mesh ? "mesh" : "phantom"});
 }
@@ -49,7 +49,7 @@ Box phantom_bounds(const PhantomSource& phantom) {
     return bounds;
 }
 
-/// To the parts that are added, or to those that are taken away.
+/// Returns the distance to the added parts, or to the subtracted ones.
 double distance_to_parts(const PhantomSource& phantom, bool subtract, Vec3 p) {
     double distance = HUGE_VAL;
     for (const auto& part : phantom.parts)
@@ -57,15 +57,16 @@ double distance_to_parts(const PhantomSource& phantom, bool subtract, Vec3 p) {
     return distance;
 }
 
-/// Whether some parts are taken away, and nothing is added after them: bone is what was added without what was taken.
+/// Returns whether parts are subtracted and none is added after them. Then bone is all added parts less all subtracted
+/// ones.
 bool is_taken_away_last(const PhantomSource& phantom) {
     return !phantom.parts.empty() && phantom.parts.back().subtract &&
            std::is_partitioned(phantom.parts.begin(), phantom.parts.end(),
                                [](const PhantomPart& p) { return !p.subtract; });
 }
 
-/// Whether the bone between the outside and a room in it is somewhere thinner than one field can carry. Where a room
-/// opens to the outside both surfaces cross; that is an edge and no wall: only where they look the same way it is one.
+/// Returns whether bone between the outside and a cavity is somewhere too thin for one field. Where a cavity opens to
+/// the outside, both surfaces cross at an edge. So only surfaces with the same orientation count as a wall.
 bool has_thin_wall(const Grid& grid, DistanceSource& outer, DistanceSource& room) {
     constexpr double same_way = 0.8;  // [–] cosine
     const double thin = least_wall_voxels * grid.spacing, in_brick = 0.5 * brick_edge * std::sqrt(3.0) * grid.spacing;
@@ -102,7 +103,7 @@ bool has_thin_wall(const Grid& grid, DistanceSource& outer, DistanceSource& room
     return false;
 }
 
-/// The largest box whose faces lie on samples of the grid.
+/// Returns the largest box whose faces lie on samples of the grid.
 Region region_on(const Grid& grid, const Box& box) {
     const auto up = [&](double at, double origin) {
         return static_cast<int>(std::ceil((at - origin) / grid.spacing - 1e-6));
@@ -116,7 +117,7 @@ Region region_on(const Grid& grid, const Box& box) {
                              down(box.high.z, grid.origin.z))};
 }
 
-/// Whether the base tissue has a share of a brick: bone is there, and none of the shells made so far fills it.
+/// Returns whether the base tissue may be in a brick: it has bone, and no shell so far fills it.
 bool may_hold_base(const Body& body, std::size_t brick) {
     return !body.surface.is_all_air(brick) &&
            std::none_of(body.materials.begin(), body.materials.end(),
@@ -129,15 +130,15 @@ ImportReport phantom_report(const Anatomy& anatomy) {
     return report;
 }
 
-/// A phantom as fits see it. Without parts, as where bone is made of a scan or a surface, there is no bone in it.
+/// Returns a phantom for fits. It contains no bone if the bone is made from a scan or a surface.
 BoneShape phantom_shape(const Anatomy& anatomy) {
     return {[&](Vec3 p) { return distance_to(anatomy.phantom, p); },
             {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}}};
 }
 
-/// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all. So a plate
-/// with air on both sides is refused. A spur, or two faces that touch, must not ask for the finest of all spacings: all
-/// but a thousandth is to be carried.
+/// Checks thin walls. One distance field can represent a wall of three voxels; thinner ones are too weak or missing. So
+/// a plate with air on both sides is refused. A spur, or two faces that touch, must not demand the finest spacing: the
+/// limit applies to all walls except a thousandth of their area.
 bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, const Anatomy& anatomy,
                       Diagnostics& diagnostics) {
     const double needed = least_wall_voxels * spacing;
@@ -168,8 +169,8 @@ bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, cons
     return false;
 }
 
-/// Refuses what would take more memory than a bone may, or more bricks than can be counted, and says which spacing
-/// would do.
+/// Refuses a bone that needs more memory than the limit, or more bricks than can be counted. The message names a
+/// spacing that fits.
 bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>& borders, bool has_densities,
                   const Anatomy& anatomy, Diagnostics& diagnostics) {
     const FieldsMemory needed = fields_memory(bounds, spacing, borders, has_densities);
@@ -195,8 +196,8 @@ bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>
     return false;
 }
 
-/// A source that reports every hundredth of its way up the grid: its caller goes through the grid layer by layer, some
-/// callers twice.
+/// A source that reports progress for every hundredth of the grid's height. Its callers process the grid layer by
+/// layer, some of them twice.
 class Told final : public DistanceSource {
 public:
     Told(DistanceSource& distance, const Grid& grid, const Progress& progress, std::string what)
@@ -306,11 +307,11 @@ std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostic
     else
         source_of_rooms =
             std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); });
-    // Beyond a region that was looked at, bone continues as it is at the region's face.
+    // Beyond the imported region, bone continues as it is at the region's face.
     InRegion outer(*source, body.region), room(*source_of_rooms, body.region);
     WithoutRooms without_rooms(outer, room);
     DistanceSource& bone = has_rooms ? static_cast<DistanceSource&>(without_rooms) : outer;
-    DistanceSource& face = mesh ? outer : bone;  // a surface's shell lies under its outside, not around the canal
+    DistanceSource& face = mesh ? outer : bone;  // the shell of a mesh lies under its outside, not around the canal
     std::vector<TissueBorder> tissue_borders;
     for (const Tissue& tissue : anatomy.tissues)
         if (&tissue != &anatomy.tissues.back()) tissue_borders.emplace_back(face, tissue);
@@ -390,7 +391,7 @@ AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis) {
 }
 
 Vec3 into_surface(const Body& body, Vec3 point) {
-    constexpr double reach = 1.2e-3;  // [m] of a drill's own width
+    constexpr double reach = 1.2e-3;  // [m] radius of a drill
     const double step = body.grid().spacing;
     const int most = static_cast<int>(reach / step);
     const auto distance = [&](Vec3 at) { return uncut_distance(body, locate(body.grid(), at)); };

@@ -31,13 +31,13 @@ using Json = nlohmann::json;
 constexpr std::size_t largest_text = 1u << 20;  // [bytes]
 constexpr double furthest = 2.0;                // [m] of a coordinate, as in documents
 
-/// What is wrong with the file; becomes a Diagnostic at the only way out.
+/// An error of the file. `add_markups()` turns it into a Diagnostic.
 struct Refusal {
     const char* code;
     std::string message;
 };
 
-/// A piece of the file that may be shown to a person.
+/// Returns text of the file in a form that can be shown to people.
 std::string shown(std::string_view text) { return "`" + excerpt(text, 40) + "`"; }
 
 bool is_id(std::string_view word) {
@@ -49,7 +49,7 @@ bool is_id(std::string_view word) {
                        [&](char c) { return is_letter(c) || c == '.' || c == '_' || c == '-'; });
 }
 
-/// A word that may be an id, made of the letters of a label: `entry "left"` gives `entry-left`.
+/// Returns an id made of the letters of a label: `entry "left"` gives `entry-left`.
 std::string id_made_of(std::string_view label) {
     std::string id;
     for (const char c : label) {
@@ -63,17 +63,17 @@ std::string id_made_of(std::string_view label) {
     return id.empty() ? "landmark" : id;
 }
 
-/// A name that is no id, or one that is taken: what to write under `names`.
+/// Returns the entry for `names` of a label that is not an id, or whose id exists already.
 std::string entry_of(const std::string& label, const std::string& id) {
     return "{label: " + yaml_quoted(label) + ", id: " + id + "}";
 }
 
-/// What one file adds.
+/// Landmarks of one file.
 struct Landmarks {
     std::vector<LandmarkPoint> points;
     std::vector<LandmarkAxis> axes;
     std::vector<LandmarkPlane> planes;
-    std::map<std::string, std::vector<std::string>> labels;  ///< that the file gives each id
+    std::map<std::string, std::vector<std::string>> labels;  ///< labels in the file for each id
 };
 
 class Reader {
@@ -85,11 +85,11 @@ public:
     void fcsv(std::string_view text);
     void json(const std::string& text);
 
-    /// Refuses labels that are no ids; says what to write for all of them.
+    /// Refuses labels that are not ids. The message has the entries for all of them.
     void check_names(const Anatomy& anatomy) const;
 
 private:
-    /// A label that is no id is remembered, and gets one in the meantime.
+    /// Returns the id of a label. A label that is not an id is recorded, and gets a provisional id.
     [[nodiscard]] std::string id_of(const std::string& label) {
         if (label.empty()) throw Refusal{"E0683", "a markup has no label. Give it one in 3D Slicer."};
         const auto renamed = file_.names.find(label);
@@ -99,7 +99,7 @@ private:
         found.labels[used].push_back(label);
         return used;
     }
-    /// Millimetres in the file's frame to LPS metres.
+    /// Converts millimetres in the file's frame to LPS metres.
     [[nodiscard]] Vec3 place(Vec3 mm) const {
         const Vec3 at = 1e-3 * (is_ras_ ? Vec3{-mm.x, -mm.y, mm.z} : mm);
         if (!is_finite(at) || std::abs(at.x) > furthest || std::abs(at.y) > furthest || std::abs(at.z) > furthest)
@@ -146,7 +146,8 @@ std::vector<std::string> split(std::string_view line, char separator) {
     }
 }
 
-/// Cells between commas. One in double quotes may hold commas, and doubled quotes for single ones, as RFC 4180 says.
+/// Returns the cells between commas. A cell in double quotes may contain commas, and doubled quotes for single ones, as
+/// RFC 4180 defines.
 std::vector<std::string> cells_of(std::string_view line) {
     std::vector<std::string> cells(1);
     bool is_quoted = false, was_quoted = false;
@@ -174,7 +175,7 @@ std::vector<std::string> cells_of(std::string_view line) {
     return cells;
 }
 
-/// What stands behind `# key =`; nothing if the line says something else.
+/// Returns the text behind `# key =`; nothing if the line is different.
 std::optional<std::string_view> remark(std::string_view line, std::string_view key) {
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos || trimmed(line.substr(1, equals - 1)) != key) return std::nullopt;
@@ -224,13 +225,13 @@ void Reader::fcsv(std::string_view text) {
 
 // ---- .mrk.json ------------------------------------------------------------------------------------------------------
 
-/// A value that is there in another form than 3D Slicer writes it.
+/// Refuses a value in another form than 3D Slicer writes it.
 [[noreturn]] void refuse_form(const char* key, const char* form) {
     throw Refusal{"E0680", std::string("`") + key + "` of a markup is not " + form +
                                ". Export the markups from 3D Slicer again."};
 }
 
-/// None: the key is absent. Refuses a value that is no text.
+/// Returns the text of a key; nothing if the key is absent. Refuses a value that is not text.
 std::optional<std::string> text_of(const Json& map, const char* key) {
     const auto at = map.find(key);
     if (at == map.end()) return std::nullopt;
@@ -238,7 +239,7 @@ std::optional<std::string> text_of(const Json& map, const char* key) {
     return at->get<std::string>();
 }
 
-/// None: the key is absent. Refuses a value that is not three numbers.
+/// Returns the vector of a key; nothing if the key is absent. Refuses a value that is not three numbers.
 std::optional<Vec3> vector_of(const Json& map, const char* key) {
     const auto at = map.find(key);
     if (at == map.end()) return std::nullopt;
@@ -248,7 +249,7 @@ std::optional<Vec3> vector_of(const Json& map, const char* key) {
     return Vec3{(*at)[0].get<double>(), (*at)[1].get<double>(), (*at)[2].get<double>()};
 }
 
-/// The code of a unit: a text, or a list of code, scheme and meaning. None: the key is absent.
+/// Returns the code of a unit: a text, or a list of code, scheme and meaning. Nothing if the key is absent.
 std::optional<std::string> unit_of(const Json& map) {
     constexpr const char* key = "coordinateUnits";
     const auto at = map.find(key);
@@ -326,7 +327,7 @@ void Reader::markup(const Json& markup) {
                                "; points (Fiducial), lines (Line) and planes (Plane) are read. Remove it."};
 }
 
-/// The document, if no object in it has a key twice: then one value would be taken in silence.
+/// Returns the document. Refuses an object with a repeated key, because the parser would silently keep one value.
 Json parsed(const std::string& text) {
     std::vector<std::set<std::string>> open;
     std::optional<std::string> twice;
@@ -351,7 +352,7 @@ void Reader::json(const std::string& text) {
     for (const Json& one : document["markups"]) markup(one);
 }
 
-// ---- all of it ------------------------------------------------------------------------------------------------------
+// ---- the whole file -------------------------------------------------------------------------------------------------
 
 bool has_landmark(const Anatomy& anatomy, const std::string& id) {
     const auto is_it = [&](const auto& landmark) { return landmark.id == id; };
@@ -360,21 +361,21 @@ bool has_landmark(const Anatomy& anatomy, const std::string& id) {
            std::any_of(anatomy.planes.begin(), anatomy.planes.end(), is_it);
 }
 
-/// The id itself, or with a number behind it, so that nothing else is called so.
+/// Returns the id, or the id with the first number that makes it unique.
 std::string free_id(const std::string& id, const std::function<bool(const std::string&)>& is_taken) {
     std::string one = id;
     for (int n = 2; is_taken(one); ++n) one = id + "-" + std::to_string(n);
     return one;
 }
 
-/// Where to write entries: under `names` of the file, whether it is there or not.
+/// Describes where to write entries: under `names` of the file, existing or not.
 std::string advice(const MarkupsFile& file, const std::string& entries) {
     return file.names.empty() ? "`names: [" + entries + "]`" : "`" + entries + "` (in its list `names`)";
 }
 
 void Reader::check_names(const Anatomy& anatomy) const {
     if (nameless_.empty()) return;
-    for (const std::string& label : nameless_)  // no document may hold them, so none can name it
+    for (const std::string& label : nameless_)  // no document may contain these characters
         if (printable(label) != label)
             throw Refusal{"E0683", "a markup is called " + shown(label) +
                                        ", which holds characters that show nothing. Rename it in 3D Slicer."};
@@ -449,7 +450,7 @@ std::vector<std::uint64_t> add_markups(Anatomy& anatomy, Diagnostics& diagnostic
             because_named();
             continue;
         }
-        if (text->size() > largest_text) {  // read_text_file() stops there
+        if (text->size() > largest_text) {  // read_text_file() stops at this size
             diagnostics.push_back(error_about(path, "E0680", "the file is larger than 1 MB. Export fewer markups."));
             because_named();
             continue;

@@ -19,16 +19,16 @@
 namespace kerf {
 namespace {
 
-constexpr double coarse = 20e-6;     // [m] a step of the file's numbers that is worth a warning
-constexpr double fineness = 0.5e-3;  // [m] between places where walls are measured
+constexpr double coarse = 20e-6;     // [m] resolution of the file's numbers that is worth a warning
+constexpr double fineness = 0.5e-3;  // [m] between points where walls are measured
 
-/// Metres and LPS.
+/// Converts a mesh to metres and LPS.
 void place(SurfaceMesh& mesh, double unit, bool is_ras) {
     const double across = is_ras ? -unit : unit;
     for (Vec3& v : mesh.vertices) v = {across * v.x, across * v.y, unit * v.z};
 }
 
-/// What the file's header says of its coordinates must be what the document says.
+/// Checks frame and unit in the file's header against the document.
 std::optional<SurfaceError> contradiction(const SurfaceFile& file, const MeshSource& source) {
     const auto frame = [](bool is_ras) { return std::string(is_ras ? "RAS" : "LPS"); };
     const auto unit = [](double metres) {
@@ -48,7 +48,8 @@ std::optional<SurfaceError> contradiction(const SurfaceFile& file, const MeshSou
     return std::nullopt;
 }
 
-/// The frame of a file: what it says itself, or the document, or the other file of the same bone; otherwise LPS.
+/// Returns whether a file is in RAS, by the document, its own header, or the other file of the same bone; otherwise
+/// LPS.
 bool is_in_ras(const SurfaceFile& file, const SurfaceFile* other, const MeshSource& source) {
     if (source.names_frame) return source.is_ras;
     return file.is_ras.value_or(other != nullptr && other->is_ras.value_or(false));
@@ -69,7 +70,7 @@ bool is_within(const Box& box, Vec3 p) noexcept {
 
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 
-/// What the surface is, what is doubted, and what is mended; false, with an error, if it cannot be.
+/// Diagnoses and repairs the surface, with notes and warnings. Returns false, with an error, if it cannot be repaired.
 bool make_sound(SurfaceFile& file, const SurfaceFile* other, const Anatomy& anatomy, const std::string& name,
                 std::vector<std::string>& notes, Diagnostics& diagnostics) {
     const MeshSource& source = *anatomy.mesh;
@@ -114,7 +115,7 @@ bool make_sound(SurfaceFile& file, const SurfaceFile* other, const Anatomy& anat
     return true;
 }
 
-/// A closed tube with flat ends. Its radius is that of a circle of the same area as the polygon.
+/// Returns a closed tube with flat ends. Its polygon has the area of the tube's circle.
 SurfaceMesh mesh_of(const TubeSolid& tube) {
     constexpr std::uint32_t sides = 64;
     const Vec3 along = normalized(tube.to - tube.from);
@@ -168,9 +169,8 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surfa
     const auto is_sound = [&](SurfaceFile& file, const SurfaceFile* other, const std::string& written,
                               const std::vector<std::string>& keys) {
         const std::size_t first = diagnostics.size();
-        const std::string name = written.empty()
-                                     ? anatomy.file
-                                     : found_data_file(written, anatomy.file);  // without a document the surface itself
+        const std::string name =
+            written.empty() ? anatomy.file : found_data_file(written, anatomy.file);  // without a path, the document
         const bool is_made = make_sound(file, other, anatomy, name, notes, diagnostics);
         if (diagnostics.size() > first)
             because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
@@ -201,7 +201,7 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surfa
         if (!fit_landmarks(anatomy, shape, bone.report, diagnostics)) return std::nullopt;
     }
     if (!anatomy.axes.empty()) {
-        // A little air around the bone, so that a region that holds all of it ends outside.
+        // A margin of air, so that a region around the whole bone ends outside it.
         bone.region = planned_region(anatomy.axes, grown(bounds, 1e-3));
         bone.is_part = true;
         if (is_empty(bone.region)) {

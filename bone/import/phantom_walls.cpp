@@ -7,7 +7,7 @@
 namespace kerf {
 
 namespace {
-constexpr double facing = -0.8;  // [–] cosine between the ways out on both sides of a wall
+constexpr double facing = -0.8;  // [–] cosine between the outward normals on both sides of a wall
 }  // namespace
 
 std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<double(Vec3)>& distance, double most) {
@@ -23,11 +23,11 @@ std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<doub
         const double d = distance(p);
         if (std::abs(d) > 0.5 * h) return;
         const Vec3 out = way_out(p), at = p - d * out;
-        // Inside, nothing of the other side is nearer than the distance to it.
+        // Inside, the distance is a lower bound for the step to the other side.
         double thickness = finest, depth = -distance(at - thickness * out);
         for (; thickness < most && depth > 0.0; depth = -distance(at - thickness * out))
             thickness += std::max(depth, finest);
-        thickness += std::min(depth, 0.0);  // the last step went as far beyond
+        thickness += std::min(depth, 0.0);  // the last step overshot by this distance
         if (thickness >= most) return walls.push_back({HUGE_VAL, h * h, at});
         if (dot(out, way_out(at - thickness * out)) < facing) walls.push_back({thickness, h * h, at});
     };

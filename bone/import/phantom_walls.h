@@ -9,9 +9,9 @@
 
 namespace kerf {
 
-/// How thick the bone of a phantom is under its surface, straight inwards, looked at once a sample of the grid;
-/// thicknesses beyond `most` [m] count as infinite. Left out is a crest, as `measure_walls` does.
-/// @param distance   body frame [m] → [m], negative inside, never steeper than 1   [main] pure.
+/// Returns the thickness of a phantom's bone under its surface, straight inwards, once for each grid sample at the
+/// surface; thicknesses beyond `most` [m] count as infinite. Crests are left out, as in `measure_walls`.
+/// @param distance  body frame [m] → [m], negative inside, never steeper than 1   [main] pure.
 [[nodiscard]] std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<double(Vec3)>& distance,
                                                     double most);
 

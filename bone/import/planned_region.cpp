@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-constexpr double around_axes = 15e-3;  // [m] of bone that is taken along on every side
+constexpr double around_axes = 15e-3;  // [m] of bone around the axes on every side
 
 }  // namespace
 

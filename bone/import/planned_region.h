@@ -8,14 +8,13 @@
 
 namespace kerf {
 
-/// The part of a bone that a procedure can touch: the box around the planned axes and 15 mm more on every side, as far
-/// as there is something to look at. Empty (`low` not below `high`): the axes lie outside of that, or there are none.
-/// [any] pure.
+/// Returns the part of a bone that a procedure can touch: the box around the planned axes and 15 mm more on every side,
+/// clipped to `available`. Empty (`low` not below `high`) if the axes lie outside it, or there are none.   [any] pure.
 [[nodiscard]] Box planned_region(const std::vector<LandmarkAxis>& axes, const Box& available);
 
 [[nodiscard]] bool is_empty(const Box& box) noexcept;
 
-/// The box and `margin` [m] more on every side.
+/// Returns the box grown by `margin` [m] on every side.
 [[nodiscard]] Box grown(const Box& box, double margin) noexcept;
 
 }  // namespace kerf

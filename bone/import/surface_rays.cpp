@@ -7,9 +7,9 @@
 namespace kerf {
 namespace {
 
-constexpr double least_step = 0.05e-3;  // [m] thinner bone may be missed
+constexpr double least_step = 0.05e-3;  // [m] may miss thinner bone
 
-/// The stretch of a ray in a box [m]; none of it is there if `low` is above `high`.
+/// The stretch of a ray in a box [m]; empty if `low` is above `high`.
 struct Stretch {
     double low = 0.0, high = 0.0;
 };
@@ -50,7 +50,7 @@ RayHit surface_inwards(const BoneShape& bone, Vec3 centre, Vec3 direction, doubl
             (at_middle > 0.0 ? outer : inner) = middle;
             (at_middle > 0.0 ? at_outer : at_inner) = at_middle;
         }
-        // One step of the secant between the two: the distance is nearly straight over 0.05 mm.
+        // One step of the secant: the distance is nearly linear over 0.05 mm.
         return {RayHit::Kind::surface, outer - (outer - inner) * at_outer / (at_outer - at_inner)};
     }
     return {};

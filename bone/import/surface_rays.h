@@ -8,35 +8,35 @@
 #include "core/field/grid/box.h"
 #include "kerf/math.hpp"
 
-/// Points on the outside of a bone, found by rays that come from outside: cavities and canals do not count.
+/// Rays from outside that find the outer surface of a bone, without cavities and canals.
 namespace kerf {
 
-/// A bone as fits see it.
+/// The interface of a bone to fits.
 struct BoneShape {
-    std::function<double(Vec3)> distance;  ///< LPS [m] → [m], negative inside; never more than the distance itself
-    Box known{};                           ///< [m] what lies outside was not read
+    std::function<double(Vec3)> distance;  ///< LPS [m] → [m], negative inside; a lower bound of the distance
+    Box known{};                           ///< [m] data outside are not read
 };
 
-/// A point on the surface, or why there is none.
+/// A point on the surface, or the reason why there is none.
 struct RayHit {
     enum class Kind {
         surface,
-        starts_in_bone,  ///< at `far`, or where the ray leaves what is known
+        starts_in_bone,  ///< at `far`, or where the ray enters the known region
         none,
     };
     Kind kind = Kind::none;
     double radius = 0.0;  ///< [m] from the ray's centre
 };
 
-/// Finds where bone begins on the way from `centre + far · direction` to `centre`. `direction` is a unit vector.
+/// Returns the first bone on the ray from `centre + far · direction` to `centre`. `direction` is a unit vector.
 /// Accurate to about 1 µm where the distance is exact.   [any] pure.
 [[nodiscard]] RayHit surface_inwards(const BoneShape& bone, Vec3 centre, Vec3 direction, double far);
 
-/// `count` unit vectors that are spread evenly over all directions: a spiral by the golden angle. The same bits on
+/// Returns `count` unit vectors spread evenly over all directions, on a spiral by the golden angle. The same bits on
 /// every machine.
 [[nodiscard]] std::vector<Vec3> even_directions(int count);
 
-/// 64 unit vectors across `axis`, at equal angles. The same bits on every machine.
+/// Returns 64 unit vectors perpendicular to `axis`, at equal angles. The same bits on every machine.
 [[nodiscard]] std::vector<Vec3> directions_across(Vec3 axis);
 
 }  // namespace kerf

@@ -14,8 +14,7 @@
 namespace kerf {
 namespace {
 
-/// Gives every voxel that is not `known` the mean of its known face_neighbours, layer by layer from the known ones
-/// outwards.
+/// Sets every voxel that is not `known` to the mean of its known neighbours, layer by layer outwards.
 void extend(VoxelImage& image, std::vector<std::uint8_t> known) {
     std::vector<std::array<int, 3>> front, next;
     const auto has_unknown_neighbour = [&](int i, int j, int k, const auto& visit) {

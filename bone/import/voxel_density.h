@@ -10,9 +10,9 @@
 
 namespace kerf {
 
-/// Densities [kg/m³] of the voxels that are deeper in bone than `cortex` [m], by their own values and a line; extended
-/// from there to all others, so that nothing brighter or darker beside the tissue is mixed in. None if no voxel is that
-/// deep. What was done goes into `notes`.   [main]
+/// Returns densities [kg/m³]. Voxels deeper in bone than `cortex` [m] use their own values and `line`. All others take
+/// over these densities, so that brighter or darker neighbours do not mix in. Nothing if no voxel is that deep. `notes`
+/// receives a description.   [main]
 [[nodiscard]] std::optional<VoxelImage> densities_in_voxels(const VoxelImage& scan, const VoxelImage& distance,
                                                             double cortex, const DensityLine& line,
                                                             std::vector<std::string>& notes);

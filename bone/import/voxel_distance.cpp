@@ -14,19 +14,19 @@
 namespace kerf {
 namespace {
 
-/// Distance to a plane that crosses the axes at `ways` [m]; HUGE_VAL: it does not cross that one.
+/// Returns the distance to a plane from its crossings of the axes [m]; HUGE_VAL: it does not cross that axis.
 double distance_to_plane(const std::array<double, 3>& ways) {
     double sum = 0.0;
     for (const double way : ways) sum += 1.0 / (std::max(way, 1e-9) * std::max(way, 1e-9));
     return sum > 0.0 ? 1.0 / std::sqrt(sum) : HUGE_VAL;
 }
 
-/// Voxels on one side of a border, from the first beside it on.
+/// Voxels on one side of a border, beginning next to it.
 using Side = std::array<double, 5>;
 
-/// What is whole on one side: the mean of the next three, as far as the border beyond leaves them whole. Not the larger
-/// of them and the first: noise makes that larger than whole, and the border would lie towards the middle between two
-/// voxels. `way`: 1 for bone.
+/// Returns the value of pure bone or air on one side: the mean of the next three voxels, up to another border. It is
+/// not the larger of this mean and the first voxel: noise makes that too large and would move the border towards the
+/// middle between two voxels. The last argument is 1 for bone, −1 for air.
 double whole_of(const Side& side, double threshold, double way) {
     const auto is_beyond = [&](double value) { return way * (value - threshold) < 0.0; };
     if (is_beyond(side[2])) return way * (side[0] - side[1]) > 0.0 ? side[0] : side[1];
@@ -36,16 +36,16 @@ double whole_of(const Side& side, double threshold, double way) {
     return sum / static_cast<double>(count);
 }
 
-/// Where the border lies between the first voxel on this side and the first beyond, as a share of the way.
+/// Returns the border between the first voxels on both sides, as a fraction of their distance.
 double crossing(const Side& inner, const Side& outer, double threshold) {
     constexpr double blurred =
-        0.2;  // of all there is between bone and air: a border that takes so much in two voxels is not sharp
+        0.2;  // [–] of the step from bone to air: a border with this much in the next voxels is not sharp
     const double here = inner[0], there = outer[0];
     const double share = (here - threshold) / (here - there);
     const double way = here > there ? 1.0 : -1.0;
     const double full = whole_of(inner, threshold, way), empty = whole_of(outer, threshold, -way);
     const double whole = full - empty;
-    if (way * whole <= std::abs(here - there)) return share;  // by noise: both are whole
+    if (way * whole <= std::abs(here - there)) return share;  // a smaller step is noise: both are pure
     const double sharpness = std::min(1.0, 1.0 - std::min((full - here) / whole, (there - empty) / whole) / blurred);
     if (sharpness <= 0.0) return share;
     return sharpness * std::clamp((here + there - empty - threshold) / whole, 0.0, 1.0) + (1.0 - sharpness) * share;
@@ -61,7 +61,7 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double 
     std::vector<std::uint8_t> is_fixed(image.values.size(), 0);
     const std::array<double, 3> spacing{image.spacing(0), image.spacing(1), image.spacing(2)};
 
-    // Voxels beside the border: from where it crosses the lines to their face_neighbours.
+    // Voxels next to the border: by the crossings on the lines to their neighbours.
     for_each_voxel(image, [&](int i, int j, int k, std::size_t at) {
         std::array<double, 3> ways{HUGE_VAL, HUGE_VAL, HUGE_VAL};
         const bool is_bone = mask.is_bone[at] != 0;
