@@ -6,11 +6,11 @@
 namespace kerf {
 namespace {
 
-constexpr double least_sine = 1e-6;  // under which a direction counts as parallel
+constexpr double least_sine = 1e-6;  // below it two directions are parallel
 
 }  // namespace
 
-// The arctangent is exact near 0 and π, where the arccosine of a rounded product is not.
+// The arctangent is exact near 0 and π, unlike the arccosine of a rounded product.
 double angle_between(const Line& one, const Line& other) noexcept {
     return std::atan2(length(cross(one.direction, other.direction)), dot(one.direction, other.direction));
 }
@@ -33,7 +33,7 @@ std::optional<Line> seen_in(const Plane& view, const Plane& plane) noexcept {
     const Vec3 trace = cross(view.normal, plane.normal);
     const double sine = length(trace);
     if (!(sine > least_sine)) return std::nullopt;
-    // From the plane's point within it to the view: down the steepest way.
+    // From the plane's point to the view, along the plane's steepest direction.
     const Vec3 down = normalized(cross(plane.normal, trace));
     const double per_length = dot(down, view.normal);
     return Line{plane.point - dot(plane.point - view.point, view.normal) / per_length * down, trace / sine};

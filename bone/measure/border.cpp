@@ -42,7 +42,7 @@ std::optional<Measured> border_roughness(std::span<const Vec3> points, const Pat
     if (outline.size() < least_bins) return std::nullopt;
 
     LeastSquares<3> equations;
-    const double scale = static_cast<double>(outline.size());  // so that all unknowns are of one size
+    const double scale = static_cast<double>(outline.size());  // gives all unknowns the same order of magnitude
     const auto row = [&](const Top& top) {
         const double t = top.along / scale;
         return std::array<double, 3>{1.0, t, t * t};

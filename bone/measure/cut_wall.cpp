@@ -13,7 +13,7 @@ namespace kerf {
 namespace {
 
 struct InWindow {
-    double deep, aside, off;  ///< along the axis, beside it in the plane, along the normal [m]
+    double deep, aside, off;  ///< [m] along the axis, across it in the plane, along the normal
 };
 InWindow in_window(const WallWindow& window, Vec3 p) noexcept {
     const Vec3 from_entry = p - window.entry;
@@ -51,7 +51,7 @@ void add_wall_points(const Body& body, const CutField& cut, const WallWindow& wi
 
 std::optional<CutWall> fit_wall(const std::vector<Vec3>& points, const WallWindow& window, double kerf) {
     if (points.size() < 3) return {};
-    // off = mean + a (deep − its mean) + b (aside − its mean), by least squares
+    // off = mean + a (deep − mean deep) + b (aside − mean aside), by least squares
     const double count = static_cast<double>(points.size());
     InWindow mean{};
     for (const Vec3 p : points) {
@@ -69,7 +69,7 @@ std::optional<CutWall> fit_wall(const std::vector<Vec3>& points, const WallWindo
         oa += o * a;
     }
     const double determinant = dd * aa - da * da;
-    if (!(determinant > 1e-6 * dd * aa)) return {};  // in a line, or nearly
+    if (!(determinant > 1e-6 * dd * aa)) return {};  // nearly collinear points
     const double slope_deep = (od * aa - oa * da) / determinant, slope_aside = (oa * dd - od * da) / determinant;
     const double slope = std::sqrt(slope_deep * slope_deep + slope_aside * slope_aside);
 

@@ -12,7 +12,7 @@ namespace kerf {
 namespace {
 
 constexpr double section_distance = 0.5e-3;  // [m]
-constexpr double whole_circle = 0.95;        // [–] of the drill's section that is drilled in bone
+constexpr double whole_circle = 0.95;        // [–] drilled fraction of the drill's section, in bone
 constexpr int ray_count = 16;
 constexpr double longest_ray = 15e-3;  // [m]
 
@@ -22,7 +22,7 @@ double bone_share(const Body& body, Vec3 p) noexcept {
     return std::clamp(0.5 - uncut_at(body, p) / body.grid().spacing, 0.0, 1.0);
 }
 
-/// Unit vectors that span the plane across `along`.
+/// Returns two unit vectors that span the plane across `along`.
 std::array<Vec3, 2> across(Vec3 along) noexcept {
     const Quat turned = quat_between({0, 0, 1}, along);
     return {rotate(turned, {1, 0, 0}), rotate(turned, {0, 1, 0})};
@@ -31,13 +31,14 @@ std::array<Vec3, 2> across(Vec3 along) noexcept {
 /// One section across the planned axis.
 struct Section {
     double depth = 0.0;       ///< [m]
-    double x = 0.0, y = 0.0;  ///< [m] of the hole's middle, from the axis
-    double area = 0.0;        ///< [m²] drilled in bone
+    double x = 0.0, y = 0.0;  ///< [m] middle of the hole, from the axis
+    double area = 0.0;        ///< [m²] drilled area in bone
     double narrowness = 0.0;  ///< [m] from the axis to the nearest border of bone
     bool is_whole = false;
 };
 
-/// From `from` along unit `way` to the border of bone [m]; 0 outside bone, `longest_ray` if there is none.
+/// Returns the distance from a point along a unit vector to the border of bone [m]; 0 outside bone, `longest_ray`
+/// without a border.
 double to_border(const Body& body, Vec3 from, Vec3 way) noexcept {
     const double step = 0.5 * body.grid().spacing;
     double before = uncut_at(body, from);
@@ -87,7 +88,7 @@ Section look_at(const Body& body, const HolePlan& plan, const DrilledShare& dril
     return section;
 }
 
-/// Radius of what the drill leaves at `behind` [m] from its tip: of a tool that only went in, the widest up to there.
+/// Returns the hole's radius at `behind` [m] from the tip of a drill that only moved in: its widest radius up to there.
 double radius_of_hole(const ToolSolid& cutting, double behind) noexcept {
     const auto& outline = cutting.outline();
     double radius = 0.0;
@@ -103,7 +104,7 @@ double radius_of_hole(const ToolSolid& cutting, double behind) noexcept {
     return radius;
 }
 
-/// Bone in the planned hole, on rings of equal area.
+/// Returns the bone volume in the planned hole [m³], sampled on rings of equal area.
 double planned_volume(const Body& body, const HolePlan& plan, const std::array<Vec3, 2>& plane) {
     constexpr int slices = 400, rings = 8;
     const double first = -2.0 * plan.cutting.largest_radius(), thickness = (plan.depth - first) / slices;
@@ -121,10 +122,10 @@ double planned_volume(const Body& body, const HolePlan& plan, const std::array<V
     return volume;
 }
 
-/// The waist of the bone around the axis: the narrowest section that has wider ones on both sides. Nothing where bone
-/// only widens, or ends. Sections in which the planned hole is not in bone do not count.
+/// Returns the depth of the bone's waist around the axis: the narrowest section with wider ones on both sides. Nothing
+/// if bone only widens, or ends. Sections in which the planned hole is not in bone do not count.
 std::optional<double> waist_of(const std::vector<Section>& sections, double radius) noexcept {
-    constexpr double wider = 0.3e-3;  // [m] more than what the grid does to a straight wall
+    constexpr double wider = 0.3e-3;  // [m] beyond the effect of the grid on a straight wall
     const auto first =
         std::find_if(sections.begin(), sections.end(), [&](const Section& s) { return s.narrowness >= radius; });
     const auto has_wider = [&](auto begin, auto end, double than) {
@@ -138,7 +139,7 @@ std::optional<double> waist_of(const std::vector<Section>& sections, double radi
     return found != nullptr ? std::optional(found->depth) : std::nullopt;
 }
 
-/// Where the bone behind its waist at `depth` is half as wide again. Nothing where it is not.
+/// Returns the depth behind the waist at `depth` at which bone is 1.5 times as wide, if any.
 std::optional<double> end_of_waist(const std::vector<Section>& sections, double depth) noexcept {
     constexpr double wider = 1.5;  // [–] [judgement]
     const auto behind = [&](const Section& s) { return s.depth >= depth; };
@@ -157,7 +158,7 @@ const Section& nearest_to(const std::vector<Section>& whole, double depth) noexc
 
 double offset_of(const Section& section) noexcept { return std::hypot(section.x, section.y); }
 
-/// x = mean + slope (depth − its mean), and y likewise, by least squares.
+/// x = mean + slope (depth − mean depth), the same for y, by least squares.
 struct Line {
     double depth = 0.0, x = 0.0, y = 0.0, slope_x = 0.0, slope_y = 0.0;
 };
@@ -189,7 +190,7 @@ std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan, 
     const std::array<Vec3, 2> plane = across(plan.along);
     const double radius = plan.cutting.largest_radius();
     std::vector<Section> sections;
-    // The hole may begin above the entry, where the surface leans towards the drill.
+    // The hole may begin above the entry, if the surface is inclined to the drill.
     const int first = -static_cast<int>(std::ceil(2.0 * radius / section_distance));
     for (int s = first; s * section_distance < plan.depth; ++s)
         sections.push_back(look_at(body, plan, drilled, s * section_distance, plane));
@@ -255,11 +256,12 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
     const std::array<Vec3, 2> plane = across(plan.along);
     Breach breach;
     bool is_inside = false;
-    // A section of a hole that leans must not reach out of the face by which it goes in.
+    // A section of an inclined hole must not reach out of the face through which the hole enters.
     const double steepness = dot(hole.direction, plan.along);
     const double first = radius * length(cross(hole.direction, plan.along)) / steepness + 0.5 * body.grid().spacing;
     for (double depth = 0.0; depth <= hole.end_depth; depth += section_distance) {
-        // A plan that never is in bone all around, as a screw wider than its pedicle, counts from its width on.
+        // A plan that is nowhere surrounded by bone, as of a screw wider than its pedicle, counts from the depth of its
+        // diameter.
         is_inside =
             is_inside || depth >= 2.0 * radius || narrowness(body, plan.entry + depth * plan.along, plane) >= radius;
         if (!is_inside || depth < std::max(first, range.from) || depth > range.to) continue;
@@ -270,7 +272,7 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
             const double to_a = dot(way, a), to_b = dot(way, b);
             return std::abs(to_a) >= std::abs(to_b) ? (to_a >= 0.0 ? 0 : 1) : (to_b >= 0.0 ? 2 : 3);
         };
-        if (uncut_at(body, middle) >= 0.0) {  // all of it is on the side to which the hole strayed
+        if (uncut_at(body, middle) >= 0.0) {  // the whole section is on the side to which the hole strayed
             if (radius > breach.worst()) breach.depth = depth;
             breach.towards[side_of(middle - plan.entry - depth * plan.along)] = radius;
             continue;

@@ -10,52 +10,56 @@
 #include "core/field/cut/tool_solid.h"
 #include "core/field/grid/body.h"
 
-/// How true a drilled hole was: its middle line in the bone, held against the planned axis; and how far a cylinder
-/// along it, such as a screw, leaves the bone.
+/// Accuracy of a drilled hole: its middle line in bone, compared with the planned axis. Breach: how far a cylinder
+/// along this line, such as a screw, leaves the bone.
 namespace kerf {
 
-/// Where a planned hole is looked for, body frame.
+/// The region around a planned hole that is searched for the drilled one, body frame.
 struct HolePlan {
     Vec3 entry{};           ///< [m] on the planned axis, where it meets bone
     Vec3 along{};           ///< unit, the planned axis, into the bone
     double depth = 0.0;     ///< [m] of the deepest tip, along the axis
-    ToolSolid cutting{};    ///< of the drill, a solid of revolution
-    double beside = 10e-3;  ///< [m] of bone around the planned hole in which the drilled one is looked for
+    ToolSolid cutting{};    ///< cutting solid of the drill, a solid of revolution
+    double beside = 10e-3;  ///< [m] width of the searched bone around the planned hole
 };
 
-/// Share of the bone at a point that was drilled away [–], body frame.
+/// Returns the drilled fraction of the bone at a point [–], body frame.
 using DrilledShare = std::function<double(Vec3)>;
 
-/// A hole against its plan. Depths are along the planned axis from its entry.
+/// A hole compared with its plan. Depths are along the planned axis from its entry.
 struct DrilledHole {
-    double entry_depth = 0.0;              ///< [m] where a drill has bitten: one diameter behind the first whole circle
-    std::optional<double> entry_offset{};  ///< [m] of the hole's middle from the axis there; nothing: it ends before
-    double narrowest_depth = 0.0;  ///< [m] of the waist of the bone around the planned axis; without a waist, the entry
-    std::optional<double> narrowest_offset{};  ///< [m] of the hole's middle there; nothing: it ends before
-    double waist_end = 0.0;                    ///< [m] where the bone behind the waist is half as wide again: of a
-                                               ///< pedicle its end; without a waist, the end of the hole
+    double entry_depth = 0.0;              ///< [m] one diameter behind the first whole circle, where the drill is
+                                           ///< guided
+    std::optional<double> entry_offset{};  ///< [m] of the hole's middle from the axis there; nothing if the hole ends
+                                           ///< before
+    double narrowest_depth = 0.0;  ///< [m] of the bone's waist around the planned axis; without a waist, the entry
+    std::optional<double> narrowest_offset{};  ///< [m] of the hole's middle there; nothing if the hole ends before
+    double waist_end = 0.0;                    ///< [m] where the bone behind the waist is 1.5 times as wide, the end of
+                                               ///< a pedicle; without a waist, the end of the hole
     double end_depth = 0.0;                    ///< [m] of the last whole circle
     double end_offset = 0.0;                   ///< [m] of the hole's middle there
-    std::optional<double> angle{};             ///< [rad] between hole and axis; nothing for a hole under two diameters
-    Vec3 at{}, direction{};                    ///< the line of least squares through its middles, body frame; unit
+    std::optional<double> angle{};             ///< [rad] between hole and axis; nothing for a hole shorter than two
+                                               ///< diameters
+    Vec3 at{}, direction{};                    ///< least-squares line through its middles, body frame; unit
     double drilled = 0.0;                      ///< [m³] in the window
-    double ideal = 0.0;                        ///< [m³] that the same drill takes on the planned axis, as deep
+    double ideal = 0.0;                        ///< [m³] removed by the same drill on the planned axis, to the same
+                                               ///< depth
 };
 
-/// Measures a hole on sections across the planned axis, half a millimetre apart. Nothing where no section shows a whole
+/// Measures a hole on sections across the planned axis, half a millimetre apart. Nothing if no section has a whole
 /// circle, as after a scratch.   [worker] pure.
 [[nodiscard]] std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan,
                                                       const DrilledShare& drilled);
 
-/// Returns the axis of an implant in bone as if it were a hole: from `tip` back along unit `direction`, body frame.
-/// Nothing for one that lies at more than 60° to the plan. Its volumes are 0.   [worker] pure.
+/// Returns the axis of an implant in bone as a hole: from `tip` backwards along the unit vector `direction`, body
+/// frame. Nothing for an angle above 60° to the plan. Its volumes are 0.   [worker] pure.
 [[nodiscard]] std::optional<DrilledHole> hole_along(const Body& body, const HolePlan& plan, Vec3 tip, Vec3 direction);
 
-/// How far a cylinder leaves the bone, by the side that it leaves it on [m]; 0: nowhere.
+/// How far a cylinder leaves the bone on each side [m]; 0: not at all.
 struct Breach {
     static constexpr std::size_t side_count = 4;
-    std::array<double, side_count> towards{};  ///< +a, −a, +b, −b of the two directions that were given
-    double depth = 0.0;                        ///< [m] along the planned axis, of the worst
+    std::array<double, side_count> towards{};  ///< +a, −a, +b, −b of the two given directions
+    double depth = 0.0;                        ///< [m] along the planned axis, of the largest
     [[nodiscard]] double worst() const noexcept;
 };
 
@@ -63,10 +67,11 @@ struct Breach {
 struct DepthRange {
     double from = 0.0, to = HUGE_VAL;
 };
-/// Looks along rays from the hole's line for the border of the bone before any cut: a cylinder of `radius` breaches by
-/// what it reaches beyond it [gertzbein-robbins-1990]. Looked at is the stretch from where the planned cylinder is
-/// first all in bone to where the hole ends, as far as it lies in `range`.   [worker] pure.
-/// @param a,b   unit, across the axis and each other: which sides are told apart
+/// Returns the breach of a cylinder of `radius` [m] along the hole's line. Rays from the line find the border of the
+/// bone before any cut; the breach is the cylinder's reach beyond it [gertzbein-robbins-1990]. The tested stretch
+/// begins where the planned cylinder is first completely in bone, and ends with the hole. `range` limits it.   [worker]
+/// pure.
+/// @param a,b  unit, perpendicular to the axis and to each other; they define the sides
 [[nodiscard]] Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius, Vec3 a,
                                Vec3 b, DepthRange range = {});
 

@@ -29,7 +29,7 @@ std::string quoted_id(const std::string& id) { return "`" + id + "`"; }
 struct Thing {
     Sort sort = Sort::point;
     Vec3 at{};
-    Vec3 direction{};  ///< unit, of a line; of a plane its normal
+    Vec3 direction{};  ///< unit; direction of a line, normal of a plane
 
     [[nodiscard]] Line line() const noexcept { return {at, direction}; }
     [[nodiscard]] Plane plane() const noexcept { return {at, direction}; }
@@ -41,7 +41,7 @@ public:
 
     MeasureReading reading() {
         MeasureReading reading;
-        if (!value()) {  // also finds the inputs
+        if (!value()) {  // also collects the inputs
             reading.why_not = why_not_;
             return reading;
         }
@@ -64,7 +64,7 @@ private:
 
     // ---- inputs
 
-    /// The present shift of an input, which is named by what it belongs to. The first pass takes down all inputs.
+    /// Returns the present shift of an input, which has the name of its owner. The first pass records all inputs.
     double shift_of(const std::string& what, int component, double uncertainty) {
         const auto key = std::pair(what, component);
         const auto found = inputs_.find(key);
@@ -86,7 +86,7 @@ private:
 
     // ---- landmarks and constructions
 
-    /// From the whole bone to body 0.
+    /// Returns the pose that takes a landmark of the whole bone to the frame of body 0.
     [[nodiscard]] Pose bone_from_landmark(Vec3 at) const {
         const auto& poses = scene_->world_from_body;
         const std::size_t body = body_at(*scene_->anatomy, at);
@@ -116,7 +116,7 @@ private:
         return fail("there is no " + quoted_id(id));
     }
 
-    /// Each construction is made once for each set of shifts, however often others use it.
+    /// Each construction is computed once for each set of shifts, even if several others use it.
     MaybeThing thing(const std::string& id) {
         if (const auto known = things_.find(id); known != things_.end()) return known->second;
         const auto& all = scene_->constructions;
@@ -136,7 +136,7 @@ private:
         return found;
     }
 
-    /// Moves points by what a residual adds to their uncertainty. `number` is that of the first point.
+    /// Shifts points by the residual's part of their uncertainty. `number` is the number of the first point.
     void shift_by_residual(const Construction& made, std::size_t number, double residual, std::vector<Vec3>& at) {
         for (std::size_t i = 0; i < at.size(); ++i)
             at[i] = shifted(made.id + "#", static_cast<int>(3 * (number + i)), at[i], residual);
@@ -205,7 +205,7 @@ private:
         return Thing{Sort::plane, fitted->plane.point, fitted->plane.normal};
     }
 
-    /// A border of the bone and how it is seen, with its points gathered once.
+    /// A border of the bone and its view; its points are gathered once.
     struct Border {
         Path path;
         BorderView view;
@@ -250,7 +250,7 @@ private:
         return Thing{Sort::line, touching->line.point, touching->line.direction};
     }
 
-    /// What a wall's uncertainty moves along a line that passes it.
+    /// Returns the shift along a line for the uncertainty of a wall that it passes.
     double wall_shift(const std::string& what, int component, double cosine) {
         return shift_of(what, component, scene_->surface->wall_uncertainty() / std::max(least_wall_cosine, cosine));
     }
@@ -291,7 +291,8 @@ private:
         return std::nullopt;
     }
 
-    /// A thing as a plane shows it: a line stays a line, and of a plane its trace is left, across which is its normal.
+    /// Returns the projection of a thing onto a plane. A line stays a line. A plane becomes its trace, with the normal
+    /// across.
     MaybeThing seen(const Thing& one, const Plane& view, const std::string& view_id) {
         const auto line = one.sort == Sort::plane ? seen_in(view, one.plane()) : seen_in(view, one.line());
         if (!line) return fail("seen in " + quoted_id(view_id) + ", one of both has no direction");
@@ -360,8 +361,8 @@ private:
         return measured->value + wall_shift(measure.id, 0, 1.0);
     }
 
-    /// Both share their landmarks, so what is uncertain in both alike cancels. Each measure is made once for each set
-    /// of shifts, however many differences use it.
+    /// Both measures use the same landmarks, so uncertainty common to both cancels. Each measure is computed once for
+    /// each set of shifts, even if several differences use it.
     std::optional<double> difference(const Measure& measure) {
         const auto named = [&](const std::string& id) -> std::optional<double> {
             const auto& all = scene_->measures;
@@ -382,8 +383,8 @@ private:
     std::span<const double> shifts_;
     bool has_inputs_ = false;
     std::map<std::string, MaybeThing> things_;
-    std::map<std::string, std::optional<double>> values_;  ///< of measures that differences use
-    std::map<std::string, std::vector<Vec3>> surfaces_;    ///< of each tangent
+    std::map<std::string, std::optional<double>> values_;  ///< measures that differences use
+    std::map<std::string, std::vector<Vec3>> surfaces_;    ///< points of each tangent
     std::string why_not_;
 };
 

@@ -16,7 +16,7 @@ Box bounds_of(const Grid& grid) noexcept {
     return {grid.origin, grid.sample_position(grid.samples(0), grid.samples(1), grid.samples(2))};
 }
 
-/// Cuts a range of a line off at a box; empty (low above high) beside it.
+/// Clips a range of a line to a box; empty (low above high) if the line misses the box.
 void cut_off(const Line& line, const Box& box, double& low, double& high) noexcept {
     const auto along = [&](double Vec3::*axis) {
         const double from = box.low.*axis - line.point.*axis, to = box.high.*axis - line.point.*axis;
@@ -33,7 +33,7 @@ void cut_off(const Line& line, const Box& box, double& low, double& high) noexce
     along(&Vec3::z);
 }
 
-/// visit(vertex) for every vertex of what is left of a body whose brick meets the box.
+/// Calls visit(vertex) for every vertex of the remaining body whose brick meets the box.
 template <class Visit>
 void for_each_vertex(const Body& body, const CutField& cut, const Box& box, Visit&& visit) {
     const Grid& grid = body.grid();
@@ -58,13 +58,13 @@ double FieldSurface::value_at(Vec3 p) const noexcept {
     return std::max(uncut_distance(*body_, place), cut_->at(place));
 }
 
-// The faces with which a region ends are no surface of the bone.
+// Points on the faces of the body's region are left out: they are not surface of the bone.
 std::vector<Vec3> FieldSurface::points_in(const Path& region) const {
     const double on_face = 0.01 * body_->grid().spacing;
     std::vector<Vec3> points;
     for_each_vertex(*body_, *cut_, kerf::bounds_of(region), [&](Vec3 p) {
         if (kerf::distance_to(region, p) > region.within) return;
-        if (std::abs(value_at(p)) > 0.5 * body_->grid().spacing) return;  // a region's face through bone
+        if (std::abs(value_at(p)) > 0.5 * body_->grid().spacing) return;  // the region's face cuts through bone
         if (outside_region(*body_, p) > on_face) return;
         points.push_back(p);
     });

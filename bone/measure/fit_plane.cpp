@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-constexpr double least_spread = 1e-9;  // [m] under which points count as one spot
+constexpr double least_spread = 1e-9;  // [m] below it all points coincide
 
 double degrees_left(std::size_t points, std::size_t fitted) noexcept {
     return points > fitted ? static_cast<double>(points - fitted) : 0.0;
@@ -23,7 +23,7 @@ std::optional<FittedLine> line_through(std::span<const Vec3> points) noexcept {
     if (!(found.squares[0] > least_spread * least_spread)) return std::nullopt;
     const Vec3 way = points.back() - points.front();
     FittedLine fitted{{found.centre, dot(way, found.axes[0]) < 0.0 ? -found.axes[0] : found.axes[0]}, 0.0};
-    if (const double left = degrees_left(points.size(), 2); left > 0.0)  // of each of the two directions across it
+    if (const double left = degrees_left(points.size(), 2); left > 0.0)  // per transverse direction
         fitted.residual = std::sqrt((found.squares[1] + found.squares[2]) / (2.0 * left));
     return fitted;
 }

@@ -3,7 +3,7 @@
 
 #include "kerf/math.hpp"
 
-/// Lines and planes in the frame of the points that they were made of: LPS [m].
+/// Lines and planes, in the frame of the points that define them: LPS [m].
 namespace kerf {
 
 struct Line {
@@ -16,11 +16,11 @@ struct Plane {
     Vec3 normal{};  ///< unit
 };
 
-/// Returns the point of a line that is nearest to `p`.   [any] pure.
+/// Returns the point of a line nearest to `p`.   [any] pure.
 [[nodiscard]] inline Vec3 foot_on(const Line& line, Vec3 p) noexcept {
     return line.point + dot(p - line.point, line.direction) * line.direction;
 }
-/// Returns the point of a plane that is nearest to `p`.   [any] pure.
+/// Returns the point of a plane nearest to `p`.   [any] pure.
 [[nodiscard]] inline Vec3 foot_on(const Plane& plane, Vec3 p) noexcept {
     return p - dot(p - plane.point, plane.normal) * plane.normal;
 }

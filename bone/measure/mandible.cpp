@@ -16,7 +16,7 @@ namespace {
 // Inputs: the coordinates of condylion, gonion and menton, and the contacts of the two tangents.
 constexpr std::size_t coordinates = 9, inputs = coordinates + 4;
 
-/// A border whose surface points are gathered once, with room for shifts of its ends.
+/// A border whose surface points are gathered once, with a margin for shifts of its ends.
 class Border {
 public:
     Border(const MeasuredSurface& surface, Vec3 from, Vec3 to, double within, double room)
@@ -78,7 +78,7 @@ std::optional<Measured> mandibular_plane_angle(const MeasuredSurface& surface, c
             body.tangent(shifted(side.gonion, shifts.subspan(3, 3)), shifted(side.menton, shifts.subspan(6, 3)),
                          {view.normal, view.inferior}, shifts.subspan<coordinates + 2, 2>());
         if (!lower) return std::nullopt;
-        // A trace has no sense, so it counts as the plane across the view.
+        // A trace has no direction, so it counts as the plane perpendicular to the view.
         return angle_between(lower->line, Plane{trace->point, normalized(cross(view.normal, trace->direction))});
     });
 }

@@ -24,7 +24,7 @@ struct Hit {
     double at = 0.0, cosine = 1.0;
 };
 
-/// Where a line passes a triangle [m]; its borders count, with a little room, so that no hit falls between two.
+/// Returns where a line passes a triangle [m]. Borders count with a small margin, so that no hit falls between two.
 std::optional<Hit> pass(const Line& line, const std::array<Vec3, 3>& corners) noexcept {
     constexpr double room = 1e-9;  // [–] of the triangle
     const Vec3 u = corners[1] - corners[0], v = corners[2] - corners[0];

@@ -7,11 +7,11 @@
 
 namespace kerf {
 
-/// A closed surface of triangles. Triangles are exact, so the only uncertainty is the one that the caller states.
+/// A closed surface of triangles. Triangles are exact, so the only uncertainty is the caller's.
 class MeshSurface final : public MeasuredSurface {
 public:
-    /// The mesh must outlive it. Metres, LPS, faces anticlockwise seen from outside.   [worker]
-    /// @param uncertainty   [m] standard uncertainty of the surface along its normal, such as that of its scan
+    /// Pre: the mesh outlives it; metres, LPS, faces anticlockwise seen from outside.   [worker]
+    /// @param uncertainty  [m] standard uncertainty of the surface along its normal, such as that of its scan
     explicit MeshSurface(const SurfaceMesh& mesh, double uncertainty = 0.0)
         : mesh_(&mesh), tree_(mesh), uncertainty_(uncertainty) {}
 

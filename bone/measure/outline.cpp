@@ -8,13 +8,13 @@ namespace kerf {
 
 namespace {
 
-/// How far a point is to the left of the way from `a` to `b`, times its length.
+/// Returns the distance of a point to the left of the line from `a` to `b`, times the length of the line.
 double left_of(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p) noexcept {
     return (b.along - a.along) * (p.out - a.out) - (b.out - a.out) * (p.along - a.along);
 }
 
-/// Leaves out points below the two lines from the outermost point to both ends: none of them is a corner, and of a
-/// closed surface most are there.
+/// Leaves out points below the two lines from the outermost point to both ends. None of them is a corner, and most
+/// points of a closed surface lie there.
 std::vector<std::size_t> candidates(std::span<const PlanePoint> points) {
     std::vector<std::size_t> kept;
     if (points.empty()) return kept;

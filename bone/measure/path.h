@@ -8,15 +8,15 @@
 
 namespace kerf {
 
-/// A stretch of a bone's border: what lies near the way from landmark to landmark.
+/// A part of a bone's border: the surface near the line from landmark to landmark.
 struct Path {
     std::vector<Vec3> along;  ///< [m] at least two
-    double within = 0.0;      ///< [m] of the way
+    double within = 0.0;      ///< [m] largest distance from the line
 };
 
-/// Returns the distance of a point from the way [m].   [any] pure.
+/// Returns the distance of a point from the path's line [m].   [any] pure.
 [[nodiscard]] double distance_to(const Path& path, Vec3 p) noexcept;
-/// Returns the box around all that is within `margin` [m] of the region.   [any] pure.
+/// Returns the box around the region, widened by `margin` [m].   [any] pure.
 [[nodiscard]] Box bounds_of(const Path& path, double margin = 0.0) noexcept;
 
 }  // namespace kerf

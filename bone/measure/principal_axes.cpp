@@ -10,7 +10,7 @@ namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-/// Turns `m` in the plane of axes p and q, so that m[p][q] becomes zero; `v` collects the rotations in its columns.
+/// Rotates `m` in the plane of axes p and q, so that m[p][q] becomes zero; `v` collects the rotations in its columns.
 void rotate_away(Matrix& m, Matrix& v, std::size_t p, std::size_t q) noexcept {
     if (m[p][q] == 0.0) return;
     const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
@@ -52,7 +52,7 @@ PrincipalAxes principal_axes(std::span<const Vec3> points) noexcept {
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = 0; j < 3; ++j) m[i][j] += at[i] * at[j];
     }
-    constexpr int sweeps = 12;  // each squares what is left beside the diagonal
+    constexpr int sweeps = 12;  // each squares the off-diagonal remainder
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         rotate_away(m, v, 0, 1);
         rotate_away(m, v, 0, 2);

@@ -8,16 +8,16 @@
 
 namespace kerf {
 
-/// The directions in which points spread.
+/// The principal directions of a set of points.
 struct PrincipalAxes {
     Vec3 centre{};                  ///< [m] mean of the points
     std::array<Vec3, 3> axes{};     ///< unit, right-handed; the widest spread first
     std::array<double, 3> squares;  ///< [m²] sum of squared distances from the centre along each axis
 };
 
-/// Returns the principal axes of points, by Jacobi rotations of their scatter matrix. The sign of an axis is such that
-/// its largest component is positive. The same points give the same bits.   [any] pure.
-/// @param points   #N ≥ 1 points [m]
+/// Returns the principal axes of points, by Jacobi rotations of their scatter matrix. The largest component of an axis
+/// is positive. The same points give the same bits.   [any] pure.
+/// @param points  #N ≥ 1 points [m]
 [[nodiscard]] PrincipalAxes principal_axes(std::span<const Vec3> points) noexcept;
 
 }  // namespace kerf

@@ -11,20 +11,20 @@
 
 namespace kerf {
 
-/// Returns the standard uncertainty of a point whose coordinate lies anywhere within ± `tolerance` [m] with equal
-/// probability: tolerance / √3.   [any] pure.
+/// Returns the standard uncertainty of a coordinate that lies within ± `tolerance` [m] with equal probability:
+/// tolerance / √3.   [any] pure.
 ///
 /// Source: [gum-2008], 4.3.7.
 [[nodiscard]] inline double standard_uncertainty_of(double tolerance) noexcept { return tolerance / std::sqrt(3.0); }
 
-/// Returns a value with the uncertainty that independent inputs give it, by finite differences.
+/// Returns a value and its uncertainty from independent inputs, by finite differences.
 ///
 ///     u²(y) = Σ ((f(x_i + u_i) − f(x_i − u_i)) / 2)²
 ///
-/// with u_i the standard uncertainty of input i, in its own unit. Where the value exists on one side of an input only,
-/// that side counts in full. Nothing where it does not exist at the inputs themselves, or on neither side of one.
-/// @param uncertainties   #N of the inputs, each ≥ 0
-/// @param value_at        #N shifts of the inputs → the value, or nothing
+/// with u_i the standard uncertainty of input i, in its own unit. If the value exists on one side of an input only,
+/// that side counts in full. Nothing if it does not exist at the inputs themselves, or on neither side of one.
+/// @param uncertainties  #N of the inputs, each ≥ 0
+/// @param value_at       #N shifts of the inputs → the value, or nothing
 ///
 /// Source: [gum-2008], 5.1.2 and 5.1.3, note 2. Leaves out terms of higher order.   [any] pure if `value_at` is.
 template <class ValueAt>
