@@ -20,14 +20,14 @@ Point2 without(int axis, Vec3 p) noexcept {
     return {p.x, p.y};
 }
 
-/// An axis along which the triangle does not look like a line; 3 if there is none.
+/// Returns an axis along which the triangle's projection is not a line; 3 if there is none.
 int axis_across(Vec3 a, Vec3 b, Vec3 c) noexcept {
     int axis = 0;
     while (axis < 3 && turn(without(axis, a), without(axis, b), without(axis, c)) == 0) ++axis;
     return axis;
 }
 
-bool lies_on(Point2 p, Point2 a, Point2 b) noexcept {  // given that they lie on one line
+bool lies_on(Point2 p, Point2 a, Point2 b) noexcept {  // Pre: the points are collinear
     return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
            p.y <= std::max(a.y, b.y);
 }
@@ -39,14 +39,14 @@ bool segments_meet(Point2 p, Point2 q, Point2 a, Point2 b) noexcept {
            (pb == 0 && lies_on(b, p, q));
 }
 
-/// In a common plane.
+/// Returns whether a segment and a triangle in a common plane meet.
 bool meet_in_plane(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) noexcept {
     const int axis = axis_across(a, b, c);
     const Point2 p2 = without(axis, p), q2 = without(axis, q), a2 = without(axis, a), b2 = without(axis, b),
                  c2 = without(axis, c);
     if (segments_meet(p2, q2, a2, b2) || segments_meet(p2, q2, b2, c2) || segments_meet(p2, q2, c2, a2)) return true;
     const int one = turn(a2, b2, p2), two = turn(b2, c2, p2), three = turn(c2, a2, p2);
-    return one == two && two == three;  // wholly within
+    return one == two && two == three;  // completely inside
 }
 
 bool segment_meets(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) noexcept {
@@ -57,7 +57,7 @@ bool segment_meets(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) noexcept {
     return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
-/// Turned so that corner `first` comes first.
+/// Returns the corners, rotated so that corner `first` comes first.
 std::array<Vec3, 3> from_corner(const std::array<Vec3, 3>& t, std::size_t first) noexcept {
     return {t[first], t[(first + 1) % 3], t[(first + 2) % 3]};
 }
@@ -69,7 +69,7 @@ bool do_cross(const SurfaceMesh& mesh, std::uint32_t face, std::uint32_t other, 
     };
     if (is_left_out(a) || is_left_out(b)) return false;
 
-    std::size_t shared = 0, in_a = 0, in_b = 0;  // the one that they share, or, of two, the ones that they do not
+    std::size_t shared = 0, in_a = 0, in_b = 0;  // index of the common corner, or, of two, of the other one
     std::array<bool, 3> a_is_shared{}, b_is_shared{};
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
@@ -83,7 +83,7 @@ bool do_cross(const SurfaceMesh& mesh, std::uint32_t face, std::uint32_t other, 
     }
 
     if (shared >= 3) return false;
-    if (shared == 2) {  // folded flat onto one another?
+    if (shared == 2) {  // folded flat onto each other?
         const auto [c, e, f] = from_corner(a, in_a);
         const Vec3 d = b[in_b];
         if (orient3d(c, e, f, d) != 0) return false;
@@ -96,7 +96,7 @@ bool do_cross(const SurfaceMesh& mesh, std::uint32_t face, std::uint32_t other, 
         const auto [w, r, u] = from_corner(b, in_b);
         return segment_meets(p, q, w, r, u) || segment_meets(r, u, v, p, q);
     }
-    // All of one on one side of the other's plane: by far the most frequent case.
+    // All of one triangle on one side of the other's plane is by far the most frequent case.
     const auto is_aside = [](const std::array<Vec3, 3>& plane, const std::array<Vec3, 3>& of) {
         const int one = orient3d(plane[0], plane[1], plane[2], of[0]);
         return one != 0 && one == orient3d(plane[0], plane[1], plane[2], of[1]) &&

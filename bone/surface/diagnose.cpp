@@ -20,7 +20,7 @@ void count(Flaw& flaw, Vec3 at) {
     if (flaw.count++ == 0) flaw.at = at;
 }
 
-/// Vertices in the order of their places, the same place by number.
+/// Returns the vertices in the order of their positions; equal positions by number.
 std::vector<std::uint32_t> vertices_by_place(const SurfaceMesh& mesh) {
     std::vector<std::uint32_t> order(mesh.vertices.size());
     std::iota(order.begin(), order.end(), 0u);

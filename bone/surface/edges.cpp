@@ -33,7 +33,7 @@ std::vector<BorderLoop> border_loops_of(const std::vector<HalfEdge>& edges) {
         std::uint32_t from, to;
         bool is_used = false;
     };
-    std::vector<Step> steps;  // against the only face's direction
+    std::vector<Step> steps;  // against the direction of the only face
     for_each_edge(edges, [&](const HalfEdge* first, const HalfEdge* last) {
         if (last - first == 1) steps.push_back({first->to(), first->from()});
     });
@@ -81,14 +81,14 @@ Pieces pieces_of(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges) {
     Pieces pieces;
     pieces.of_face.resize(mesh.triangles.size());
     for (std::uint32_t f = 0; f < pieces.of_face.size(); ++f) {
-        const std::uint32_t r = root(f);  // never behind f
+        const std::uint32_t r = root(f);  // never above f
         pieces.of_face[f] = r == f ? pieces.count++ : pieces.of_face[r];
     }
     return pieces;
 }
 
 std::vector<std::uint32_t> pinched_vertices_of(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges) {
-    // Corners (face, corner) that meet over an edge at the same vertex are one fan.
+    // Corners (face, corner) at one vertex that are connected over edges form a fan.
     std::vector<std::uint32_t> parent(3 * mesh.triangles.size());
     std::iota(parent.begin(), parent.end(), 0u);
     const auto root = [&](std::uint32_t c) {

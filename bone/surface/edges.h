@@ -20,10 +20,10 @@ struct HalfEdge {
     [[nodiscard]] std::uint32_t to() const noexcept { return is_forward ? high : low; }
 };
 
-/// All sides, those of one edge together, by number of vertex and face: the order of the file and of nothing else.
+/// Returns all sides, grouped by edge, ordered by number of vertex and face. The order depends on the file alone.
 [[nodiscard]] std::vector<HalfEdge> half_edges_of(const SurfaceMesh& mesh);
 
-/// visit(first, last) for the half-edges of each edge.
+/// Calls visit(first, last) for the half-edges of each edge.
 template <class Visit>
 void for_each_edge(const std::vector<HalfEdge>& all, const Visit& visit) {
     for (std::size_t i = 0; i < all.size();) {
@@ -34,27 +34,27 @@ void for_each_edge(const std::vector<HalfEdge>& all, const Visit& visit) {
     }
 }
 
-/// How many more faces run along an edge forwards than backwards: 0 at every edge of a closed, oriented surface.
+/// Returns the number of faces that run along an edge forwards, less those that run backwards: 0 at every edge of a
+/// closed, oriented surface.
 [[nodiscard]] int balance_of(const HalfEdge* first, const HalfEdge* last) noexcept;
 
-/// Part of the border of an open surface: its vertices in the direction in which a face that closes it would run.
+/// Part of the border of an open surface: its vertices in the direction of a face that would close it.
 struct BorderLoop {
     std::vector<std::uint32_t> vertices;
-    bool is_closed = true;  ///< the last vertex leads to the first; not so where it ends at an edge of three faces
+    bool is_closed = true;  ///< the last vertex leads to the first; false if the border ends at an edge of three faces
 };
 
-/// Loops of edges that have a face on one side only. Edges of more faces take no part.
+/// Returns loops of edges that have one face only. Edges of more faces are left out.
 [[nodiscard]] std::vector<BorderLoop> border_loops_of(const std::vector<HalfEdge>& edges);
 
-/// Number of the piece for every face; pieces hang together over edges, and are counted in the order of their first
-/// face.
+/// Piece number of each face. Pieces are connected over edges, and numbered in the order of their first face.
 struct Pieces {
     std::vector<std::uint32_t> of_face;
     std::uint32_t count = 0;
 };
 [[nodiscard]] Pieces pieces_of(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges);
 
-/// Vertices whose faces do not hang together over edges that end in them, ascending.
+/// Returns the vertices whose faces are not connected over edges at the vertex, ascending.
 [[nodiscard]] std::vector<std::uint32_t> pinched_vertices_of(const SurfaceMesh& mesh,
                                                              const std::vector<HalfEdge>& edges);
 

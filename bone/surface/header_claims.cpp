@@ -23,7 +23,7 @@ bool is_part_of_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// The word behind `key =`; `at` is where to look on. Empty: no more.
+/// Returns the next word behind `key =` and moves `at` behind it. Nothing if there is none.
 std::optional<std::string> next_value(std::string_view text, const std::string& key, std::size_t& at) {
     const std::string folded = lower(text);
     while ((at = folded.find(key, at)) != std::string::npos) {

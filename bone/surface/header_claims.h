@@ -8,12 +8,12 @@
 
 namespace kerf {
 
-/// Reads what a header or remark says of the coordinates: `SPACE=RAS` or `SPACE=LPS`, as 3D Slicer writes it, and
-/// `UNITS=mm`. Other text is no claim. False, with E0654: another word behind `SPACE=` or `UNITS=`, or a second, other
-/// one.   [any] pure.
+/// Reads frame and unit from a header or remark: `SPACE=RAS` or `SPACE=LPS`, as 3D Slicer writes it, and `UNITS=mm`.
+/// Other text has no effect. Returns false with E0654 for another word behind `SPACE=` or `UNITS=`, or for a
+/// contradiction.   [any] pure.
 [[nodiscard]] bool read_claims(std::string_view text, SurfaceFile& file, SurfaceError& error);
 
-/// The text without a byte order mark. Empty, with E0643: it is UTF-16.   [any] pure.
+/// Returns the text without a byte order mark. Nothing, with E0643, if it is UTF-16.   [any] pure.
 [[nodiscard]] std::optional<std::string_view> utf8_of(std::string_view text, SurfaceError& error);
 
 }  // namespace kerf

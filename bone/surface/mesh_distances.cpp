@@ -10,9 +10,9 @@ namespace {
 
 constexpr int block_edge = 3;  // samples of a block along each axis
 static_assert(stored_edge % block_edge == 0);
-constexpr double room = 1.0 + 1e-9, least_room = 1e-12;  // [–], [m] for rounding
+constexpr double room = 1.0 + 1e-9, least_room = 1e-12;  // [–], [m] margins for rounding
 
-/// What is farther may have this distance instead [m]: outside the range, also after rounding.
+/// Returns the distance [m] that may replace larger ones: outside the range, also after rounding.
 double limit_of(DistanceRange needed) noexcept {
     return (1.0 + 1e-6) * std::max(std::abs(needed.low), std::abs(needed.high));
 }
@@ -44,7 +44,7 @@ void MeshDistances::fill(const BrickLattice& lattice, DistanceRange needed, Bric
     sign(lattice, distances);
 }
 
-/// Collects the triangles that may be nearest to a point at most `radius` from `centre`, and are within `limit` of it.
+/// Collects the triangles within `limit` that may be nearest to a point at most `radius` from `centre`.
 void MeshDistances::gather(Vec3 centre, double radius, double limit) {
     of_brick_.clear();
     const double reach = std::min(limit + radius, tree_->distance(centre, limit) + 2.0 * radius) * room + least_room;
@@ -70,7 +70,7 @@ void MeshDistances::measure(const BrickLattice& lattice, Places first, double li
                 squared_radius = std::max(squared_radius, squared(sample(lattice, i, j, k) - centre));
     const double radius = std::sqrt(squared_radius) * room + least_room;
 
-    // First the distance of the centre, then all that is at most twice the radius farther.
+    // First the distance of the centre, then all candidates at most twice the radius farther.
     double least = squared(limit + radius);
     of_block_.clear();
     for (const Candidate& one : of_brick_) {
@@ -94,7 +94,7 @@ void MeshDistances::measure(const BrickLattice& lattice, Places first, double li
                 const double from_centre = length(p - centre);
                 double best = limit * limit, farthest_here = squared(limit + from_centre) * room;
                 for (const Candidate& one : of_block_) {
-                    if (one.nearest > farthest_here) break;  // so are all that follow
+                    if (one.nearest > farthest_here) break;  // all later ones are farther
                     if (squared_to_box(p, one.low, one.high) > best * room) continue;
                     const double square = squared_to_triangle(p, one.a, one.b, one.c);
                     if (square >= best) continue;
@@ -105,7 +105,7 @@ void MeshDistances::measure(const BrickLattice& lattice, Places first, double li
             }
 }
 
-/// Makes the distances of the samples inside negative.
+/// Negates the distances of the samples inside.
 void MeshDistances::sign(const BrickLattice& lattice, BrickDistances distances) {
     for (std::size_t n = 0; n < root_.size(); ++n) root_[n] = static_cast<std::uint16_t>(n);
     const auto root_of = [&](std::size_t n) {
@@ -126,7 +126,7 @@ void MeshDistances::sign(const BrickLattice& lattice, BrickDistances distances) 
                 if (j > 0) link(n, index_of(i, j - 1, k), p.y - lattice.y[static_cast<std::size_t>(j - 1)]);
                 if (k > 0) link(n, index_of(i, j, k - 1), p.z - lattice.z[static_cast<std::size_t>(k - 1)]);
             }
-    // A root is the first of its set: its sign is known before the others'.
+    // A root is the first of its set, so its sign is known before the others'.
     for (std::size_t n = 0; n < root_.size(); ++n) {
         const std::size_t root = root_of(n);
         const auto at = static_cast<int>(n);

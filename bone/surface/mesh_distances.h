@@ -11,15 +11,15 @@
 
 namespace kerf {
 
-/// The distance to a closed surface, a brick at a time: a triangle is compared only with the samples it may be nearest
+/// Distances to a closed surface, brick by brick. A triangle is compared only with the samples that it may be nearest
 /// to. The values are those of `SignedDistance`, bit for bit.
 ///
-/// Distances come from the triangles near a brick, and for each 3³ of its samples from those near them. The least of
-/// them does not depend on their order. Signs come from links: between two samples whose distances sum up to more than
-/// the distance between them no surface passes. One winding number for each set of linked samples decides.
+/// Distances come from the triangles near a brick, and for each 3³ of its samples from the triangles near these. The
+/// minimum does not depend on the order. Signs come from links: no surface passes between two samples if the sum of
+/// their distances exceeds the distance between them. One winding number decides for each set of linked samples.
 class MeshDistances final : public DistanceSource {
 public:
-    /// `tree` must live longer.
+    /// Pre: `tree` outlives it.
     explicit MeshDistances(const TriangleTree& tree) : tree_(&tree), single_(tree) {}
 
     [[nodiscard]] double at(Vec3 p, DistanceRange needed) override;
@@ -28,8 +28,8 @@ public:
 private:
     struct Candidate {
         Vec3 a, b, c;
-        Vec3 low, high;  ///< its box
-        double nearest;  ///< [m] to the centre of the samples it is a candidate for
+        Vec3 low, high;  ///< bounding box
+        double nearest;  ///< [m] to the centre of the samples
     };
     using Places = std::array<int, 3>;
 

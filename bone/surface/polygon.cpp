@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-/// Normal of the polygon, twice its area long (Newell).
+/// Returns the normal of the polygon with twice its area as length (Newell).
 Vec3 normal_of(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& corners) {
     Vec3 sum{};
     const Vec3 origin = mesh.vertices[corners[0]];
@@ -17,7 +17,7 @@ Vec3 normal_of(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& corner
     return sum;
 }
 
-/// Whether the polygon's corner `i` can be cut off: it points outwards and no other corner lies in its triangle.
+/// Returns whether the polygon's corner `i` can be cut off: it is convex and its triangle contains no other corner.
 bool is_ear(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& corners, std::size_t i, Vec3 normal) {
     const std::size_t n = corners.size();
     const std::uint32_t before = corners[(i + n - 1) % n], here = corners[i], after = corners[(i + 1) % n];

@@ -11,8 +11,8 @@ namespace kerf {
 
 inline constexpr std::size_t most_corners = 256;  ///< of one polygon
 
-/// Adds a polygon as triangles, cut off ear by ear so that a corner that points inwards stays one. A polygon that
-/// crosses itself comes out as some triangles.   Pre: 3 … most_corners corners, all existing.
+/// Adds a polygon as triangles, by cutting off ears, so that concave corners are kept. A polygon that crosses itself
+/// becomes arbitrary triangles. Pre: 3 … most_corners corners, all existing.
 void add_polygon(SurfaceMesh& mesh, const std::vector<std::uint32_t>& corners);
 
 }  // namespace kerf

@@ -15,7 +15,7 @@
 namespace kerf {
 namespace {
 
-/// The vertex of `7`, `7/1`, `7//3`, `-1/2/3`: only what stands before the first slash.
+/// Returns the vertex of `7`, `7/1`, `7//3`, `-1/2/3`: the number before the first slash.
 std::optional<long long> index_in(std::string_view word) {
     word = word.substr(0, word.find('/'));
     long long index = 0;
@@ -24,20 +24,20 @@ std::optional<long long> index_in(std::string_view word) {
     return index;
 }
 
-/// The words of a statement, which goes on over the next line behind a `\`, and ends before a remark. A line that is a
-/// remark as a whole is a statement, too.
+/// The words of a statement. A statement continues on the next line after a `\`, and ends before a remark. A whole line
+/// of remark is a statement, too.
 class StatementWords {
 public:
     explicit StatementWords(TextLines& lines) : lines_(lines) {}
 
-    /// Goes to the next statement; false behind the last.
+    /// Moves to the next statement. Returns false after the last.
     bool next_statement() {
         while (!next().empty()) {
         }
         is_first_ = true;
         return lines_.next();
     }
-    /// The next word; empty behind the last.
+    /// Returns the next word; empty after the last.
     std::string_view next() {
         for (;;) {
             std::string_view word = lines_.word();
@@ -91,14 +91,14 @@ std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error)
                 *number = *value;
             }
             if (!is_finite(at)) return refuse("E0645", "has a coordinate that is no finite number.");
-            // One number more is a weight; three are a colour.
+            // One more number is a weight; three are a colour.
             const std::optional<double> weight = number_in(words.next());
             if (weight && *weight != 1.0 && words.next().empty())
                 return refuse("E0643", "gives the vertex a weight other than 1, as of a curved surface.");
             if (file.mesh.vertices.size() == 3 * most_faces)
                 return refuse("E0642", "is one vertex too many: 150 million at most.");
             file.mesh.vertices.push_back(at);
-        } else if (word == "f" || word == "fo") {  // an older word for it
+        } else if (word == "f" || word == "fo") {  // an older keyword
             corners.clear();
             for (std::string_view corner = words.next(); !corner.empty(); corner = words.next()) {
                 const std::optional<long long> index = index_in(corner);
@@ -119,7 +119,7 @@ std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error)
         } else if (word == "surf" || word == "bzp" || word == "bsp" || word == "cdc" || word == "call") {
             return refuse("E0643", "has `" + std::string(word) + "`: curved surfaces and files in files are not read.");
         }
-        // All else (normals, textures, groups, materials, lines) is no surface.
+        // All other statements (normals, textures, groups, materials, lines) have no surface.
     }
     if (file.mesh.triangles.empty()) {
         error = {"E0647", "the file has no face.", "Export the surface again."};

@@ -64,13 +64,13 @@ struct Element {
 };
 enum class Form { text, little_endian, big_endian };
 struct Header {
-    SurfaceFile claims;  ///< what its remarks say of the coordinates
+    SurfaceFile claims;  ///< frame and unit from its remarks
     Form form = Form::text;
     std::vector<Element> elements;
     std::string_view data;
 };
 
-/// The numbers behind the header, one after another; each fails at the end of the file.
+/// The numbers behind the header, in order. Each read fails at the end of the file.
 class Values {
 public:
     Values(Form form, std::string_view data) : form_(form), data_(data), words_(data) {}
@@ -173,7 +173,7 @@ std::optional<Header> read_header(std::string_view bytes, SurfaceError& error) {
     return std::nullopt;
 }
 
-/// Bytes that a row has at least, so that a count can be held against the file.
+/// Returns the smallest size of a row [bytes], to check a count against the size of the file.
 std::size_t least_size(const Element& element, Form form) noexcept {
     if (form == Form::text) return element.properties.size();
     std::size_t sum = 0;

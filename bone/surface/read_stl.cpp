@@ -29,7 +29,7 @@ bool is_word(std::string_view word, std::string_view lower) {
                       [](char got, char want) { return want == (got >= 'A' && got <= 'Z' ? got - 'A' + 'a' : got); });
 }
 
-/// Three corners, as a new face.
+/// Adds three new vertices and a face.
 void add_face(SurfaceMesh& mesh, const std::array<Vec3, 3>& corners) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
@@ -49,7 +49,7 @@ std::optional<SurfaceFile> read_binary(std::string_view bytes, std::size_t count
     file.mesh.triangles.reserve(count);
     for (std::size_t f = 0; f < count; ++f) {
         std::array<Vec3, 3> corners;
-        std::size_t at = header_size + f * face_size + 12;  // behind the normal, which is not needed and often wrong
+        std::size_t at = header_size + f * face_size + 12;  // skips the normal, which is not needed and often wrong
         for (Vec3& corner : corners)
             for (double* number : {&corner.x, &corner.y, &corner.z}) {
                 *number = static_cast<double>(std::bit_cast<float>(uint32_at(bytes, at)));
@@ -67,7 +67,7 @@ std::optional<SurfaceFile> read_binary(std::string_view bytes, std::size_t count
 std::optional<SurfaceFile> read_text(std::string_view bytes, SurfaceError& error) {
     SurfaceFile file;
     std::array<Vec3, 3> corners;
-    std::size_t known = 0;  // corners of the face that is being read
+    std::size_t known = 0;  // corners read of the present face
     bool is_ended = false;
     TextLines lines(bytes);
     const auto malformed = [&](const std::string& what) {
@@ -122,7 +122,7 @@ std::optional<SurfaceFile> read_text(std::string_view bytes, SurfaceError& error
 }  // namespace
 
 std::optional<SurfaceFile> read_stl(std::string_view bytes, SurfaceError& error) {
-    // Many binary files begin with "solid" too: the count decides, then the word.
+    // Many binary files also begin with "solid". So the count decides first, then the word.
     const std::size_t count = bytes.size() >= header_size ? uint32_at(bytes, 80) : 0;
     const std::size_t promised = header_size + count * face_size;
     const bool is_binary = bytes.size() >= header_size && bytes.size() == promised;

@@ -9,41 +9,41 @@
 #include "bone/surface/surface_mesh.h"
 #include "text/source.h"
 
-/// STL, OBJ and PLY as triangles. Every count is held against the bytes that are there before anything gets memory.
+/// Reads STL, OBJ and PLY as triangles. Every count is checked against the size of the file before memory is allocated.
 ///
-///     E0640  the file is missing, no regular file, or cannot be read
-///     E0641  the name ends in none of the known endings
+///     E0640  the file is missing, is not a regular file, or cannot be read
+///     E0641  the name has none of the known endings
 ///     E0642  over 1 GB, or over 50 million faces
-///     E0643  malformed, or a part of the format that is not read
-///     E0644  less than its header or its structure promises
-///     E0645  a coordinate that is no finite number
-///     E0646  a face names a vertex that does not exist
-///     E0647  no face at all, or none is left
-///     E0654  what the header says of frame or unit is not understood, or contradicts itself or the document
+///     E0643  malformed, or an unsupported part of the format
+///     E0644  shorter than its header or its structure needs
+///     E0645  a coordinate that is not a finite number
+///     E0646  a face refers to a vertex that does not exist
+///     E0647  no face, or none remains
+///     E0654  frame or unit in the header is unknown, or contradicts itself or the document
 namespace kerf {
 
-/// What a file holds, in its own unit and frame.
+/// The contents of a file, in its own unit and frame.
 struct SurfaceFile {
     SurfaceMesh mesh;
-    bool holds_floats = false;   ///< coordinates were stored with 24 bits
-    std::optional<bool> is_ras;  ///< by the header's `SPACE=`: RAS, else LPS; none: it does not say
-    std::optional<double> unit;  ///< [m] by the header's `UNITS=`; none: it does not say
-    bool has_topology = false;   ///< faces share vertices by number; STL repeats them
+    bool holds_floats = false;   ///< coordinates were stored as 32-bit floats, with 24 significant bits
+    std::optional<bool> is_ras;  ///< from the header's `SPACE=`: RAS, otherwise LPS; none: missing
+    std::optional<double> unit;  ///< [m] from the header's `UNITS=`; none: missing
+    bool has_topology = false;   ///< faces refer to common vertices by number; STL repeats vertices
 };
 
 struct SurfaceError {
     const char* code = nullptr;
-    std::string message;  ///< what we got and what is needed
+    std::string message;  ///< actual and expected value
     std::string advice;
 };
 
-/// From bytes that are in memory. Never throws, but for want of memory.   [any] pure.
-/// Error: E0642 … E0647; nothing is left half-read.
+/// Reads a surface from bytes in memory. Throws nothing except `std::bad_alloc`.   [any] pure.
+/// Error: E0642 … E0647; returns nothing.
 [[nodiscard]] std::optional<SurfaceFile> read_stl(std::string_view bytes, SurfaceError& error);
 [[nodiscard]] std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error);
 [[nodiscard]] std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error);
 
-/// By the ending of the file's name, in either case. Never throws.   [main]
+/// Reads a file by the ending of its name, in upper or lower case. Never throws.   [main]
 [[nodiscard]] std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& diagnostics);
 
 inline constexpr std::size_t most_faces = 50'000'000;

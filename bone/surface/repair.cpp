@@ -17,14 +17,14 @@
 namespace kerf {
 namespace {
 
-constexpr double joining_distance = 1e-6;  // [m] of borders; far less than any scanner sees
-constexpr double widest_closable = 20e-3;  // [m] what `repair.holes_up_to` may say
+constexpr double joining_distance = 1e-6;  // [m] between borders; far below the resolution of scanners
+constexpr double widest_closable = 20e-3;  // [m] upper limit of `repair.holes_up_to`
 
 std::string counted(std::size_t n, const char* one, const char* many) {
     return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-/// Names every vertex by `name[vertex]`.
+/// Replaces every vertex number by `name[vertex]`.
 void rename(SurfaceMesh& mesh, const std::vector<std::uint32_t>& name) {
     for (Triangle& t : mesh.triangles)
         for (std::uint32_t& v : t) v = name[v];
@@ -46,8 +46,7 @@ void drop_collapsed(SurfaceMesh& mesh, std::vector<std::string>& notes) {
         notes.push_back("Left out " + counted(gone, "face", "faces") + " with the same corner twice.");
 }
 
-/// Of faces with the same three vertices those stay that are not outweighed by ones that look the other way: at most
-/// one.
+/// Among faces with the same three vertices, opposite faces cancel. At most one face remains.
 void drop_duplicates(SurfaceMesh& mesh, std::vector<std::string>& notes) {
     struct Entry {
         Triangle sorted;
@@ -95,7 +94,7 @@ void drop_duplicates(SurfaceMesh& mesh, std::vector<std::string>& notes) {
 
 // ---- borders --------------------------------------------------------------------------------------------------------
 
-/// Makes border vertices one that lie closer than `joining_distance`; the first one stays.
+/// Merges border vertices that are closer than `joining_distance`; the first one stays.
 void join_borders(SurfaceMesh& mesh, std::vector<std::string>& notes) {
     std::vector<std::uint8_t> is_border(mesh.vertices.size(), 0);
     for_each_edge(half_edges_of(mesh), [&](const HalfEdge* first, const HalfEdge* last) {
@@ -132,7 +131,7 @@ void join_borders(SurfaceMesh& mesh, std::vector<std::string>& notes) {
                     " of borders that lay within 1 µm of each other.");
 }
 
-/// A hole is closed by a fan around the middle of its border.
+/// Closes a hole by a fan around the middle of its border.
 void close_hole(SurfaceMesh& mesh, const std::vector<std::uint32_t>& loop) {
     if (loop.size() == 3) {
         mesh.triangles.push_back({loop[0], loop[1], loop[2]});
@@ -180,9 +179,9 @@ std::optional<SurfaceError> close_holes(SurfaceMesh& mesh, double up_to, std::ve
     return std::nullopt;
 }
 
-// ---- which side is outside ------------------------------------------------------------------------------------------
+// ---- orientation ----------------------------------------------------------------------------------------------------
 
-/// Turns faces so that neighbours agree, as most of the area did before.
+/// Flips faces so that neighbours agree. The orientation with the larger area stays.
 std::optional<SurfaceError> make_faces_agree(SurfaceMesh& mesh, std::vector<std::string>& notes) {
     struct Neighbour {
         std::uint32_t face;
@@ -258,13 +257,13 @@ std::optional<SurfaceError> check_edges(const SurfaceMesh& mesh) {
     return wrong;
 }
 
-/// One closed piece: what it bounds, and in how many others it lies.
+/// One closed piece, its volume, and the pieces that contain it.
 struct Part {
     SurfaceMesh mesh;
-    std::vector<std::uint32_t> faces;  ///< in the whole
+    std::vector<std::uint32_t> faces;  ///< numbers in the whole mesh
     double volume = 0.0;
     Box bounds{};
-    std::vector<std::size_t> around;  ///< the pieces it lies in
+    std::vector<std::size_t> around;  ///< pieces that contain it
 };
 
 std::vector<Part> parts_of(const SurfaceMesh& mesh) {
@@ -331,12 +330,12 @@ void drop_small_pieces(SurfaceMesh& mesh, double under, std::vector<std::string>
                     " mm3, as `repair.pieces_under` says.");
 }
 
-/// Outer pieces look outwards, cavities in them inwards.
+/// Orients outer pieces outwards and cavities in them inwards.
 std::optional<SurfaceError> turn_pieces(SurfaceMesh& mesh, InnerPieces inner, std::vector<std::string>& notes) {
     std::vector<Part> parts = parts_of(mesh);
     find_nesting(parts);
 
-    // A surface that is wholly inside out keeps its cavities: what an outer piece contains turns with it.
+    // A surface that is completely inside out keeps its cavities: the contents of an outer piece are flipped with it.
     std::size_t turned = 0;
     std::vector<std::uint8_t> is_turned(parts.size(), 0);
     for (std::size_t p = 0; p < parts.size(); ++p) {

@@ -9,31 +9,31 @@
 #include "bone/surface/read_surface.h"
 #include "documents/anatomy.h"
 
-/// What can be mended without inventing bone is mended, and said; the rest is refused with what to do.
+/// Repairs flaws that need no invented bone, and reports each repair. Refuses all other flaws with advice.
 ///
-///     E0649  holes that are wider than was allowed to close
+///     E0649  holes wider than the allowed width
 ///     E0650  an edge of three or more faces that bound no inside
-///     E0651  faces that cannot all look outwards (as on a Möbius strip)
-///     E0653  a piece inside another that could be a cavity or nothing
+///     E0651  faces that cannot all be oriented outwards (as on a Möbius strip)
+///     E0653  a piece inside another that could be a cavity or an artefact
 namespace kerf {
 
 struct RepairRules {
-    double holes_up_to = 0.0;   ///< [m] across: wider ones are refused
-    double pieces_under = 0.0;  ///< [m³] smaller ones are left out
+    double holes_up_to = 0.0;   ///< [m] diameter; wider holes are refused
+    double pieces_under = 0.0;  ///< [m³] smaller pieces are left out
     InnerPieces inner = InnerPieces::unsaid;
 };
 
-/// Makes vertices one that lie at exactly the same place; the first one stays. Returns how many went.
+/// Merges vertices at exactly the same position; the first one stays. Returns the number of removed vertices.
 std::size_t weld(SurfaceMesh& mesh);
 
-/// Makes the surface closed, with all its faces looking outwards: leaves out faces that collapsed or are there twice,
-/// joins borders that lie within a micrometre of each other, turns faces like their neighbours, closes holes, turns
-/// pieces. Each step that did something adds a note.
-/// Error: as above, and E0647 when no face is left; `mesh` is of no use then.   Pre: metres, LPS.   [any] pure.
+/// Closes the surface and orients all its faces outwards. It drops collapsed and duplicate faces, joins borders within
+/// a micrometre, orients faces like their neighbours, closes holes and orients pieces. Each step that changes the mesh
+/// adds a note.
+/// Error: as above, and E0647 if no face remains; then `mesh` is unusable. Pre: metres, LPS.   [any] pure.
 [[nodiscard]] std::optional<SurfaceError> repair(SurfaceMesh& mesh, const RepairRules& rules,
                                                  std::vector<std::string>& notes);
 
-/// Takes out of a mended surface all pieces that lie inside others, turned inside out: the rooms in it that hold no
+/// Removes all pieces inside others from a repaired surface and returns them, turned inside out: the cavities without
 /// bone.
 [[nodiscard]] SurfaceMesh taken_cavities(SurfaceMesh& mesh);
 

@@ -9,17 +9,17 @@
 
 namespace kerf {
 
-/// Distance to a closed surface [m], negative inside; exact. A pure function of the point: what it remembers of the
-/// last ones only saves work. Two points between which the surface does not pass, because their distances sum up to
-/// more than the way between them, lie on the same side.
+/// Exact distance to a closed surface [m], negative inside. It is a pure function of the point; stored earlier results
+/// only save work. No surface passes between two points if the sum of their distances exceeds the distance between
+/// them. Then both lie on the same side.
 class SignedDistance {
 public:
-    /// `tree` must live longer.
+    /// Pre: `tree` outlives it.
     explicit SignedDistance(const TriangleTree& tree) : tree_(&tree) {}
 
-    /// Returns the distance, or ±`limit` [m] where the surface is farther than that.
+    /// Returns the distance, or ±`limit` [m] if the surface is farther than that.
     [[nodiscard]] double operator()(Vec3 p, double limit = HUGE_VAL) {
-        constexpr double room = 1.0 + 1e-9, least_room = 1e-12;  // [–], [m] for rounding
+        constexpr double room = 1.0 + 1e-9, least_room = 1e-12;  // [–], [m] margins for rounding
         const Answer& last = answers_[(next_ + remembered - 1) % remembered];
         const double bound =
             last.is_exact ? (std::abs(last.distance) + length(p - last.at)) * room + least_room : HUGE_VAL;
@@ -28,7 +28,7 @@ public:
         const auto on_same_side = [&](const Answer& other) {
             return answer.distance + std::abs(other.distance) > length(p - other.at) * room + least_room;
         };
-        // The last one first, then back to what was asked a row of samples ago.
+        // The last result first, then earlier ones back to the previous row of samples.
         bool is_known = false;
         for (std::size_t back = 1; back <= remembered && !is_known; ++back) {
             const Answer& other = answers_[(next_ + remembered - back) % remembered];
@@ -46,9 +46,9 @@ private:
     struct Answer {
         Vec3 at{};
         double distance = HUGE_VAL;  ///< −0 is inside
-        bool is_exact = false;       ///< otherwise the surface is at least this far
+        bool is_exact = false;       ///< otherwise a lower bound
     };
-    static constexpr std::size_t remembered = 12;  // a row of a brick, and some
+    static constexpr std::size_t remembered = 12;  // slightly more than a row of a brick
 
     const TriangleTree* tree_;
     std::array<Answer, remembered> answers_{};

@@ -28,7 +28,7 @@ double area_of(const SurfaceMesh& mesh) noexcept {
 double signed_volume_of(const SurfaceMesh& mesh) noexcept {
     if (mesh.triangles.empty()) return 0.0;
     const Box box = bounds_of(mesh);
-    const Vec3 centre = 0.5 * (box.low + box.high);  // far from the origin the sum would cancel badly
+    const Vec3 centre = 0.5 * (box.low + box.high);  // far from the origin the terms would cancel badly
     double sum = 0.0;
     for (const Triangle& t : mesh.triangles) {
         const auto [a, b, c] = mesh.corners(t);

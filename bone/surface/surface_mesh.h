@@ -13,7 +13,7 @@ namespace kerf {
 
 using Triangle = std::array<std::uint32_t, 3>;  ///< indices of its corners, anticlockwise seen from outside
 
-/// Triangles and nothing else. Unit and frame: those of its file until it is placed; then metres, LPS.
+/// A triangle mesh. Unit and frame: those of its file until it is placed; then metres, LPS.
 struct SurfaceMesh {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -23,13 +23,13 @@ struct SurfaceMesh {
     }
 };
 
-/// Of all vertices that a triangle uses; from +∞ to −∞ when there is none.   [any] pure.
+/// Returns the box around all used vertices; from +∞ to −∞ without any.   [any] pure.
 [[nodiscard]] Box bounds_of(const SurfaceMesh& mesh) noexcept;
 [[nodiscard]] double area_of(const SurfaceMesh& mesh) noexcept;
-/// By the divergence theorem, so it means something for closed surfaces only; negative when they are inside out.
+/// Returns the volume by the divergence theorem; negative if inside out. Meaningful for closed surfaces only.
 [[nodiscard]] double signed_volume_of(const SurfaceMesh& mesh) noexcept;
 
-/// Drops the vertices that no triangle uses; the others keep their order.
+/// Removes the vertices that no triangle uses; the others keep their order.
 void drop_unused_vertices(SurfaceMesh& mesh);
 
 }  // namespace kerf

@@ -11,12 +11,12 @@
 
 namespace kerf {
 
-/// Words of a text, line by line; whatever the locale.
+/// Words of a text, line by line, in any locale.
 class TextLines {
 public:
     explicit TextLines(std::string_view text) : rest_(text) {}
 
-    /// Goes to the next line; false behind the last. Lines end with LF, CR LF or CR.
+    /// Moves to the next line. Returns false after the last. Lines end with LF, CR LF or CR.
     bool next() {
         if (rest_.empty()) return false;
         const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
@@ -26,7 +26,7 @@ public:
         ++number_;
         return true;
     }
-    /// The next word of the line; empty behind the last.
+    /// Returns the next word of the line; empty after the last.
     std::string_view word() {
         const std::size_t begin = std::min(line_.find_first_not_of(" \t\r\f\v"), line_.size());
         line_.remove_prefix(begin);
@@ -34,16 +34,16 @@ public:
         line_.remove_prefix(found.size());
         return found;
     }
-    /// The next word, on this line or a later one.
+    /// Returns the next word, on this line or a later one.
     std::string_view word_on_any_line() {
         for (;;) {
             const std::string_view found = word();
             if (!found.empty() || !next()) return found;
         }
     }
-    /// Passes over the words that are left on the line.
+    /// Skips the remaining words of the line.
     void drop_line() noexcept { line_ = {}; }
-    /// Whether no word is left on the line.
+    /// Returns whether no word remains on the line.
     [[nodiscard]] bool is_at_end() const noexcept {
         return line_.find_first_not_of(" \t\r\f\v") == std::string_view::npos;
     }
@@ -56,7 +56,7 @@ private:
     std::size_t number_ = 0;
 };
 
-/// Empty when the word is no number. Too small is zero, too large infinity.
+/// Returns the number of a word, or nothing if it is not a number. Underflow gives zero, overflow infinity.
 [[nodiscard]] inline std::optional<double> number_in(std::string_view word) {
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
     double value = 0.0;

@@ -9,7 +9,7 @@ namespace kerf {
 namespace {
 
 constexpr int most_per_side = 16;
-constexpr double least_opposed = 0.8;  // −cos of the angle between both outward normals: faces at 37° are a crest
+constexpr double least_opposed = 0.8;  // −cos of the angle between both outward normals: faces at 37° form a crest
 
 bool is_within(const Box& box, Vec3 p) noexcept {
     return p.x >= box.low.x && p.y >= box.low.y && p.z >= box.low.z && p.x <= box.high.x && p.y <= box.high.y &&
@@ -33,8 +33,8 @@ std::vector<WallSample> measure_walls(const SurfaceMesh& mesh, const TriangleTre
         const double longest = std::max({length(b - a), length(c - b), length(a - c)});
         const int n = std::clamp(static_cast<int>(std::ceil(longest / fineness)), 1, most_per_side);
         const double area = 0.5 * length(cross(b - a, c - a)) / (n * n);
-        // The centres of n² equal triangles: those that stand, then those on their heads.
-        const auto measure = [&, a = a, b = b, c = c](double u, double v) {  // by name: clang before 16
+        // The centres of n² equal triangles: upright ones, then inverted ones.
+        const auto measure = [&, a = a, b = b, c = c](double u, double v) {  // captured by name: clang before 16
             const Vec3 at = a + u / (3.0 * n) * (b - a) + v / (3.0 * n) * (c - a);
             if (!is_within(region, at)) return;
             const auto hit = tree.first_hit(at, -normal, 0.0, face);

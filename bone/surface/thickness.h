@@ -6,26 +6,26 @@
 
 #include "bone/surface/triangle_tree.h"
 
-/// How thick the bone is under its surface: straight inwards to the wall on the other side.
+/// Thickness of the bone under its surface: straight inwards to the opposite wall.
 namespace kerf {
 
 struct WallSample {
     double thickness = 0.0;  ///< [m]
-    double area = 0.0;       ///< [m²] of surface it stands for
+    double area = 0.0;       ///< [m²] of surface that the sample represents
     Vec3 at{};               ///< [m] on the surface
 };
 
-/// At points of the surface in `region`, at most about `fineness` [m] apart and no more than 256 on a face. Left out is
-/// what is no wall but a crest: where the surface on the other side leans by more than 37°.
-/// In the order of the faces.   Pre: closed, metres.   [any] pure.
+/// Returns samples of the thickness at points of the surface in `region`, at most about `fineness` [m] apart and at
+/// most 256 on a face. Crests are left out: points whose opposite surface is inclined by more than 37°. In the order of
+/// the faces. Pre: closed, metres.   [any] pure.
 [[nodiscard]] std::vector<WallSample> measure_walls(const SurfaceMesh& mesh, const TriangleTree& tree,
                                                     const Box& region, double fineness);
 
-/// The thinnest; empty if there is none.
+/// Returns the thinnest sample; nothing without samples.
 [[nodiscard]] std::optional<WallSample> thinnest(const std::vector<WallSample>& walls);
-/// The thickness that `share` [–] of the area does not reach; 0 without samples.
+/// Returns the thickness [m] below which a given fraction [–] of the area lies; 0 without samples.
 [[nodiscard]] double thickness_at(const std::vector<WallSample>& walls, double share);
-/// The share [–] of the area that is thinner than `limit` [m].
+/// Returns the fraction [–] of the area that is thinner than `limit` [m].
 [[nodiscard]] double share_under(const std::vector<WallSample>& walls, double limit);
 
 }  // namespace kerf

@@ -23,18 +23,18 @@ namespace kerf {
     return squared(p - a - share * along);
 }
 
-/// By the region of the triangle's plane the point lies over: a corner, a side or the inside.
+/// The nearest feature follows from the region of the triangle's plane that contains the point: corner, side or inside.
 [[nodiscard]] inline double squared_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
     const Vec3 ab = b - a, ac = c - a, ap = p - a;
     const double ab_ab = dot(ab, ab), ab_ac = dot(ab, ac), ac_ac = dot(ac, ac);
     const double size = ab_ab * ac_ac - ab_ac * ab_ac;  // (2 × area)²
-    // A needle's plane is noise; its sides are all there is of it.
+    // The plane of a needle is rounding noise. Its sides are sufficient.
     if (!(size > 1e-12 * ab_ab * ac_ac))
         return std::min({squared_to_segment(p, a, b), squared_to_segment(p, b, c), squared_to_segment(p, c, a)});
     const double ap_ab = dot(ap, ab), ap_ac = dot(ap, ac);
-    const double u = ap_ab * ac_ac - ap_ac * ab_ac, v = ap_ac * ab_ab - ap_ab * ab_ac;  // shares of ab and ac, × size
+    const double u = ap_ab * ac_ac - ap_ac * ab_ac, v = ap_ac * ab_ab - ap_ab * ab_ac;  // along ab and ac, × size
     if (u >= 0.0 && v >= 0.0 && u + v <= size) return squared(ap - (u / size) * ab - (v / size) * ac);
-    // Outside, the nearest point lies on a side that it is outside of, or on the corner such sides share.
+    // Outside, the nearest point lies on a side that separates it from the triangle, or on a corner of two such sides.
     double least = HUGE_VAL;
     if (v < 0.0) least = squared_to_segment(p, a, b);
     if (u < 0.0) least = std::min(least, squared_to_segment(p, a, c));

@@ -12,13 +12,13 @@ namespace {
 
 // Balanced by count: a tree of 2³² triangles is 32 deep.
 constexpr std::size_t deepest = 64;
-// A group counts as a dipole from this many of its radii.
+// Beyond this many of its radii a group counts as a dipole.
 constexpr double far_radii = 3.0;
 
 Vec3 least(Vec3 a, Vec3 b) noexcept { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 most(Vec3 a, Vec3 b) noexcept { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
-/// Signed, as seen from p; 2π at most.
+/// Returns the signed solid angle seen from p, 2π at most.
 double solid_angle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
     const Vec3 u = a - p, v = b - p, w = c - p;
     const double lu = length(u), lv = length(v), lw = length(w);
@@ -74,7 +74,7 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t count) {
     nodes_.push_back(node);
     if (count <= most_in_leaf) return;
 
-    // Half and half across the longest way between centres; equal ones by their number.
+    // Splits in half across the longest extent of the centres; equal centres by number.
     const Vec3 extent = high_centre - low_centre;
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     const std::uint32_t half = count / 2;
@@ -83,7 +83,7 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t count) {
         const double at_s = component(s.a + s.b + s.c, axis), at_t = component(t.a + t.b + t.c, axis);
         return at_s != at_t ? at_s < at_t : s.face < t.face;
     });
-    // What nth_element leaves within the halves is the library's choice; by number it is ours.
+    // The order that nth_element leaves within the halves depends on the library. Sorting by number fixes it.
     const auto by_number = [](const Item& s, const Item& t) { return s.face < t.face; };
     std::sort(begin, begin + half, by_number);
     std::sort(begin + half, begin + count, by_number);
@@ -109,7 +109,7 @@ double TriangleTree::distance(Vec3 p, double limit) const noexcept {
         }
         const Node &one = nodes_[n + 1], &two = nodes_[node.second_child];
         const double to_one = squared_to_box(p, one.low, one.high), to_two = squared_to_box(p, two.low, two.high);
-        // The nearer one last, so that it is looked at first.
+        // Pushes the nearer child last, so that it is visited first.
         if (to_one < to_two) {
             open[count++] = {to_two, node.second_child};
             open[count++] = {to_one, n + 1};
@@ -193,7 +193,7 @@ std::optional<TriangleTree::Hit> TriangleTree::first_hit(Vec3 origin, Vec3 direc
             if (t.face == ignored) continue;
             const Vec3 ab = t.b - t.a, ac = t.c - t.a, across = cross(direction, ac);
             const double det = dot(ab, across);
-            if (det == 0.0) continue;  // along its plane
+            if (det == 0.0) continue;  // parallel to its plane
             const Vec3 s = origin - t.a;
             const double u = dot(s, across) / det;
             const Vec3 q = cross(s, ab);

@@ -12,36 +12,36 @@
 
 namespace kerf {
 
-/// Triangles in a tree of boxes: what is near, what a ray meets, how often the surface winds around a point.
-/// The same mesh gives the same tree and the same bits. Unit and frame: the mesh's.
+/// Triangles in a tree of boxes, for distances, rays and winding numbers. The same mesh gives the same tree and the
+/// same bits. Unit and frame: the mesh's.
 class TriangleTree {
 public:
     explicit TriangleTree(const SurfaceMesh& mesh);
 
-    /// Distance to the nearest triangle, if it is less than `limit`; otherwise `limit`. Exact but for rounding: faces
-    /// without area count as the segment or point that they are.   [any] pure.
+    /// Returns the distance to the nearest triangle if it is less than `limit`; otherwise `limit`. Exact up to
+    /// rounding. Faces without area count as segments or points.   [any] pure.
     [[nodiscard]] double distance(Vec3 p, double limit) const noexcept;
 
-    /// How often the surface winds around a point: 1 inside a closed surface, 0 outside, more where it overlaps itself;
-    /// in between near a hole.
+    /// Returns the winding number of the surface around a point: 1 inside a closed surface, 0 outside, more where it
+    /// overlaps itself; in between near a hole.
     ///
     ///     w = Σ Ω_t / 4π,  Ω_t the solid angle of triangle t
     ///
-    /// Groups of triangles that are far away count as one dipole: right to 0.25 where walls lie close, else to
-    /// 0.05.   [any] pure.
+    /// A far group of triangles counts as one dipole: accurate to 0.25 between close walls, otherwise to 0.05.   [any]
+    /// pure.
     /// Source: [barill-2018], with the expansion of first order.
     [[nodiscard]] double winding(Vec3 p) const noexcept;
-    /// The same, triangle by triangle.
+    /// Returns the winding number summed triangle by triangle.
     [[nodiscard]] double exact_winding(Vec3 p) const noexcept;
-    /// Whether a point is inside: w > ½. Between ¼ and ¾ the exact sum decides, so that the quick one would have to
-    /// be wrong by ¾ to matter.   [any] pure.
+    /// Returns whether a point is inside: w > ½. Between ¼ and ¾ the exact sum decides. So in a closed surface an error
+    /// of the fast sum below ¾ has no effect.   [any] pure.
     [[nodiscard]] bool is_inside(Vec3 p) const noexcept;
 
     struct Hit {
         double distance = 0.0;   ///< along the ray, in lengths of `direction`
         std::uint32_t face = 0;  ///< number in the mesh
     };
-    /// The first triangle beyond `from` along a ray, other than `ignored`.   [any] pure.
+    /// Returns the first triangle beyond `from` along a ray, other than `ignored`.   [any] pure.
     [[nodiscard]] std::optional<Hit> first_hit(Vec3 origin, Vec3 direction, double from,
                                                std::uint32_t ignored) const noexcept;
 
@@ -51,7 +51,7 @@ public:
         if (!nodes_.empty()) within(0, p, radius * radius, visit);
     }
 
-    /// visit(face, other) for all pairs of triangles whose boxes meet, face < other.
+    /// Calls visit(face, other) for all pairs of triangles whose boxes meet, face < other.
     template <class Visit>
     void for_each_near_pair(const Visit& visit) const {
         if (!nodes_.empty()) pairs(0, 0, visit);
@@ -60,8 +60,8 @@ public:
 private:
     struct Node {
         Vec3 low, high;
-        std::uint32_t first = 0, count = 0;  ///< of `items_`; inner nodes have both children behind themselves
-        std::uint32_t second_child = 0;      ///< the first one follows at once; 0: a leaf
+        std::uint32_t first = 0, count = 0;  ///< of `items_`; both children of an inner node follow it
+        std::uint32_t second_child = 0;      ///< the first one follows directly; 0: a leaf
         Vec3 area{};                         ///< Σ area × normal
         Vec3 centre{};                       ///< of area
         double radius = 0.0;                 ///< around `centre`

@@ -27,7 +27,7 @@ void put(std::vector<unsigned char>& bytes, Vec3 v) {
 }  // namespace
 
 std::vector<unsigned char> stl_bytes(const Mesh& mesh) {
-    std::vector<unsigned char> bytes(header_size + 4, ' ');  // the count is filled in at the end
+    std::vector<unsigned char> bytes(header_size + 4, ' ');  // the count is written at the end
     std::copy(header.begin(), header.end(), bytes.begin());
     bytes.reserve(bytes.size() + 50 * mesh.triangles.size());
 

@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-/// The mesh as a binary STL file in millimetres, LPS. Triangles that repeat a vertex number, or name one that does
-/// not exist, are left out.   [any]
+/// Returns the mesh as a binary STL file in millimetres, LPS. Leaves out triangles that repeat a vertex number, or
+/// refer to one that does not exist.   [any]
 [[nodiscard]] std::vector<unsigned char> stl_bytes(const Mesh& mesh);
 
 }  // namespace kerf
