@@ -21,13 +21,13 @@ namespace {
 
 bool less(Vec3 a, Vec3 b) noexcept { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
-/// A border edge by its ends, in the direction of its face. Numbers of vertices change; positions must not.
+/// A border edge by its ends, in the direction of its face. Vertex numbers may change, positions may not.
 struct BorderEdge {
     Vec3 from, to;
     friend bool operator==(const BorderEdge& a, const BorderEdge& b) { return a.from == b.from && a.to == b.to; }
 };
 
-/// What is wrong with the edges of a mesh, if anything; else its border, sorted.
+/// Returns the first flaw of a mesh's edges, or an empty text; `border` receives its border, sorted.
 std::string flaw_of_edges(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges,
                           std::vector<BorderEdge>& border) {
     std::string flaw;
@@ -47,7 +47,7 @@ std::string flaw_of_edges(const SurfaceMesh& mesh, const std::vector<HalfEdge>& 
     return flaw;
 }
 
-/// Whether two faces have the same corners, whichever way they look.
+/// Returns whether two faces have the same corners, in either orientation.
 bool has_faces_twice(const SurfaceMesh& mesh) {
     std::vector<Triangle> sorted = mesh.triangles;
     for (Triangle& t : sorted) std::sort(t.begin(), t.end());
@@ -55,7 +55,7 @@ bool has_faces_twice(const SurfaceMesh& mesh) {
     return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
-/// Whether an inner edge of a mesh is an edge of the ring too: four faces would have it.
+/// Returns whether an inner edge of a mesh is also an edge of the ring: it would have four faces.
 bool has_edge_of(const TaggedMesh& ring, const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges) {
     const auto sorted = [](Vec3 a, Vec3 b) { return less(b, a) ? BorderEdge{b, a} : BorderEdge{a, b}; };
     const auto before = [](const BorderEdge& a, const BorderEdge& b) {
@@ -76,7 +76,7 @@ bool has_edge_of(const TaggedMesh& ring, const SurfaceMesh& mesh, const std::vec
     return has_one;
 }
 
-/// @param before   a mesh whose faces cross neither each other nor the ring; null: all faces are judged
+/// @param before  a mesh whose faces cross neither each other nor the ring; null: all faces are tested
 std::string flaw_of_faces(const SurfaceMesh& mesh, const TaggedMesh& ring, const SurfaceMesh* before) {
     const std::size_t count = mesh.triangles.size();
     SurfaceMesh both = mesh;
@@ -95,7 +95,7 @@ std::string flaw_of_faces(const SurfaceMesh& mesh, const TaggedMesh& ring, const
            " of faces cross, the first at " + place_text(both.vertices[both.triangles[crossings.front()[0]][0]]);
 }
 
-/// How a border differs from what it was.
+/// Returns the difference between a border and the border before the cut.
 std::string flaw_of_border(const std::vector<BorderEdge>& border, const std::vector<BorderEdge>& before) {
     const auto is_less = [](const BorderEdge& a, const BorderEdge& b) {
         return less(a.from, b.from) || (a.from == b.from && less(a.to, b.to));
@@ -110,10 +110,11 @@ std::string flaw_of_border(const std::vector<BorderEdge>& border, const std::vec
            " of its border did not come back, the first at " + place_text(gone.front().from);
 }
 
-/// Finer than any tolerance needs, as when each call splits all faces: it would soon take minutes to check.
+/// Refuses more faces than any tolerance needs. A strategy that splits all faces in each call would soon need minutes
+/// for the checks.
 std::string flaw_of_count(const RemeshRequest& request, const SurfaceMesh& mesh) {
     const std::size_t before = request.base.mesh.triangles.size(), count = mesh.triangles.size();
-    constexpr std::size_t few = 50000;  // which are checked in a moment
+    constexpr std::size_t few = 50000;  // so many are checked quickly
     if (count <= std::max(before, few)) return {};
     const double most = area_of(mesh) / (request.tolerance * request.tolerance);
     if (static_cast<double>(count) <= most) return {};
@@ -122,14 +123,14 @@ std::string flaw_of_count(const RemeshRequest& request, const SurfaceMesh& mesh)
            std::to_string(std::llround(most));
 }
 
-/// The vertices of a mesh, sorted by position.
+/// Returns the vertices of a mesh, sorted by position.
 std::vector<Vec3> sorted_vertices(const SurfaceMesh& mesh) {
     std::vector<Vec3> vertices = mesh.vertices;
     std::sort(vertices.begin(), vertices.end(), less);
     return vertices;
 }
 
-/// @param ring   null: of a whole mesh
+/// @param ring  null: the result is a whole mesh
 std::string flaw_of(const RemeshRequest& request, const TaggedMesh& result, const TaggedMesh* ring) {
     const SurfaceMesh& mesh = result.mesh;
     if (result.tags.size() != mesh.triangles.size()) return "not every face has a tag";
@@ -162,7 +163,7 @@ std::string flaw_of(const RemeshRequest& request, const TaggedMesh& result, cons
     const Box was = bounds_of(request.base.mesh), is = bounds_of(mesh);
     if (border.empty() && (is.low.x < was.low.x || is.low.y < was.low.y || is.low.z < was.low.z ||
                            is.high.x > was.high.x || is.high.y > was.high.y || is.high.z > was.high.z))
-        return "it reaches beyond what it was";  // the walls of an open patch may
+        return "it reaches beyond what it was";  // walls of an open patch may reach beyond
     return ring != nullptr ? flaw_of_faces(mesh, *ring, &request.base.mesh) : flaw_of_faces(mesh, {}, nullptr);
 }
 

@@ -43,7 +43,7 @@ bool has_no_area(const SurfaceMesh& mesh, const Triangle& face) noexcept {
 }
 
 void remove_flat_faces(SurfaceMesh& mesh) {
-    // Edges without length go, with the faces at their sides.
+    // Edges of zero length are removed, with the faces at their sides.
     std::map<std::uint32_t, std::uint32_t> same;
     const auto first_of = [&](std::uint32_t v) {
         for (auto at = same.find(v); at != same.end(); at = same.find(v)) v = at->second;
@@ -66,18 +66,18 @@ void remove_flat_faces(SurfaceMesh& mesh) {
         if (has_no_area(mesh, mesh.triangles[f])) flat.push_back(f);
     if (flat.empty()) return;
     using Edge = std::pair<std::uint32_t, std::uint32_t>;
-    std::map<Edge, std::size_t> face_of;  // of each edge in the direction of its face
+    std::map<Edge, std::size_t> face_of;  // for each edge in the direction of its face
     const auto enter = [&](std::size_t f) {
         const Triangle& t = mesh.triangles[f];
         for (std::size_t n = 0; n < 3; ++n) face_of[{t[n], t[(n + 1) % 3]}] = f;
     };
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) enter(f);
-    // A neighbour may be flat as well, and has area once its own neighbour has shared: once more for each of them.
+    // A flat neighbour may gain area from its own neighbour in an earlier round. So there are several rounds.
     for (std::size_t round = 0; round < flat.size() && round < 8; ++round)
         for (const std::size_t f : flat) {
             const Triangle t = mesh.triangles[f];
             if (!has_no_area(mesh, t)) continue;
-            std::size_t n = 0;  // where the longest edge begins
+            std::size_t n = 0;  // begin of the longest edge
             const auto size = [&](std::size_t at) {
                 const Vec3 way = mesh.vertices[t[(at + 1) % 3]] - mesh.vertices[t[at]];
                 return dot(way, way);

@@ -10,13 +10,13 @@
 namespace kerf {
 namespace {
 
-/// Whether one record ends where another begins.
+/// Returns whether one record begins where another ends.
 bool follows(const CutRecord& next, const CutRecord& last, const ToolSolid& solid) {
     constexpr double joint = 1e-9;  // [m]
     return next.solid == last.solid && largest_motion(solid, last.to, next.from) <= joint;
 }
 
-/// The fraction of the way from `from` to `to` at which a pose lies, by its origin and the end of its solid.
+/// Returns the fraction of the path from `from` to `to` at which a pose lies, by its origin and the end of its solid.
 double fraction_at(const ToolSolid& solid, const Pose& from, const Pose& to, const Pose& pose) {
     const Vec3 end{0, 0, solid.end_z()};
     const Vec3 tip_way = to.position - from.position, end_way = to * end - from * end;
@@ -26,8 +26,8 @@ double fraction_at(const ToolSolid& solid, const Pose& from, const Pose& to, con
     return std::clamp(t, 0.0, 1.0);
 }
 
-/// How far from the straight sweep of a solid its turning one may lie [m]: each point goes along an arc, and the hull
-/// of both ends bridges it. Of a turn about its own axis a solid of revolution sees nothing.
+/// Returns how far the straight sweep of a solid is from its turning one [m]: each point moves on an arc, and the hull
+/// of both ends replaces it by a chord. A turn about its own axis does not move a solid of revolution.
 double bulge(const ToolSolid& solid, const Pose& from, const Pose& to) {
     Quat turn = conjugate(from.rotation) * to.rotation;
     if (!solid.is_prism()) turn.z = 0.0;
@@ -36,19 +36,19 @@ double bulge(const ToolSolid& solid, const Pose& from, const Pose& to) {
     return half_sine * reach;
 }
 
-/// Whether the poses where records first … last end lie on the straight stretch from the first one's start to the
-/// last one's end, one after the other.
+/// Returns whether the end poses of records first … last lie in order on the straight stretch from the first one's
+/// start to the last one's end.
 bool is_straight(const std::vector<CutRecord>& records, std::size_t first, std::size_t last, const ToolSolid& solid,
                  double tolerance) {
     const Pose &from = records[first].from, &to = records[last].to;
-    // Half of the angle times the reach is more than any chord's height over a small turn, and than the overlap of two
-    // ends that cross in their middle.
+    // Half of the angle times the reach exceeds the height of any chord over a small turn. It also exceeds the overlap
+    // of two ends that cross in the middle.
     if (first < last && bulge(solid, from, to) > 2.0 * tolerance) return false;
     double reached = 0.0;
     for (std::size_t i = first; i < last; ++i) {
         const double t = fraction_at(solid, from, to, records[i].to);
         if (largest_motion(solid, between(from, to, t), records[i].to) > tolerance) return false;
-        // Back by more than the tolerance: the stretch would miss a turn.
+        // A path back by more than the tolerance would lose its turning point.
         if (t < reached && largest_motion(solid, between(from, to, t), between(from, to, reached)) > tolerance)
             return false;
         reached = std::max(reached, t);
@@ -93,7 +93,7 @@ std::vector<CutStretch> stretches_of(const std::vector<CutRecord>& records, cons
         const ToolSolid& solid = *solids[records[first].solid];
         std::size_t chain = first;  // the last record of this path
         while (chain + 1 < records.size() && follows(records[chain + 1], records[chain], solid)) ++chain;
-        // Twice as far while that is straight, then between there and the first that is not.
+        // Doubles the step while the path is straight, then bisects to the last straight record.
         std::size_t good = first, step = 1;
         while (good < chain && is_straight(records, first, std::min(good + step, chain), solid, tolerance)) {
             good = std::min(good + step, chain);

@@ -17,25 +17,25 @@ struct CutStretch {
     std::uint16_t solid = 0;
 };
 
-/// Joins records into straight stretches: no point of the solid is farther than `tolerance` [m] from where it was in
-/// the records. Records must be in order. A path that turns back, a record that does not continue the previous one, and
-/// a turn that the hull of both ends would not cover to twice the tolerance start a new stretch.   [any] pure.
-/// @param solids   by the records' numbers
+/// Joins records into straight stretches: every point of the solid stays within `tolerance` [m] of its recorded
+/// position. Records must be in order. A new stretch starts where the path turns back, where a record does not continue
+/// the previous one, and at a turn that the hull of both ends would not cover to twice the tolerance.   [any] pure.
+/// @param solids  indexed by the records' numbers
 [[nodiscard]] std::vector<CutStretch> stretches_of(const std::vector<CutRecord>& records,
                                                    const std::vector<const ToolSolid*>& solids, double tolerance);
 
-/// Joins records as they come, by the same rules; no stretch is longer than `longest`.   [worker]
+/// Joins records one by one, by the same rules; no stretch is longer than `longest`.   [worker]
 class StretchJoiner {
 public:
-    /// @param longest   [m] that any point of the solid moves on one stretch, unless one record is longer
+    /// @param longest  [m] largest motion of a point of the solid on one stretch, unless one record is longer
     StretchJoiner(std::vector<const ToolSolid*> solids, double tolerance, double longest)
         : solids_(std::move(solids)), tolerance_(tolerance), longest_(longest) {}
 
-    /// Adds a record. Returns the stretch that ends before it, if one does.
+    /// Adds a record. Returns the stretch that ended before it, if any.
     std::optional<CutStretch> push(const CutRecord& record);
-    /// Returns the stretch that goes on.
+    /// Returns the unfinished stretch.
     [[nodiscard]] std::optional<CutStretch> open() const;
-    /// Ends it.
+    /// Ends the unfinished stretch and returns it.
     std::optional<CutStretch> end();
 
 private:

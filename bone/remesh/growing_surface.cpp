@@ -11,9 +11,9 @@ namespace {
 
 double component(Vec3 v, std::size_t axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-/// The fans of faces around a vertex: 1 where the surface is a disc there.
+/// Returns the number of fans of faces around a vertex: 1 where the surface is a disc.
 std::size_t fans_at(std::uint32_t vertex, const std::vector<Triangle>& around) {
-    // Each face leads from one neighbour of the vertex to the next; a fan is a chain of them.
+    // Each face leads from one neighbour of the vertex to the next; a fan is a chain of faces.
     std::size_t starts = 0;
     bool is_ring = !around.empty();
     for (const Triangle& t : around) {
@@ -38,7 +38,7 @@ GrowingSurface::GrowingSurface(const TaggedMesh& mesh)
     const Vec3 extent = bounds_.high - bounds_.low;
     const double area = area_of(mesh.mesh),
                  count = static_cast<double>(std::max<std::size_t>(mesh.mesh.triangles.size(), 1));
-    // As wide as a few faces of the mean area, and no more cells than memory bears.
+    // A cell is as wide as a few faces of average area. The number of cells is limited by memory.
     cell_ = std::max({std::sqrt(faces_a_cell * area / count), std::cbrt(extent.x * extent.y * extent.z / most_cells),
                       std::max({extent.x, extent.y, extent.z}) / 1000.0, 1e-6});
     std::size_t all = 1;
@@ -141,8 +141,8 @@ SurfacePatch GrowingSurface::patch_in(const Box& box) const {
         for (const std::uint32_t face : in_cell_[cell])
             if (seen_[face] != search_ && meet(box_of(face), box)) take(face);
     });
-    // Where the border meets itself in a vertex, all around that vertex comes too. In rounds: what comes must not
-    // depend on the order of the faces.
+    // If the border meets itself in a vertex, all faces around that vertex are added. Rounds make the result
+    // independent of the order of the faces.
     for (std::vector<std::uint32_t> pinched(1); !pinched.empty();) {
         pinched.clear();
         for (const std::uint32_t face : patch.faces)

@@ -12,48 +12,48 @@
 
 namespace kerf {
 
-/// A piece of a surface: some of its faces as a mesh of their own.
+/// A patch of a surface: some of its faces as a separate mesh.
 struct SurfacePatch {
     TaggedMesh mesh;
-    std::vector<std::uint8_t> locked;     ///< of each vertex: 1 on the border to the rest
+    std::vector<std::uint8_t> locked;     ///< #vertices, 1: on the border to the rest
     std::vector<std::uint32_t> faces;     ///< their numbers in the surface, ascending
-    std::vector<std::uint32_t> vertices;  ///< the number in the surface of each of its vertices
+    std::vector<std::uint32_t> vertices;  ///< #vertices, their numbers in the surface
 };
 
-/// A surface that is cut piece by piece. The cost of finding and replacing faces depends on their number, not on the
+/// A surface that is cut patch by patch. The cost of finding and replacing faces depends on their number, not on the
 /// size of the surface. The same operations give the same numbers.   [worker]
 class GrowingSurface {
 public:
     /// Pre: closed.
     explicit GrowingSurface(const TaggedMesh& mesh);
 
-    /// Returns all faces whose boxes meet a box, and those that a mesh of them needs to be 2-manifold.
+    /// Returns all faces whose boxes meet a box, and the faces that make their mesh 2-manifold.
     [[nodiscard]] SurfacePatch patch_in(const Box& box) const;
-    /// Returns the faces beside a patch that have a vertex on its border.
+    /// Returns the faces outside a patch that have a vertex on its border.
     [[nodiscard]] TaggedMesh ring_of(const SurfacePatch& patch) const;
-    /// Puts a mesh in the place of a patch. Vertices at positions of the patch's keep their numbers.
-    /// Pre: it has the patch's border.
+    /// Replaces a patch by a mesh. Vertices at positions of the patch's vertices keep their numbers.
+    /// Pre: the mesh has the patch's border.
     void replace(const SurfacePatch& patch, const TaggedMesh& mesh);
 
     [[nodiscard]] std::size_t face_count() const noexcept { return face_count_; }
-    /// The whole surface.
+    /// Returns the whole surface.
     [[nodiscard]] TaggedMesh mesh() const;
 
     struct Face {
-        Triangle corners{};  ///< numbers of vertices
+        Triangle corners{};  ///< vertex numbers
         std::uint8_t tag = 0, is_there = 0;
     };
-    /// The surface at one time. It never changes, and shares with others what they have in common: other threads may
-    /// read it.
+    /// A snapshot of the surface. It never changes, and has common pages with other snapshots. Other threads may read
+    /// it.
     struct Moment {
         Pages<Vec3> vertices;
-        Pages<Face> faces;  ///< those that are there
+        Pages<Face> faces;  ///< existing faces
         std::size_t face_count = 0;
         std::vector<std::uint32_t> free_faces, free_vertices;
     };
     [[nodiscard]] Moment moment();
-    /// Makes the surface what it was: what follows gives the same numbers as it would have then. The cost depends on
-    /// the pages of 1024 faces that have changed.
+    /// Restores a snapshot; later operations then give the same numbers as they would have given at that time. The cost
+    /// depends on the number of changed pages with 1024 faces each.
     void go_back(const Moment& moment);
 
 private:
@@ -61,7 +61,7 @@ private:
 
     void add_face(const Triangle& corners, std::uint8_t tag);
     void remove_face(std::uint32_t face);
-    void enter(std::uint32_t face);  ///< into the indices
+    void enter(std::uint32_t face);  ///< adds to the indices
     void strike(std::uint32_t face);
     template <class Visit>
     void for_each_cell(const Box& box, const Visit& visit) const;
@@ -69,14 +69,14 @@ private:
 
     PagedVector<Vec3> vertices_;
     PagedVector<Face> faces_;
-    std::vector<std::vector<std::uint32_t>> faces_at_;  ///< of each vertex
+    std::vector<std::vector<std::uint32_t>> faces_at_;  ///< faces at each vertex
     std::vector<std::uint32_t> free_faces_, free_vertices_;
     std::size_t face_count_ = 0;
     Box bounds_{};
     double cell_ = 1.0;  ///< [m]
     std::array<std::size_t, 3> cells_{};
     std::vector<std::vector<std::uint32_t>> in_cell_;
-    mutable std::vector<std::uint32_t> seen_;  ///< of each face: the last search that met it
+    mutable std::vector<std::uint32_t> seen_;  ///< for each face, the last search that found it
     mutable std::uint32_t search_ = 0;
 };
 

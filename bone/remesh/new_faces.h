@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// Returns for each face of a mesh whether it is none of another mesh: 1, or 0. Faces are the same if their corners
-/// are, bit for bit.   [any] pure.
+/// Returns a flag for each face of a mesh: 1 if it is not in the mesh `before`, else 0. Faces are equal if their
+/// corners are, bit for bit.   [any] pure.
 [[nodiscard]] std::vector<std::uint8_t> new_faces_of(const SurfaceMesh& mesh, const SurfaceMesh& before);
 
 }  // namespace kerf

@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// The values of a paged vector at one time. They never change: other threads may read them while the vector goes on.
+/// A snapshot of a paged vector. It never changes: other threads may read it while the vector is modified.
 template <class T>
 class Pages {
 public:
@@ -27,8 +27,8 @@ private:
     std::size_t size_ = 0;
 };
 
-/// A vector in pages of 1024 values, of which a copy costs a pointer each: a page that a copy holds is not written to
-/// any more, but replaced by another one.   [one thread]
+/// A vector in pages of 1024 values, so that a snapshot costs one pointer a page. A page in a snapshot is never
+/// written: the vector replaces it by a copy first.   [one thread]
 template <class T>
 class PagedVector {
 public:
@@ -45,7 +45,7 @@ public:
         set(size_++, value);
     }
 
-    /// Returns the values as they are now.
+    /// Returns a snapshot of the values.
     [[nodiscard]] Pages<T> share() {
         Pages<T> copy;
         copy.pages_.assign(pages_.begin(), pages_.end());
@@ -53,7 +53,7 @@ public:
         is_shared_.assign(pages_.size(), true);
         return copy;
     }
-    /// Returns the numbers of the pages that are others than they were.
+    /// Returns the numbers of the pages that differ from an earlier snapshot.
     [[nodiscard]] std::vector<std::size_t> differing_pages(const Pages<T>& earlier) const {
         std::vector<std::size_t> pages;
         for (std::size_t page = 0; page < std::max(pages_.size(), earlier.pages_.size()); ++page)
@@ -79,7 +79,7 @@ private:
     }
 
     std::vector<std::shared_ptr<typename Pages<T>::Page>> pages_;
-    std::vector<bool> is_shared_;  ///< of each page: a copy holds it
+    std::vector<bool> is_shared_;  ///< for each page: a snapshot has it
     std::size_t size_ = 0;
 };
 

@@ -5,16 +5,16 @@
 
 #include "kerf/remesh.h"
 
-/// What `kerf` and `kerf-remesh` send each other: one packet each, over a socket pair; meshes lie in shared memory.
+/// The protocol of `kerf` and `kerf-remesh`: one packet each over a socket pair; meshes lie in shared memory.
 namespace kerf::remesh_channel {
 
-/// The file descriptors that the child is started with.
+/// The initial file descriptors of the child.
 inline constexpr int socket_fd = 3, request_fd = 4, result_fd = 5;
 
 /// The child's first packet.
 struct Hello {
     std::uint32_t scope = 0;  ///< KERF_REMESH_PATCH or KERF_REMESH_WHOLE; 0: it cannot work
-    char fault[500] = {};     ///< then why not; ends with NUL
+    char fault[500] = {};     ///< the reason in that case; ends with NUL
     std::uint32_t parameter_count = 0;
     double defaults[256] = {};  ///< of the strategy's parameters
     char plugin_id[100] = {}, plugin_version[100] = {}, kernel[200] = {};

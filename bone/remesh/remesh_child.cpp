@@ -43,7 +43,7 @@ Received receive(int socket, Packet& packet, Clock::time_point end) {
     }
 }
 
-/// A text of fixed size that may lack its end.
+/// Returns a text of fixed size that may lack its terminating NUL.
 template <std::size_t N>
 std::string text_of(const char (&text)[N]) {
     return {text, strnlen(text, N)};
@@ -70,7 +70,7 @@ RemeshChild::~RemeshChild() { end(); }
 std::string RemeshChild::spawn() {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return "the system gives no sockets";
-    // Above the child's own numbers, so that no descriptor is overwritten before it was copied.
+    // Above the child's own numbers, so that no descriptor is overwritten before it is copied.
     const int in_child = fcntl(ends[1], F_DUPFD_CLOEXEC, 10), request = fcntl(request_.fd(), F_DUPFD_CLOEXEC, 10),
               result = fcntl(result_.fd(), F_DUPFD_CLOEXEC, 10);
     posix_spawn_file_actions_t actions;
@@ -80,10 +80,10 @@ std::string RemeshChild::spawn() {
     posix_spawn_file_actions_adddup2(&actions, result, result_fd);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    sigset_t none;  // a caller that blocks signals must not leave them blocked here
+    sigset_t none;  // a caller that blocks signals must not block them in the child
     sigemptyset(&none);
     posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setpgroup(&attributes, 0);  // Ctrl-C is for the parent to answer
+    posix_spawnattr_setpgroup(&attributes, 0);  // only the parent handles Ctrl-C
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
     char* const arguments[] = {program_.program.data(), program_.module.data(), program_.strategy.data(), nullptr};
     const int fault = in_child < 0 || request < 0 || result < 0
@@ -100,7 +100,7 @@ std::string RemeshChild::spawn() {
         return program_.program + " cannot be started: " + std::strerror(fault);
     }
     Hello hello;
-    constexpr auto limit = std::chrono::seconds(20);  // a machine under load
+    constexpr auto limit = std::chrono::seconds(20);  // for a machine under load
     if (receive(socket_, hello, Clock::now() + limit) != Received::packet)
         return program_.program + " does not answer: it " + end();
     if (hello.scope == 0) {
@@ -123,7 +123,7 @@ std::string RemeshChild::end() {
     if (pid_ <= 0) return "was not running";
     int status = 0;
     pid_t ended = 0;
-    // What ended by itself says more than our signal.
+    // A status of its own gives more information than our signal.
     for (int wait = 0; wait < 20 && ended == 0; ++wait) {
         ended = waitpid(pid_, &status, WNOHANG);
         if (ended == 0) usleep(1000);

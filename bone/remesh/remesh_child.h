@@ -15,35 +15,35 @@
 
 namespace kerf {
 
-/// Where a strategy comes from, and how it is set.
+/// A strategy's program, module and parameters.
 struct RemeshProgram {
     std::string program;                ///< kerf-remesh
     std::string module;                 ///< the plugin's library
     std::string strategy;               ///< its id in the plugin: "displace"
-    std::vector<double> parameters{};   ///< SI, declared order; none: their defaults
-    std::optional<double> tolerance{};  ///< [m] of all requests, if one of the parameters is that
+    std::vector<double> parameters{};   ///< SI, declared order; empty: defaults
+    std::optional<double> tolerance{};  ///< [m] for all requests, if one of the parameters is a tolerance
 };
 
-/// A strategy in a process of its own. It is started once, before any loop runs: `posix_spawn` costs a running loop
-/// nothing, `fork` would stop it for milliseconds. A child that dies or is late costs one request; it is killed and
+/// A strategy in a separate process. It is started once, before any loop runs: `posix_spawn` does not delay a running
+/// loop, `fork` would stop it for milliseconds. A child that dies or is late costs one request; it is killed and
 /// started again, `most_restarts` times.   [worker] one thread at a time
 class RemeshChild {
 public:
     static constexpr int most_restarts = 3;
 
-    /// Null: why not is in `error`, for people.   [main]
+    /// Starts a child. Null on failure; then `error` has the reason, for people.   [main]
     static std::unique_ptr<RemeshChild> start(const RemeshProgram& program, std::string& error);
     ~RemeshChild();
     RemeshChild(const RemeshChild&) = delete;
     RemeshChild& operator=(const RemeshChild&) = delete;
 
-    /// Asks for one result and waits for it. A child that does not answer in time, dies or returns nonsense gives
-    /// KERF_FAILED with a message; so does every request after the last restart. The first patch that is cut is
-    /// requested twice: a strategy whose results differ gets no further one taken.
+    /// Requests one result and waits for it. A child that does not answer in time, dies or returns invalid data gives
+    /// KERF_FAILED with a message; so does every request after the last restart. The first patch with a cut is
+    /// requested twice. If the two results differ, later results of this strategy are refused.
     [[nodiscard]] RemeshResult remesh(const RemeshRequest& request, std::chrono::milliseconds limit);
 
     [[nodiscard]] std::uint32_t scope() const noexcept { return scope_; }  ///< KERF_REMESH_PATCH or KERF_REMESH_WHOLE
-    /// [m] that the strategy states; 0: none.
+    /// [m] of the strategy; 0: none.
     [[nodiscard]] double tolerance() const noexcept { return program_.tolerance.value_or(0.0); }
     [[nodiscard]] const RemeshProgram& program() const noexcept { return program_; }
     [[nodiscard]] const std::string& plugin() const noexcept { return plugin_; }  ///< id and version
@@ -55,9 +55,9 @@ private:
     explicit RemeshChild(RemeshProgram program) : program_(std::move(program)) {}
     [[nodiscard]] RemeshResult answer_of(const RemeshRequest& request, std::chrono::milliseconds limit);
     [[nodiscard]] std::string spawn();
-    /// Ends the child and waits until it has gone. Returns how it ended, for people.
+    /// Ends the child and waits for its exit. Returns how it ended, for people.
     std::string end();
-    /// Ends it, and starts another one if that may be.
+    /// Ends the child, and starts another one if restarts are left.
     [[nodiscard]] RemeshResult lost(const std::string& why);
 
     RemeshProgram program_;

@@ -25,7 +25,7 @@ const kerf_component* RemeshModule::find(const std::string& strategy) const noex
 RemeshResult remesh_here(const kerf_component& strategy, const RemeshRequest& request, void* cache) {
     std::vector<double> parameters;
     for (std::uint32_t i = 0; i < strategy.param_count; ++i) parameters.push_back(strategy.params[i].def);
-    // Not set to zero: what is not written is never touched.
+    // Not initialised: pages that are not written take no memory.
     const std::uint64_t from_size = request_bytes(request), to_size = result_bytes(request);
     const std::unique_ptr<unsigned char[]> from(new unsigned char[from_size]), to(new unsigned char[to_size]);
     kerf_arena in_arena{from.get(), from_size, 0}, out_arena{to.get(), to_size, 64};

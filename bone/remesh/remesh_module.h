@@ -9,15 +9,15 @@
 
 namespace kerf {
 
-/// A plugin's library, opened to call its strategies: in `kerf-remesh`, and in tests; never in a process that runs a
+/// A plugin's library, opened to call its strategies: in `kerf-remesh` and in tests, never in a process that runs a
 /// loop.
 class RemeshModule {
 public:
-    /// Null: why not is in `error`.   [main]
+    /// Opens a library. Null on failure; then `error` has the reason.   [main]
     static std::unique_ptr<RemeshModule> open(const std::string& path, std::string& error);
 
     [[nodiscard]] const kerf_entry& entry() const noexcept { return plugin_->entry(); }
-    /// Returns a strategy by its id without the plugin's. Null: the plugin has no such strategy.
+    /// Returns a strategy by its id without the plugin's id; null if the plugin has no such strategy.
     [[nodiscard]] const kerf_component* find(const std::string& strategy) const noexcept;
 
 private:
@@ -25,7 +25,7 @@ private:
     std::shared_ptr<Plugin> plugin_;
 };
 
-/// Calls a strategy on arenas of its own, with its default parameters.   [main, worker]
+/// Calls a strategy with its own arenas and its default parameters.   [main, worker]
 [[nodiscard]] RemeshResult remesh_here(const kerf_component& strategy, const RemeshRequest& request,
                                        void* cache = nullptr);
 

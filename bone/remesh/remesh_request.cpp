@@ -17,7 +17,7 @@ using remeshing::append;
 
 constexpr std::uint64_t alignment = 8;
 
-/// Reads an array; nothing where it is not wholly in the arena.
+/// Reads an array; nothing if it is not completely in the arena.
 template <class T>
 std::optional<std::vector<T>> array(const kerf_arena& arena, kerf_offset at, std::size_t count) {
     std::vector<T> values;
@@ -50,7 +50,7 @@ std::uint64_t request_bytes(const RemeshRequest& request) {
 }
 
 std::uint64_t result_bytes(const RemeshRequest& request) {
-    constexpr std::uint64_t room = std::uint64_t{256} << 20;  // for the walls of cuts, which no face of the base bounds
+    constexpr std::uint64_t room = std::uint64_t{256} << 20;  // for walls, which the base does not bound
     return 4 * request_bytes(request) + room;
 }
 
@@ -69,9 +69,9 @@ bool pack(const RemeshRequest& request, const std::vector<double>& parameters, k
     in.base.tags = append(arena, request.base.tags.data(), request.base.tags.size());
     in.base.locked = append(arena, request.locked.data(), request.locked.size());
 
-    // A solid in several parts crosses as several solids, and its cuts as one of each.
+    // A solid in several parts is passed as several solids, and each of its cuts as one cut for each part.
     std::vector<kerf_cut_solid> solids;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> parts_of;  // of each: the first, how many
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> parts_of;  // for each solid: first part, number of parts
     bool has_room = true;
     for (const ToolSolid* solid : request.solids) {
         const std::vector<ToolSolid> parts = solid->outline().empty() ? std::vector{*solid} : solid->each_part();

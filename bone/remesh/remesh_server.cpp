@@ -28,8 +28,8 @@ extern "C" void end_as_an_orphan(int /*signal*/) {
     if (getppid() != parent) _exit(1);
 }
 
-/// Behind the loop in all that is shared, and gone within a second of its parent. The death signal of a parent is that
-/// of a thread: a child that a worker has started again would end with the worker.
+/// Gives this process lower priority than the loop, limits its memory, and ends it within a second of its parent. The
+/// parent-death signal of Linux belongs to a thread: a child restarted by a worker would end with that worker.
 void be_a_good_child() {
     parent = getppid();
     struct sigaction action {};
@@ -38,7 +38,7 @@ void be_a_good_child() {
     sigaction(SIGALRM, &action, nullptr);
     const itimerval each_second{{1, 0}, {1, 0}};
     setitimer(ITIMER_REAL, &each_second, nullptr);
-    constexpr rlim_t most_memory = rlim_t{16} << 30;  // [bytes] of addresses
+    constexpr rlim_t most_memory = rlim_t{16} << 30;  // [bytes] of address space
     const rlimit memory{most_memory, most_memory};
     setrlimit(RLIMIT_AS, &memory);
     const rlimit no_core{0, 0};
@@ -85,7 +85,7 @@ int serve_remeshing(const std::string& module_path, const std::string& strategy,
         Ask ask;
         const ssize_t got = recv(socket_fd, &ask, sizeof ask, 0);
         if (got < 0 && errno == EINTR) continue;
-        if (got != static_cast<ssize_t>(sizeof ask)) break;  // the parent has closed its end
+        if (got != static_cast<ssize_t>(sizeof ask)) break;  // the parent closed its end
         Answer answer;
         answer.number = ask.number;
         answer.out.size = sizeof answer.out;

@@ -5,9 +5,9 @@
 
 namespace kerf {
 
-/// The whole of `kerf-remesh`: opens a module and answers requests on the descriptors of `remesh_channel` until its
-/// parent has gone. Returns the exit status.   [main]
-/// @param before, after   called around each call of the strategy
+/// Runs `kerf-remesh`: opens a module and answers requests on the descriptors of `remesh_channel` until its parent
+/// exits. Returns the exit status.   [main]
+/// @param before, after  called around each call of the strategy
 int serve_remeshing(const std::string& module, const std::string& strategy, void (*before)() noexcept,
                     void (*after)() noexcept);
 

@@ -23,7 +23,7 @@ Box box_around(const std::array<Vec3, 3>& c) {
         {std::max({c[0].x, c[1].x, c[2].x}), std::max({c[0].y, c[1].y, c[2].y}), std::max({c[0].z, c[1].z, c[2].z})}};
 }
 
-/// What the cuts of a request sweep.
+/// The sweeps of a request's cuts.
 class Swept {
 public:
     explicit Swept(const RemeshRequest& request) {
@@ -34,7 +34,8 @@ public:
                  swept_box(solid, cut)});
         }
     }
-    /// Whether a point is deeper than this in one of them [m]; negative: no farther outside than that.
+    /// Returns whether a point is deeper than `depth` [m] in one of the sweeps; a negative depth extends the sweeps
+    /// outwards.
     [[nodiscard]] bool holds(Vec3 point, double depth) const {
         const double margin = std::max(0.0, -depth);
         return std::any_of(all_.begin(), all_.end(), [&](const One& one) {
@@ -63,7 +64,7 @@ Vec3 middle_of(const SurfaceMesh& mesh, const Triangle& t) {
     return (c[0] + c[1] + c[2]) / 3.0;
 }
 
-/// The largest faces for which `is_asked` is true, at most as many as pay: small ones lie between large ones.
+/// Returns the largest faces for which `is_asked` is true, up to a limit of cost. Small faces lie between large ones.
 template <class IsAsked>
 std::vector<std::size_t> largest_faces(const SurfaceMesh& mesh, bool is_patch, const IsAsked& is_asked) {
     const std::size_t most = is_patch ? 256 : 8192;
@@ -85,8 +86,8 @@ std::vector<std::size_t> largest_faces(const SurfaceMesh& mesh, bool is_patch, c
 
 std::string at(Vec3 point) { return "at " + place_text(point); }
 
-/// Finds a point of a face that lies in the path of a tool. Depth changes no faster than a point moves, so its value in
-/// the middle bounds it all over the face; where that does not decide, the face is halved, down to `spacing`.
+/// Finds a point of a face in the path of a tool. Depth changes no faster than a point moves, so its value in the
+/// middle bounds it over the whole face. If this bound does not decide, the face is halved, down to `spacing`.
 class Rest {
 public:
     Rest(const Swept& swept, double allowed, double spacing) : swept_(&swept), allowed_(allowed), spacing_(spacing) {}
@@ -96,7 +97,7 @@ public:
         const double radius = std::max({length(a - middle), length(b - middle), length(c - middle)});
         if (swept_->holds(middle, allowed_)) return middle;
         if (radius <= spacing_ || !swept_->holds(middle, allowed_ - radius)) return std::nullopt;
-        // A face on the wall: between points of the wall a convex solid is no deeper than a few times `allowed`.
+        // A face on the wall: between points of the wall a convex solid is at most a few times `allowed` deep.
         if (swept_->holds(a, -allowed_) && swept_->holds(b, -allowed_) && swept_->holds(c, -allowed_))
             return std::nullopt;
         const double ab = length(b - a), bc = length(c - b), ca = length(a - c);
@@ -114,7 +115,8 @@ private:
     double allowed_, spacing_;
 };
 
-/// A quarter of the thinnest that the tools are: no piece of bone in their path is smaller and whole [m].
+/// Returns a quarter of the smallest thickness of the tools [m]: smaller complete pieces of bone cannot be in their
+/// path.
 double spacing_of(const RemeshRequest& request, double allowed) {
     double thinnest = HUGE_VAL;
     for (const ToolSolid* solid : request.solids)
@@ -124,7 +126,7 @@ double spacing_of(const RemeshRequest& request, double allowed) {
     return std::max(allowed, 0.25 * thinnest);
 }
 
-/// Bone that stays in the path of a tool.
+/// Returns the first remaining bone in the path of a tool.
 std::string flaw_of_rest(const SurfaceMesh& mesh, const RemeshRequest& request, const Swept& swept, double allowed) {
     const Rest rest(swept, allowed, spacing_of(request, allowed));
     const auto meets = [&](std::size_t face) {

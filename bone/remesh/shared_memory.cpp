@@ -10,7 +10,7 @@ namespace kerf {
 
 SharedMemory SharedMemory::make(const char* name) {
     const int fd = memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING);
-    // A file that shrinks under a mapping would end whoever reads it.
+    // A file that shrinks under a mapping would kill the process that reads it.
     if (fd >= 0) static_cast<void>(fcntl(fd, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_SEAL));
     return of(fd);
 }

@@ -8,21 +8,21 @@
 
 namespace kerf {
 
-/// Memory that two processes map. It is taken from the machine page by page as it is written.   [main, worker]
+/// Memory that two processes map. The system allocates each page at its first write.   [main, worker]
 class SharedMemory {
 public:
     SharedMemory() = default;
-    /// Makes a new one that has a file descriptor and no size; `fd()` is −1 where the system refuses it.
+    /// Makes a new block with a file descriptor and size 0; `fd()` is −1 if the system refuses it.
     static SharedMemory make(const char* name);
-    /// Takes over a descriptor that another process made.
+    /// Takes over a descriptor from another process.
     static SharedMemory of(int fd);
     SharedMemory(SharedMemory&& other) noexcept { *this = std::move(other); }
     SharedMemory& operator=(SharedMemory&& other) noexcept;
     ~SharedMemory();
 
-    /// Makes it at least so large and maps all of it. Returns false where the system refuses that.
+    /// Grows the block to at least `bytes` and maps all of it. Returns false if the system refuses.
     bool grow(std::uint64_t bytes);
-    /// Maps the first `bytes`, which the other process has made. Returns false where it has not.
+    /// Maps the first `bytes`, which the other process has allocated. Returns false if it has not.
     bool map(std::uint64_t bytes);
     [[nodiscard]] int fd() const noexcept { return fd_; }
     [[nodiscard]] kerf_arena arena() const noexcept { return {base_, size_, 0}; }

@@ -7,14 +7,14 @@
 namespace kerf {
 namespace {
 
-/// Points on the surface of a solid, tool frame, at most `apart` from each other.
+/// Returns points on the surface of a solid, tool frame, at most `apart` from each other.
 std::vector<Vec3> surface_points(const ToolSolid& solid, double apart) {
     std::vector<Vec3> points;
     const auto steps_for = [&](double way) { return std::max(1, static_cast<int>(std::ceil(way / apart))); };
     const double half = 0.5 * solid.thickness();
     const auto add_section = [&](double radius, double z, bool is_end) {
         if (solid.is_prism()) {
-            // The narrow ends and the flat sides; across the whole front and back too.
+            // Points on the narrow ends and the flat sides; on the front and back faces also across the thickness.
             const int across = steps_for(2.0 * radius), through = is_end ? steps_for(2.0 * half) : 1;
             for (int i = 0; i <= across; ++i)
                 for (int j = 0; j <= through; ++j)
@@ -47,7 +47,7 @@ std::vector<Vec3> surface_points(const ToolSolid& solid, double apart) {
 }  // namespace
 
 Box swept_box(const ToolSolid& solid, const CutStretch& stretch) {
-    // Polygons of the same area stand out of a circle, by 1.3 % of its radius where they have 16 sides.
+    // A polygon with the area of a circle extends beyond it, by 1.3 % of the radius if it has 16 sides.
     const double margin = 0.014 * solid.largest_radius() + 1e-5;
     const ToolSolid::Box from = solid.box(stretch.from), to = solid.box(stretch.to);
     const Vec3 more{margin, margin, margin};
@@ -65,7 +65,7 @@ bool SweptBefore::covers(const CutStretch& cut) const {
     for (const auto& one : swept_)
         if (meet(one->box, box)) near.push_back(one.get());
     if (near.empty()) return false;
-    const Swept* last = near.back();  // what covered the last point covers the next one, mostly
+    const Swept* last = near.back();  // most points are covered by the same sweep as the last one
     const auto is_in = [this](const Swept& one, Vec3 p) {
         return meet(one.box, {p, p}) && one.sweep.holds(p, -tolerance_);
     };

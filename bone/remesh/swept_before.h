@@ -12,12 +12,12 @@
 
 namespace kerf {
 
-/// A box that holds what a solid sweeps on a stretch, and a little more.   [any] pure.
+/// Returns a box around the sweep of a solid on a stretch, with a margin.   [any] pure.
 [[nodiscard]] Box swept_box(const ToolSolid& solid, const CutStretch& stretch);
 
-/// What tools have swept. Stretches that only pass where others, before them, have are covered: on the way back through
-/// a slot, or in the air. Points on the surface of the solid, at most `apart` [m] from each other, are compared with
-/// what was swept before, grown by `tolerance` [m]. Copies share what they hold.   [worker]
+/// The sweeps of tools so far. A stretch is covered if it only passes through earlier sweeps: backwards through a slot,
+/// or in air. Points on the surface of the solid, at most `apart` [m] from each other, are compared with the earlier
+/// sweeps grown by `tolerance` [m]. Copies have common data.   [worker]
 class SweptBefore {
 public:
     SweptBefore(std::vector<const ToolSolid*> solids, double tolerance, double apart)
@@ -36,7 +36,7 @@ private:
     };
     std::vector<const ToolSolid*> solids_;
     double tolerance_, apart_;
-    std::shared_ptr<std::vector<std::vector<Vec3>>> points_of_;  ///< of each solid, once it was asked for
+    std::shared_ptr<std::vector<std::vector<Vec3>>> points_of_;  ///< for each solid, computed at first use
     std::vector<std::shared_ptr<const Swept>> swept_;
 };
 

@@ -11,29 +11,29 @@
 
 namespace kerf {
 
-/// An exact surface: triangles in double precision, body frame [m], and where each of them comes from.
+/// An exact surface: triangles in double precision, body frame [m], with the origin of each.
 struct TaggedMesh {
     SurfaceMesh mesh;
-    std::vector<std::uint8_t> tags;  ///< of each triangle: KERF_FACE_…
+    std::vector<std::uint8_t> tags;  ///< #triangles, KERF_FACE_…
 };
 
-/// Returns a surface that no tool has cut: all its faces are KERF_FACE_SURFACE.   [any] pure.
+/// Returns an uncut surface: all its faces are KERF_FACE_SURFACE.   [any] pure.
 [[nodiscard]] inline TaggedMesh tagged(SurfaceMesh mesh) {
     std::vector<std::uint8_t> tags(mesh.triangles.size(), KERF_FACE_SURFACE);
     return {std::move(mesh), std::move(tags)};
 }
 
-/// Whether two meshes have the same bytes.   [any] pure.
+/// Returns whether two meshes have the same bytes.   [any] pure.
 [[nodiscard]] inline bool has_same_bytes(const TaggedMesh& a, const TaggedMesh& b) noexcept {
     const auto &x = a.mesh.vertices, &y = b.mesh.vertices;
     return a.tags == b.tags && a.mesh.triangles == b.mesh.triangles && x.size() == y.size() &&
            (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(Vec3)) == 0);
 }
 
-/// Returns the volume between two surfaces with the same border [m³], or the difference of two closed ones; positive
-/// where `outer` is outside.   [any] pure.
+/// Returns the volume between two surfaces with the same border [m³], or the difference of two closed ones; positive if
+/// `outer` is outside.   [any] pure.
 [[nodiscard]] inline double volume_between(const SurfaceMesh& inner, const SurfaceMesh& outer) noexcept {
-    // About one point for both: an open surface alone has no volume.
+    // Both sums use the same reference point: an open surface alone has no volume.
     const Vec3 about = outer.vertices.empty() ? Vec3{} : outer.vertices.front();
     const auto six_volumes = [about](const SurfaceMesh& mesh) {
         double sum = 0.0;
