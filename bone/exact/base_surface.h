@@ -11,10 +11,10 @@
 
 namespace kerf {
 
-/// Returns the surface that exact cuts of a bone begin with: that of its anatomy, or the field's where it has none, or
-/// one with a flaw. Nothing: the reason is in `error`, for people.   [any]
-/// @param own     anatomy whose `mesh:` is the surface of this bone; null: there is none
-/// @param notes   which surface it is, for people
+/// Returns the initial surface of a bone for exact cuts: the anatomy's surface, or the field's surface if the anatomy
+/// has none or a flawed one. Nothing on failure; then `error` has the reason, for people.   [any]
+/// @param own    anatomy whose `mesh:` is the surface of this bone; null: none
+/// @param notes  receives the choice of the surface, for people
 [[nodiscard]] std::optional<SurfaceMesh> base_surface(const Anatomy* own, const Body& bone,
                                                       std::vector<std::string>& notes, std::string& error);
 

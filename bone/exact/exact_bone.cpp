@@ -12,7 +12,7 @@ CutHistory common_of(const std::vector<ExactBody>& bodies) {
     return common;
 }
 
-/// Bodies that have more in common than all of them came apart later.
+/// Groups bodies that separated later: they have a longer common history than all bodies.
 std::vector<std::vector<ExactBody>> parted_after(const CutHistory& common, const std::vector<ExactBody>& bodies) {
     std::vector<std::vector<ExactBody>> groups;
     for (const ExactBody& one : bodies) {
@@ -105,8 +105,8 @@ bool ExactBone::come_apart(const std::vector<ExactBody>& bodies) {
     return true;
 }
 
-/// Follows what bodies have in common, parts the mesh among them, and goes on with each. Parts that do not hang
-/// together yet in the field may do so in the mesh; the body on which most of it lies gets it then.
+/// Follows the common history of bodies, divides the mesh among them, and continues with each. Parts that are separate
+/// in the field may still be connected in the mesh. Then the body on which most of the part lies gets it.
 void ExactBone::descend(std::unique_ptr<ExactTrack> track, const std::vector<ExactBody>& bodies) {
     if (bodies.size() == 1) {
         track->follow(bodies.front().history);
@@ -131,7 +131,7 @@ void ExactBone::descend(std::unique_ptr<ExactTrack> track, const std::vector<Exa
             most = *on;
             nearest = g;
         }
-        // What the field does not reach was cut by nothing and belongs to what was there first.
+        // A part beyond the field was never cut and belongs to the first body.
         if (most > 0.0 || !is_in_the_field)
             append(part.mesh, meshes[nearest]);
         else
@@ -183,7 +183,7 @@ std::vector<TaggedMesh> ExactBone::finish(const std::vector<ExactBody>& bodies) 
     return meshes;
 }
 
-/// Whether most of a part lies on a body, or where the field does not reach.
+/// Returns whether most of a part lies on a body, or beyond the field.
 bool ExactBone::lies_on(const MeshPart& part, const ExactBody& body) const {
     return fraction_on(part, *bone_, {body.cut.get()}).value_or(1.0) > 0.5;
 }

@@ -13,45 +13,46 @@
 
 namespace kerf {
 
-/// A body of a bone, as the field has it.
+/// A body of a bone in the field.
 struct ExactBody {
     std::size_t body = 0;      ///< number in the scene
     std::size_t came_off = 0;  ///< the body that it was part of before
     const Body* bone = nullptr;
-    bool is_present = true;  ///< false: it was taken out of the scene, and leaves no surface
+    bool is_present = true;  ///< false: removed from the scene, without a surface
     CutHistory history{};
-    std::shared_ptr<const CutField> cut{};  ///< null: not needed, there are the same bodies as before
+    std::shared_ptr<const CutField> cut{};  ///< null: not needed, the bodies are the same as before
 };
 
-/// The exact surfaces of all bodies of one bone. The field decides which bodies there are; when it comes apart, so does
-/// the mesh.   [worker]
+/// The exact surfaces of all bodies of one bone. The field decides which bodies exist. If it separates, so does the
+/// mesh.   [worker]
 class ExactBone {
 public:
-    /// @param uncut   the surface of the bone before the first record
+    /// @param uncut  surface of the bone before the first record
     ExactBone(const Body& bone, TaggedMesh uncut, const ExactTools& tools);
 
-    /// Follows the bodies to where they are now: on along their histories, apart, or back to an earlier state. Pre: all
-    /// of the bone's bodies, by number; with their cuts unless they are the same as at the last call and no history
-    /// went back.
-    /// @param may_return   bone may come back to this state
+    /// Follows the bodies to their present state: forwards along their histories, through separations, or back to an
+    /// earlier state. Pre: all of the bone's bodies, by number; with their cuts, unless the bodies are the same as in
+    /// the last call and no history went back.
+    /// @param may_return  bone may return to this state
     void follow(const std::vector<ExactBody>& bodies, bool may_return);
-    /// Follows, cuts what waits and returns the surface of each body, in the order of `bodies`: each part of the mesh
-    /// goes to the body on which it lies. Pre: with their cuts.
+    /// Follows the bodies, cuts waiting records, and returns the surface of each body, in the order of `bodies`. Each
+    /// part of the mesh is assigned to the body on which it lies. Pre: with their cuts.
     [[nodiscard]] std::vector<TaggedMesh> finish(const std::vector<ExactBody>& bodies);
 
-    /// The surfaces with what waits cut into them, by body.
+    /// Returns the surfaces by body, with waiting records cut into them.
     [[nodiscard]] std::vector<std::pair<std::size_t, LocalCutting::Moment>> shown();
 
     [[nodiscard]] double uncut_volume() const noexcept { return uncut_volume_; }  ///< [m³]
-    [[nodiscard]] std::size_t crumbs() const noexcept { return crumbs_; }  ///< parts on which the field has no body
+    /// Returns the number of parts of the mesh without a body in the field.
+    [[nodiscard]] std::size_t crumbs() const noexcept { return crumbs_; }
     [[nodiscard]] double crumb_volume() const noexcept { return crumb_volume_; }  ///< [m³]
     [[nodiscard]] std::size_t records() const noexcept;
     [[nodiscard]] std::size_t stretches() const noexcept;
     [[nodiscard]] int refusals() const noexcept;
     [[nodiscard]] int handed_over() const noexcept;
-    /// Where the surfaces do not show what was cut.
+    /// Returns the boxes in which the surfaces lack cuts.
     [[nodiscard]] std::vector<LocalCutting::Stale> stale() const;
-    /// Refused attempts, for people.
+    /// Returns the refused attempts, for people.
     [[nodiscard]] std::vector<std::string> notes() const;
 
 private:
@@ -66,7 +67,7 @@ private:
         std::size_t crumbs, records, stretches;
         double crumb_volume;
     };
-    /// A part that turns out to be another body's: it lacks the records of that body after `done`.
+    /// A part of another body: it lacks the records of that body after `done`.
     struct Late {
         TaggedMesh mesh;
         std::size_t body;  ///< number among the bodies
@@ -89,7 +90,7 @@ private:
     const ExactTools* tools_;
     std::vector<Track> tracks_;
     std::deque<Kept> kept_;
-    // Of tracks that came apart, and of parts that no body has.
+    // Of separated tracks, and of parts without a body.
     std::size_t crumbs_ = 0, records_ = 0, stretches_ = 0;
     double crumb_volume_ = 0.0;
     int refusals_ = 0, handed_over_ = 0;

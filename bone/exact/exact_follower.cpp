@@ -55,7 +55,7 @@ void ExactFollower::follow(const Simulation& simulation) {
     if (!went_on) state = exact_state(simulation, true);
     {
         const std::lock_guard lock(mutex_);
-        // A state that only goes on is not needed once there is a later one; what bone may return to is.
+        // A state that only continues is obsolete once there is a later one. States that bone may return to are kept.
         const bool is_between = [&] {
             if (states_.empty() || !went_on) return false;
             const ExactState& last = states_.back();
@@ -104,7 +104,7 @@ void ExactFollower::work() {
             lock.unlock();
             if (work_on(state, is_the_end)) return;
         }
-    } catch (const std::exception& e) {  // of memory, most likely: the run goes on without the surface
+    } catch (const std::exception& e) {  // most likely out of memory: the run continues without the surface
         error = e.what();
     }
     ExactSurface none;
@@ -135,7 +135,7 @@ void ExactFollower::finish_with(ExactSurface made) {
 void ExactFollower::show() {
     {
         const std::lock_guard lock(mutex_);
-        if (!states_.empty()) return;  // it would be old
+        if (!states_.empty()) return;  // it would be outdated
     }
     auto view = std::make_shared<ExactView>();
     for (auto& [body, moment] : surfaces_.shown())

@@ -48,7 +48,7 @@ ExactPiece piece_of(const ExactBody& body, TaggedMesh mesh) {
     return piece;
 }
 
-/// [m] beyond the request's own, of the strategy that states most.
+/// Returns the largest tolerance of the strategies [m], less the request's own.
 double stated_tolerance(const ExactTools& tools) {
     double most = tools.tolerance;
     for (const auto& strategies : tools.strategies)
@@ -68,7 +68,7 @@ ExactState exact_state(const Simulation& simulation, bool with_cuts) {
     ExactState state{{}, !simulation.is_in_a_cut()};
     const PresentBone& present = simulation.present();
     for (std::size_t body = 0; body < present.count(); ++body) {
-        // A part that has just come off is there before the loop takes it over.
+        // The scene has a newly separated part before the loop takes it over.
         const auto& live = simulation.bodies();
         const bool is_known = body < live.size();
         if (is_known && !live[body]->is_cuttable) continue;
@@ -145,7 +145,7 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
     }
     std::sort(made.pieces.begin(), made.pieces.end(),
               [](const ExactPiece& a, const ExactPiece& b) { return a.body < b.body; });
-    // A tolerance is for edges: however large, it must not hide that bone was left.
+    // A tolerance applies to edges. Even a large one must not hide bone that was not removed.
     made.allowed += std::min(by_tolerance, tools_.volume_accuracy * std::abs(made.field_removed));
     if (made.error.empty() && std::abs(made.removed - made.field_removed) > made.allowed)
         made.error = "the mesh lost " + text_of(made.removed) + " and the field " + text_of(made.field_removed) +

@@ -13,7 +13,7 @@ namespace {
 constexpr int most_refusals = 4;  // of one result
 constexpr const char* interrupted = "interrupted";
 
-/// What is no longer running has cut none of the stretches that follow.
+/// Returns the result of a strategy that no longer runs: it declines all later stretches.
 RemeshResult declined_by_its_end() {
     RemeshResult result;
     result.status = KERF_REMESH_DECLINED;
@@ -32,7 +32,7 @@ Box swept_by(const std::vector<CutRecord>& records, const std::vector<const Tool
     return all;
 }
 
-/// Of each solid the strategies that cut patches.
+/// Returns the strategies for patches, for each solid.
 std::vector<std::vector<NamedStrategy>> patch_strategies(const ExactTools& tools) {
     std::vector<std::vector<NamedStrategy>> all(tools.solids.size());
     for (std::size_t solid = 0; solid < all.size(); ++solid)
@@ -129,7 +129,7 @@ void ExactTrack::commit(const std::optional<CutStretch>& stretch) {
     if (tools_->are_cancelled()) return give_up(*stretch, interrupted);
     std::string why;
     if (cutting_.cut(*stretch, why)) return;
-    // The order of cuts does not matter, so all of these can wait until the end.
+    // The order of cuts has no effect, so all of these can wait until the end.
     if (has_whole(tools_->strategies[stretch->solid]))
         left_over_.push_back(*stretch);
     else

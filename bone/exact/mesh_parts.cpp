@@ -10,7 +10,7 @@
 namespace kerf {
 namespace {
 
-/// Whether bone of a body lies at one of the eight samples around a point.
+/// Returns whether one of the eight samples around a point has bone of a body.
 bool touches(const Body& bone, const CutField& cut, Vec3 point) {
     const Grid& grid = bone.grid();
     const Vec3 at = (1.0 / grid.spacing) * (point - grid.origin);
@@ -30,7 +30,7 @@ std::vector<MeshPart> parts_of(const TaggedMesh& whole) {
     const Pieces pieces = pieces_of(whole.mesh, half_edges_of(whole.mesh));
     std::vector<MeshPart> parts(pieces.count);
     std::vector<std::uint32_t> numbers(whole.mesh.vertices.size(), 0);
-    // A vertex belongs to one part: parts that share one would be pinched, which no accepted mesh is.
+    // A vertex belongs to one part. Parts with a common vertex would be pinched, and no accepted mesh is.
     std::vector<bool> is_taken(whole.mesh.vertices.size(), false);
     for (std::size_t f = 0; f < whole.mesh.triangles.size(); ++f) {
         TaggedMesh& part = parts[pieces.of_face[f]].mesh;
@@ -76,7 +76,7 @@ std::vector<double> wall_areas_of(const TaggedMesh& mesh, const Body& bone) {
         if (mesh.tags[f] == KERF_FACE_SURFACE) continue;
         const auto [a, b, c] = mesh.mesh.corners(mesh.mesh.triangles[f]);
         const Vec3 ab = b - a, ac = c - a;
-        // A wall's face may cross all tissues: it is divided into small ones, in rows no wider than a voxel.
+        // A wall's face may cross all tissues. So it is divided into small faces, in rows no wider than a voxel.
         const double longest = std::max({length(ab), length(ac), length(c - b)});
         const int rows = static_cast<int>(std::clamp(std::ceil(longest / bone.grid().spacing), 1.0, most_rows));
         const double area = 0.5 * length(cross(ab, ac)) / (static_cast<double>(rows) * rows);
