@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-/// In the order of their keys.
+/// Returns the groups in the order of their keys.
 template <class KeyOf>
 std::vector<Acquisition> grouped(const std::vector<DicomSlice>& slices, const KeyOf& key_of) {
     std::map<decltype(key_of(slices.front())), Acquisition> groups;

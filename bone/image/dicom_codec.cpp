@@ -19,8 +19,8 @@
 namespace kerf {
 namespace {
 
-constexpr rlim_t most_seconds = 10;                    // for one slice
-constexpr rlim_t most_memory = 1024ull * 1024 * 1024;  // [bytes] beyond what this process has
+constexpr rlim_t most_seconds = 10;                    // of processor time, for one slice
+constexpr rlim_t most_memory = 1024ull * 1024 * 1024;  // [bytes] beyond the memory of this process
 
 std::size_t size_of(const DicomSlice& slice) {
     return static_cast<std::size_t>(slice.rows) * static_cast<std::size_t>(slice.columns) *
@@ -51,7 +51,7 @@ std::vector<char> unpacked(const DicomSlice& slice, const std::vector<std::strin
     return image.GetBuffer(buffer.data()) ? buffer : std::vector<char>();
 }
 
-/// Pages that this process has mapped, in bytes.
+/// Returns the memory that this process has mapped [bytes].
 rlim_t mapped() {
     std::ifstream in("/proc/self/statm");
     std::uint64_t pages = 0;
@@ -64,13 +64,13 @@ void limit(int resource, rlim_t most) {
     setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
-/// The child: unpacks, writes all or nothing, ends.
+/// Runs in the child process: unpacks the slice, writes all of it or nothing, and exits.
 [[noreturn]] void unpack_into(int pipe, rlim_t memory, const DicomSlice& slice,
                               const std::vector<std::string>& fragments) {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, most_seconds);
     limit(RLIMIT_AS, memory);
-    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {  // codecs talk
+    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {  // discards messages of the codecs
         dup2(nowhere, STDOUT_FILENO);
         dup2(nowhere, STDERR_FILENO);
     }
@@ -86,7 +86,7 @@ void limit(int resource, rlim_t most) {
             at += static_cast<std::size_t>(count);
         }
     } catch (...) {
-        // Nothing was written: that says it.
+        // An empty pipe reports the failure.
     }
     _exit(0);
 }

@@ -17,10 +17,10 @@ namespace kerf {
 namespace {
 
 constexpr std::uint64_t preamble = 128;          // [bytes]
-constexpr std::uint32_t undefined = 0xffffffff;  // a length that the end is marked for
+constexpr std::uint32_t undefined = 0xffffffff;  // length of an element that ends with a mark
 constexpr int most_nested = 16;
 constexpr int most_elements = 100'000;
-constexpr std::uint32_t most_kept = 1024;  // [bytes] of a value that may be asked for
+constexpr std::uint32_t most_kept = 1024;  // [bytes] of a value that is stored for queries
 constexpr std::uint32_t item = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd;
 constexpr const char *implicit_little = "1.2.840.10008.1.2", *explicit_little = "1.2.840.10008.1.2.1";
 constexpr std::uint32_t transfer_syntax = 0x00020010, pixel_data = 0x7fe00010;
@@ -29,7 +29,7 @@ struct Fault {
     std::string what;
 };
 
-/// The file as bytes that must be there.
+/// The file as a stream of bytes. Reading beyond its end throws a Fault.
 class Bytes {
 public:
     explicit Bytes(const std::string& file) : in_(open_regular_file(file)) {
@@ -50,7 +50,7 @@ public:
         at_ += N;
         return bytes;
     }
-    /// The next bytes, which stay where they are.
+    /// Returns the next bytes without consuming them.
     template <std::size_t N>
     std::array<unsigned char, N> peek() {
         const std::uint64_t here = at_;
@@ -59,9 +59,9 @@ public:
         in_.seekg(static_cast<std::streamoff>(at_));
         return bytes;
     }
-    /// Pre: no more than a file may keep.
+    /// Pre: `length` is at most `most_kept`.
     std::string keep(std::uint32_t length) {
-        if (length > left()) skip(length);  // says why not
+        if (length > left()) skip(length);  // throws the reason
         std::string value(length, '\0');
         in_.read(value.data(), static_cast<std::streamsize>(length));
         if (!in_) throw Fault{"it cannot be read to its end"};
@@ -81,7 +81,7 @@ private:
     std::uint64_t size_ = 0, at_ = 0;
 };
 
-/// How numbers are written, and whether an element says of which sort it is.
+/// Byte order of numbers, and whether elements state their type (VR).
 struct Encoding {
     bool is_big = false, is_explicit = true;
 };
@@ -94,8 +94,8 @@ std::uint32_t bits(const unsigned char* bytes, int count, bool is_big) {
 
 struct Element {
     std::uint32_t tag = 0, length = 0;
-    bool is_unknown = false;   ///< sort UN: if its length is undefined, it is implicit inside
-    bool is_sequence = false;  ///< as it says; implicit elements do not
+    bool is_unknown = false;   ///< type UN: with undefined length, its contents are implicit
+    bool is_sequence = false;  ///< as stated; implicit elements state no type
 };
 
 Element next_element(Bytes& bytes, Encoding encoding) {
@@ -120,14 +120,14 @@ Element next_element(Bytes& bytes, Encoding encoding) {
     return e;
 }
 
-/// What a walk finds.
+/// Output of a walk.
 struct Found {
     std::map<std::uint32_t, std::string>& values;
     std::vector<std::uint32_t>& tags;
     DicomElements& file;
 };
 
-/// Elements up to the voxels and over them, or up to the mark of an item's or a sequence's end.
+/// Walks over elements up to and including the pixel data, or up to the end mark of an item or a sequence.
 class Walk {
 public:
     Walk(Bytes& bytes, Found found, const NestedDicomElement& nested) : bytes_(bytes), found_(found), nested_(nested) {}
@@ -176,7 +176,7 @@ private:
         }
     }
 
-    /// Implicit elements do not say that they are sequences; neither do those of sort UN.
+    /// Implicit elements and elements of type UN do not state that they are sequences.
     [[nodiscard]] bool begins_with_item(const Element& e, Encoding encoding) {
         if ((encoding.is_explicit && !e.is_unknown) || e.length < 8 || e.length > bytes_.left()) return false;
         const bool is_big = encoding.is_big && !e.is_unknown;
@@ -184,7 +184,7 @@ private:
         return (bits(head.data(), 2, is_big) << 16 | bits(head.data() + 2, 2, is_big)) == item;
     }
 
-    /// Tells what a sequence holds. Who skips it would not see where it is wrong.
+    /// Visits all elements of a sequence. A walk that skipped it would miss errors inside.
     void look_into(const Element& e, Encoding encoding, int depth) {
         if (depth >= most_nested) throw Fault{"its sequences are nested more than 16 deep"};
         if (e.is_unknown) encoding = {.is_big = false, .is_explicit = false};
@@ -202,7 +202,7 @@ private:
             while (bytes_.at() < end_of_item) {
                 const Element inner = counted(encoding);
                 if (inner.tag == item_end) break;
-                const bool is_voxels = inner.tag == pixel_data;  // of an icon: fragments are no items with elements
+                const bool is_voxels = inner.tag == pixel_data;  // of an icon: fragments are not items with elements
                 if (!is_voxels &&
                     (inner.is_sequence || inner.length == undefined || begins_with_item(inner, encoding))) {
                     look_into(inner, encoding, depth + 1);
@@ -246,7 +246,7 @@ std::string trimmed(std::string text) {
     return text;
 }
 
-/// The elements of group 2, which are always little and explicit.
+/// Returns the transfer syntax from group 2, which is always little endian and explicit.
 std::string transfer_syntax_of(Bytes& bytes) {
     std::string syntax;
     while (bytes.left() >= 8 && bits(bytes.peek<2>().data(), 2, false) == 2) {
@@ -261,7 +261,7 @@ std::string transfer_syntax_of(Bytes& bytes) {
     return syntax;
 }
 
-/// How a file without a preamble is encoded: those begin with their first group of elements. Empty: this is none.
+/// Returns the transfer syntax of a file without a preamble, by its first element; empty if the file is not DICOM.
 std::string encoding_without_preamble(Bytes& bytes) {
     if (bytes.left() < 8) return {};
     const auto head = bytes.peek<8>();
@@ -293,7 +293,7 @@ DicomElements read_dicom_elements(const std::string& file, const NestedDicomElem
         constexpr const char *big = "1.2.840.10008.1.2.2", *deflated = "1.2.840.10008.1.2.1.99";
         if (elements.encoding == deflated) {
             elements.is_dicom = true;
-            elements.has_voxels = true;  // somewhere in there
+            elements.has_voxels = true;  // inside the compressed part
             return elements;
         }
         elements.is_big_endian = elements.encoding == big;
@@ -305,7 +305,7 @@ DicomElements read_dicom_elements(const std::string& file, const NestedDicomElem
         elements.fault = "it cannot be read";
     }
     if (has_preamble) return elements;
-    // Without a preamble other files may begin alike: what makes a slice must be there.
+    // Other files may begin alike, so a file without a preamble must have the elements of a slice.
     elements.is_dicom = elements.text(0x0008, 0x0016).starts_with("1.2.840.10008.") ||
                         (elements.has_voxels && elements.has(0x0028, 0x0010));
     return elements.is_dicom ? elements : DicomElements();

@@ -11,37 +11,37 @@
 
 namespace kerf {
 
-/// A DICOM file's outermost elements: short values as bytes, and where its voxels lie. What reads this never believes a
-/// length: Debian's GDCM stops the program at a malformed header, so it never sees one.
+/// The outermost elements of a DICOM file: short values as bytes, and the position of its voxels. The reader checks
+/// every length before use. Debian's GDCM aborts at a malformed header, so it never gets one.
 class DicomElements {
 public:
     struct Piece {
         std::uint64_t offset = 0, size = 0;  ///< [bytes] in the file
     };
 
-    bool is_dicom = false;  ///< by the word DICM; or, in a file without a preamble, by its first group and its class
-    std::string fault;      ///< why the elements cannot be as they say; empty: they can
+    bool is_dicom = false;  ///< by the word DICM; without a preamble, by the first group and the class
+    std::string fault;      ///< defect of the elements; empty if none
     std::string encoding;   ///< UID of the transfer syntax
     bool is_big_endian = false;
-    bool has_voxels = false;           ///< an element with pixel data
-    bool is_encapsulated = false;      ///< they are compressed, in pieces of which the first is a table
-    std::vector<Piece> voxels;         ///< one, or all fragments
-    std::size_t private_elements = 0;  ///< of manufacturers: nobody else knows what they hold
-    std::size_t sequences = 0;  ///< elements with elements in them, which are passed over unless somebody asks for them
+    bool has_voxels = false;           ///< the file has pixel data
+    bool is_encapsulated = false;      ///< compressed, in fragments of which the first is a table
+    std::vector<Piece> voxels;         ///< one piece, or all fragments
+    std::size_t private_elements = 0;  ///< of manufacturers, with undocumented contents
+    std::size_t sequences = 0;         ///< elements with elements inside, which are skipped without a `nested` callback
 
-    /// Whether the element is there at all, whatever it holds.
+    /// Returns whether the element exists, with any value.
     [[nodiscard]] bool has(std::uint16_t group, std::uint16_t element) const;
 
-    /// Without the blanks around it; empty if it is not there.
+    /// Returns the value without surrounding blanks; empty if the element is missing.
     [[nodiscard]] std::string text(std::uint16_t group, std::uint16_t element) const;
 
-    /// Decimal strings, separated by backslashes. Empty if one of them is no finite number.
+    /// Returns the decimal strings, which backslashes separate; empty if one of them is not a finite number.
     [[nodiscard]] std::vector<double> numbers(std::uint16_t group, std::uint16_t element) const;
 
-    /// The first of them.
+    /// Returns the first decimal string as a number.
     [[nodiscard]] std::optional<double> number(std::uint16_t group, std::uint16_t element) const;
 
-    /// A whole number of 16 bits.
+    /// Returns the value as a 16-bit integer.
     [[nodiscard]] std::optional<int> word(std::uint16_t group, std::uint16_t element, bool is_signed = false) const;
 
 private:
@@ -51,13 +51,13 @@ private:
     std::vector<std::uint32_t> tags_;  ///< of all elements, in their order
 };
 
-/// What is to be done with an element within a sequence: its group and number, and its bytes; none if they are too many
-/// to be a text.
+/// Callback for an element within a sequence: its group and number, and its bytes; null if the value is too long for
+/// text.
 using NestedDicomElement = std::function<void(std::uint32_t tag, const std::string* value)>;
 
-/// Walks from element to element, up to the pixel data and over them. A length that goes beyond the file or its
-/// own sequence is a fault: whoever believed it would take memory for bytes that are not there. Never throws.   [main]
-/// @param nested   told of every element within a sequence, 16 deep at most; empty: sequences are passed over
+/// Reads the elements up to and including the pixel data. A length beyond the end of the file or of its sequence is a
+/// fault, so a false length allocates no memory. Never throws.   [main]
+/// @param nested  called for every element within a sequence, 16 deep at most; empty: sequences are skipped
 [[nodiscard]] DicomElements read_dicom_elements(const std::string& file, const NestedDicomElement& nested = {});
 
 }  // namespace kerf

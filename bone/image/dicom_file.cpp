@@ -21,10 +21,10 @@ namespace {
 
 constexpr int least_edge = 2, most_edge = 4096;                // [voxels]
 constexpr double least_spacing = 1e-6, most_spacing = 100e-3;  // [m]
-constexpr double most_scale = 1e9;                             // [–] with it 32 bits are still a float
-constexpr double straight = 1e-3;                              // [–] of a unit vector
+constexpr double most_scale = 1e9;                             // [–] with it 32-bit values still fit a float
+constexpr double straight = 1e-3;                              // [–] deviation from a unit vector
 
-/// Why a slice cannot be used.
+/// Reason why a slice cannot be used.
 struct Trouble {
     std::string what;
 };
@@ -35,7 +35,7 @@ int whole(std::optional<double> number) {
 
 bool is_unit(Vec3 v) { return std::abs(length(v) - 1.0) < straight; }
 
-/// Whether its pixels can be got at all.
+/// Checks that the pixels can be decoded.
 void check_encoding(const DicomElements& of) {
     static constexpr std::array<const char*, 3> plain{"1.2.840.10008.1.2", "1.2.840.10008.1.2.1",
                                                       "1.2.840.10008.1.2.2"};
@@ -69,7 +69,7 @@ void read_place(const DicomElements& of, DicomSlice& slice) {
     if (const auto tilt = of.number(0x0018, 0x1120)) slice.tilt = *tilt * 3.14159265358979323846 / 180.0;
 }
 
-/// One value (0028,0120), or all from it to another one (0028,0121), whichever is the smaller.
+/// Reads the padding: one value (0028,0120), or the range between it and a second one (0028,0121), in either order.
 void read_padding(const DicomElements& of, DicomSlice& slice) {
     const auto one = of.word(0x0028, 0x0120, slice.is_signed), other = of.word(0x0028, 0x0121, slice.is_signed);
     if (other && !one) throw Trouble{"it has a limit of padding (0028,0121) without its value (0028,0120)"};
@@ -99,7 +99,7 @@ void read_values(const DicomElements& of, DicomSlice& slice) {
     if (!has_bits) throw Trouble{"its bits per pixel are not 8, 16 or 32, or do not fit together"};
     const std::uint64_t need = static_cast<std::uint64_t>(slice.rows) * static_cast<std::uint64_t>(slice.columns) *
                                static_cast<std::uint64_t>(slice.bits_allocated / 8);
-    const std::uint64_t odd = need % 2;  // a value has an even length
+    const std::uint64_t odd = need % 2;  // a DICOM value has an even length
     if (!of.is_encapsulated && (of.voxels.front().size < need || of.voxels.front().size > need + odd))
         throw Trouble{"it has " + std::to_string(of.voxels.front().size) + " bytes of pixels, its size needs " +
                       std::to_string(need)};
@@ -119,7 +119,7 @@ void read_values(const DicomElements& of, DicomSlice& slice) {
     if (std::abs(slice.slope) > most_scale || std::abs(slice.intercept) > most_scale)
         throw Trouble{"its rescale slope (0028,1053) or intercept (0028,1052) is beyond 1000000000"};
     read_padding(of, slice);
-    // Values through a table are no line of the stored ones.
+    // A lookup table is not a linear function of the stored values.
     if (of.has(0x0028, 0x3000)) throw Trouble{"its values come out of a table (0028,3000), which is not read"};
 }
 
@@ -129,7 +129,7 @@ void read_sort(const DicomElements& of, DicomSlice& slice) {
     slice.series_number = whole(of.number(0x0020, 0x0011));
     slice.instance = whole(of.number(0x0020, 0x0013));
     slice.acquisition = whole(of.number(0x0020, 0x0012));
-    // Temporal position, echo, voltage, kernel; a blank between them, as none holds two.
+    // Temporal position, echo, voltage, kernel. Two blanks separate them, because none contains two.
     for (const auto& [group, element] :
          {std::pair{0x0020, 0x0100}, {0x0018, 0x0086}, {0x0018, 0x0060}, {0x0018, 0x1210}})
         slice.pass += of.text(static_cast<std::uint16_t>(group), static_cast<std::uint16_t>(element)) + "  ";
@@ -147,7 +147,7 @@ void read_sort(const DicomElements& of, DicomSlice& slice) {
     slice.is_lossy = of.text(0x0028, 0x2110) == "01";
 }
 
-/// A raw value of the given bits, moved down and its sign spread.
+/// Returns the stored bits of a raw value, shifted down and sign-extended.
 std::int32_t unpacked(std::uint32_t raw, const DicomSlice& slice) {
     const int shift = slice.high_bit + 1 - slice.bits_stored;
     const std::uint32_t mask = slice.bits_stored == 32 ? ~0u : (1u << slice.bits_stored) - 1u;
@@ -165,7 +165,7 @@ std::string bytes_of(std::ifstream& in, const DicomElements::Piece& piece, std::
     return bytes;
 }
 
-/// Pixels as rows × columns × bits_allocated / 8 bytes, least significant first.
+/// Returns the pixels as rows × columns × bits_allocated / 8 bytes, least significant first.
 std::vector<char> raw_pixels(const DicomSlice& slice) {
     std::ifstream in = open_regular_file(slice.file);
     if (slice.is_compressed) {
@@ -199,7 +199,7 @@ std::vector<float> decoded(const DicomSlice& slice) {
         const double scaled = slice.slope * (slice.is_signed ? static_cast<double>(value)
                                                              : static_cast<double>(static_cast<std::uint32_t>(value))) +
                               slice.intercept;
-        // Unsigned values of 32 bits may look negative here; padding has 16 at most.
+        // Unsigned 32-bit values may be negative here. Padding has 16 bits at most.
         const bool is_padding = slice.padding && value >= slice.padding->least && value <= slice.padding->most;
         values[at] = is_padding ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(scaled);
     }

@@ -6,26 +6,27 @@
 
 #include "bone/image/dicom_slice.h"
 
-/// One DICOM file at a time: its header and its voxels.
+/// Reads one DICOM file at a time: its header and its voxels.
 namespace kerf {
 
 struct DicomHeader {
     enum class Kind {
-        other,     ///< no DICOM file
+        other,     ///< not a DICOM file
         no_slice,  ///< DICOM without voxels: a directory, a report, a plan
-        damaged,   ///< its elements cannot be as they say
+        damaged,   ///< its elements contradict each other or the file
         slice,
     };
     Kind kind = Kind::other;
-    DicomSlice slice;     ///< of a `slice`
-    std::string trouble;  ///< of a `slice` that cannot be used, or of what is damaged: why, in a few words
+    DicomSlice slice;     ///< if `kind` is `slice`
+    std::string trouble;  ///< the reason in a few words, of a `slice` that cannot be used or of damage
 };
 
-/// Reads all but the voxels. A small file that promises much costs no memory. Never throws.   [main]
+/// Reads everything except the voxels. A small file with large sizes in its header costs no memory. Never throws.
+/// [main]
 [[nodiscard]] DicomHeader read_dicom_header(const std::string& file);
 
-/// The voxels of a slice as `slope × raw + intercept`, row by row; padding as NaN. Empty: they cannot be decoded, and
-/// `trouble` says why. Never throws.   [main]
+/// Returns the voxels of a slice as `slope × raw + intercept`, row by row; padding as NaN. Returns nothing if they
+/// cannot be decoded; then `trouble` has the reason. Never throws.   [main]
 [[nodiscard]] std::vector<float> read_dicom_voxels(const DicomSlice& slice, std::string& trouble);
 
 }  // namespace kerf

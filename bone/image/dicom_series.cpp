@@ -21,7 +21,7 @@ constexpr double same_direction = 1e-3;  // [–] between unit vectors
 constexpr double same_spacing = 1e-6;    // [m]
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
-/// What is wrong; becomes a Diagnostic at the only way out.
+/// An error. `series_of()` turns it into a Diagnostic.
 struct Refusal {
     const char* code;
     std::string message;
@@ -33,11 +33,11 @@ std::string counted(std::size_t n, const char* one, const char* many) {
 }
 
 struct Group {
-    std::string name;  ///< what a person calls it by
+    std::string name;  ///< for people
     std::vector<const DicomHeader*> headers;
 };
 
-/// By UID; named by the least of the series' numbers, and by a letter behind it where series share one.
+/// Groups slices by series UID. The name is the smallest series number. Series with the same number also get a letter.
 std::vector<Group> groups_of(const std::vector<const DicomHeader*>& slices) {
     std::map<std::string, std::vector<const DicomHeader*>> by_series;
     for (const DicomHeader* header : slices) by_series[header->slice.series].push_back(header);
@@ -70,7 +70,7 @@ std::string offer_of(const Group& group) {
     return text;
 }
 
-/// The first few of a list, and how many are left out.
+/// Returns the first entries of a list, and the number of the others.
 std::string listed(const std::vector<std::string>& all, const char* others) {
     constexpr std::size_t most = 6;
     std::string text;
@@ -79,7 +79,7 @@ std::string listed(const std::vector<std::string>& all, const char* others) {
     return text;
 }
 
-/// The largest first; without a volume in any of them no choice helps.
+/// Returns the chosen series. Messages list the largest series first. Without a volume in any series no choice helps.
 const Group& chosen(const std::vector<Group>& groups, const std::string& name) {
     if (name.empty() && groups.size() == 1) return groups.front();
     std::vector<const Group*> sorted;
@@ -104,7 +104,7 @@ const Group& chosen(const std::vector<Group>& groups, const std::string& name) {
                                "`. Choose one that it holds: " + listed(offers, "series") + "."};
 }
 
-/// A frame of reference of its own in every slice, as some anonymisers leave it: it tells nothing.
+/// Some anonymisers give every slice its own frame of reference. Then the frame contains no information.
 bool has_frame_each(const std::vector<DicomSlice>& slices) {
     std::set<std::string> frames;
     for (const DicomSlice& slice : slices) frames.insert(slice.frame_of_reference);
@@ -152,7 +152,7 @@ SliceStack stack_of(std::vector<DicomSlice>& slices) {
     return stack;
 }
 
-/// The plane as a person finds it in a viewer: by the axis that it is most across.
+/// Returns the plane's position as a viewer shows it: along the axis closest to its normal.
 std::string place_of(const SliceStack& stack, std::size_t slice) {
     const Vec3 n = stack.normal(), at = stack.origins[slice];
     const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
@@ -165,7 +165,8 @@ std::string offer_of(const Acquisition& one) {
            " … " + millimetres(one.high) + " mm along their normal";
 }
 
-/// Leaves the slices of one acquisition. Several are one volume only where each has a part of the patient of its own.
+/// Keeps the slices of one acquisition. Several acquisitions form one volume only if each covers another part of the
+/// patient.
 void choose_acquisition(DicomSeries& series, const std::string& name, const std::string& folder,
                         Diagnostics& diagnostics) {
     const std::vector<Acquisition> all = acquisitions_of(series.slices);
@@ -195,7 +196,7 @@ void choose_acquisition(DicomSeries& series, const std::string& name, const std:
                                 " acquisitions one behind the other: " + listed(offers, "acquisitions") +
                                 ". They were joined; the patient may have moved between them.";
     series.notes.push_back(message);
-    // A scanner that stops for every slice, or every few, numbers each stop.
+    // A scanner that stops after every slice, or every few slices, numbers each stop. That needs no warning.
     if (largest.slices.size() > 1) diagnostics.push_back(warning_about(folder, "W0673", message));
 }
 

@@ -10,23 +10,22 @@
 
 namespace kerf {
 
-/// What one DICOM file says of its slice, as far as place and values need it, and nothing of whose it is. Frame: LPS,
-/// metres.
+/// Header of one DICOM slice: geometry and values. It keeps nothing that identifies the patient, except for fields that
+/// are marked "never shown or written". Frame: LPS, metres.
 struct DicomSlice {
     std::string file;                ///< to read its voxels from; never shown or written
-    std::string series;              ///< UID, to tell one series from another; never shown or written
-    std::string frame_of_reference;  ///< UID, the same; empty if not said
+    std::string series;              ///< UID that separates series; never shown or written
+    std::string frame_of_reference;  ///< UID; never shown or written; empty if missing
     int series_number = 0;           ///< 0: none
     int instance = 0;
-    /// What tells one pass over the patient from another in the same series. Only compared and, where they are small
-    /// numbers, shown.
+    /// Fields that separate passes over the patient in one series. They are only compared; small numbers may be shown.
     int acquisition = 0;        ///< number; 0: none
-    std::string pass;           ///< place in time, tube voltage, echo and reconstruction kernel
+    std::string pass;           ///< temporal position, tube voltage, echo and reconstruction kernel
     std::string acquired_at;    ///< date and time; never shown or written
     std::string modality;       ///< "CT" …; at most two letters, else empty
     bool is_localizer = false;  ///< an overview, not a slice of a volume
-    std::string values;         ///< what the rescaled values are: "HU" …; empty if not said
-    bool is_lossy = false;      ///< its values were changed by compression
+    std::string values;         ///< type of the rescaled values: "HU" …; empty if missing
+    bool is_lossy = false;      ///< compression changed its values
 
     int columns = 0, rows = 0;
     double between_columns = 0.0, between_rows = 0.0;  ///< [m] centre to centre: along a row, down a column
@@ -37,7 +36,7 @@ struct DicomSlice {
 
     int bits_allocated = 16, bits_stored = 16, high_bit = 15;
     bool is_signed = false;
-    /// Raw values of pixels that were never measured, both ends included. One value: both are the same.
+    /// Range of raw values of pixels that were never measured, both ends included. Both may be equal.
     struct Padding {
         int least = 0, most = 0;
     };
@@ -47,7 +46,7 @@ struct DicomSlice {
     std::string encoding;  ///< UID of the transfer syntax
     bool is_big_endian = false;
     bool is_compressed = false;                ///< in fragments, of which the first is a table
-    std::vector<DicomElements::Piece> voxels;  ///< where they lie in the file
+    std::vector<DicomElements::Piece> voxels;  ///< their positions in the file
 
     [[nodiscard]] Vec3 normal() const noexcept { return cross(along_row, down_column); }
 };

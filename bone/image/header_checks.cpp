@@ -50,7 +50,7 @@ std::optional<double> millimetres_in(std::string_view unit) {
         if (lower == one) return 10.0;
     for (const char* one : {"m", "meter", "metre"})
         if (lower == one) return 1000.0;
-    // The micro sign and the Greek letter look alike.
+    // The micro sign and the Greek letter mu are different characters.
     for (const char* one : {"um", "\xc2\xb5m", "\xce\xbcm", "micron", "micrometer", "micrometre"})
         if (lower == one) return 1e-3;
     return std::nullopt;

@@ -17,8 +17,8 @@ using header::refuse_truncated;
 
 constexpr const char* copy_again = "Copy the file again, or correct the sizes in its header.";
 
-/// More bytes than the header needs. Of a file beside a header, and of packed voxels, the length is the only check of
-/// the sizes; voxels in the header's own file may have something behind them.
+/// Reports bytes beyond the size in the header. For a separate file and for packed voxels the length is the only check
+/// of the sizes, so this is an error. In the header's own file other data may follow the voxels.
 void doubt_rest(ImageFile& image, bool is_exact, const std::string& rest, const std::string& of) {
     const std::string more =
         " has " + rest + " bytes more than the " + std::to_string(image.data_bytes()) + " that the header's sizes need";
@@ -26,7 +26,7 @@ void doubt_rest(ImageFile& image, bool is_exact, const std::string& rest, const 
     image.doubts.push_back("The file" + more + "; they were passed over.");
 }
 
-/// Unpacks all of it into nowhere: the number of bytes, the check sum and the length at the end must be right.
+/// Unpacks all voxels without storing them, and checks their size, checksum and final length.
 void check_packed(ImageFile& image) {
     const bool is_all = image.packing == ImageFile::Packing::gzip_file;
     const std::string of = is_all ? "unpacked, the file" : "unpacked, the block of voxels";
@@ -43,7 +43,7 @@ void check_packed(ImageFile& image) {
         doubt_rest(image, !is_all, (rest == slice ? "at least " : "") + std::to_string(rest), of);
     switch (bytes.end()) {
         case PackedBytes::End::sound:
-        case PackedBytes::End::more:  // a doubt already
+        case PackedBytes::End::more:  // already a doubt
             return;
         case PackedBytes::End::damaged:
             refuse("E0626", "the check sum or length at the end of its compressed data is wrong.",
@@ -62,7 +62,7 @@ void check_bytes(ImageFile& image, const std::string& file) {
         if (size > need) doubt_rest(image, is_detached, std::to_string(size - need), "the file with the voxels");
         return;
     }
-    check_packed(image);  // the check sum is right, so this is a doubt and no more:
+    check_packed(image);  // its checksum was right, so a wrong size is only a doubt:
     if (image.packed_bytes != 0 && image.data_offset + image.packed_bytes != size)
         image.doubts.push_back("`CompressedDataSize` is " + std::to_string(image.packed_bytes) +
                                ", but the voxels take " + std::to_string(size - std::min(size, image.data_offset)) +
@@ -100,7 +100,7 @@ std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& 
         return checked(file);
     } catch (const header::Refusal& refusal) {
         diagnostics.push_back(error_about(file, refusal.code, refusal.message + " " + refusal.advice));
-    } catch (const std::exception& error) {  // no memory, or a name that is no path
+    } catch (const std::exception& error) {  // out of memory, or an invalid path
         diagnostics.push_back(
             error_about(file, "E0620", std::string("the file cannot be checked: ") + error.what() + "."));
     }

@@ -48,8 +48,8 @@ std::vector<double> three(const std::string& text, const char* field) {
     return numbers;
 }
 
-/// Width of a voxel along each axis, in the unit of the file. `ElementSize` is what a voxel covers; without
-/// `ElementSpacing` it is the spacing, too.
+/// Returns the width of a voxel along each axis, in the unit of the file. `ElementSize` is the extent of a voxel;
+/// without `ElementSpacing` it is the spacing, too.
 std::vector<double> spacing_of(const Fields& fields, ImageFile& image) {
     const std::string *spacing = find(fields, {"elementspacing"}), *size = find(fields, {"elementsize"});
     const std::vector<double> found =
@@ -78,7 +78,7 @@ double unit_of(const Fields& fields) {
            "Export the image in millimetres.");
 }
 
-/// The letters that stand for the sides from which the three axes come: RAI for axes that run to left, back and head.
+/// Returns one letter for the side where each of the three axes begins: RAI for axes that run to left, back and head.
 std::string letters_of(const std::array<Vec3, 3>& axes) {
     std::string letters;
     for (const Vec3& axis : axes) {
@@ -90,7 +90,7 @@ std::string letters_of(const std::array<Vec3, 3>& axes) {
     return letters;
 }
 
-/// `AnatomicalOrientation` repeats what the matrix says; without a matrix it is all that there is.
+/// Checks `AnatomicalOrientation` against the matrix. Without a matrix it is the only orientation in the file.
 void check_letters(const Fields& fields, bool has_matrix, const std::array<Vec3, 3>& axes, ImageFile& image) {
     const std::string* written = find(fields, {"anatomicalorientation"});
     if (!written || written->find('?') != std::string::npos) return;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t header_size = 348;  // [bytes]
 
-/// A header, and its numbers in the byte order of the file. The offsets are those of nifti1.h.
+/// The bytes of a header, and its numbers in the byte order of the file. The offsets come from nifti1.h.
 class Header {
 public:
     explicit Header(std::string bytes) : bytes_(std::move(bytes)) {
@@ -65,8 +65,8 @@ ImageFile::Number number_of(int type) {
         "Export the image as 16-bit integers.");
 }
 
-/// Rotation of `qform` times the spacing: unit quaternion (a, b, c, d) of which b, c, d are written; the sign of the
-/// third axis is `pixdim[0]`. Source: nifti1.h, method 2.
+/// Returns the rotation of `qform` times the spacing. The header has b, c, d of a unit quaternion (a, b, c, d); the
+/// sign of the third axis is `pixdim[0]`. Source: nifti1.h, method 2.
 Placement placement_by_quaternion(Vec3 bcd, Vec3 spacing, double sign, Vec3 origin) {
     const double b = bcd.x, c = bcd.y, d = bcd.z;
     const double a = std::sqrt(std::max(0.0, 1.0 - b * b - c * c - d * d));
@@ -76,7 +76,7 @@ Placement placement_by_quaternion(Vec3 bcd, Vec3 spacing, double sign, Vec3 orig
     return {{spacing.x * i, spacing.y * j, (sign * spacing.z) * k}, origin};
 }
 
-/// The largest distance between the positions that two placements give a voxel of the image [mm].
+/// Returns the largest distance between a voxel's positions in two placements [mm].
 double disagreement(const Placement& a, const Placement& b, const std::array<int, 3>& size) {
     double most = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -106,7 +106,7 @@ double unit_of(const Header& header) {
     }
 }
 
-/// The lengths of the columns of `sform` are voxel sizes, and so is `pixdim`.
+/// Compares the lengths of `sform`'s columns with `pixdim`. Both are voxel sizes.
 void compare_sizes(const Placement& by_matrix, Vec3 spacing, ImageFile& image) {
     const std::array<double, 3> written{spacing.x, spacing.y, spacing.z};
     const auto text = [](double x, double y, double z) {
@@ -114,14 +114,14 @@ void compare_sizes(const Placement& by_matrix, Vec3 spacing, ImageFile& image) {
     };
     double worst = 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // Of a sheared image `pixdim` may be the length of the step or the distance between slices.
+        // In a sheared image `pixdim` may be the length of the step or the distance between slices.
         const Vec3 across = normalized(cross(by_matrix.steps[(axis + 1) % 3], by_matrix.steps[(axis + 2) % 3]));
         double least = HUGE_VAL;
         for (const double by_column : {length(by_matrix.steps[axis]), std::abs(dot(by_matrix.steps[axis], across))})
             least = std::min(least, std::abs(by_column - written[axis]) / std::max(by_column, written[axis]));
         worst = std::max(worst, least);
     }
-    constexpr double rounding = 1e-3, wrong = 1e-2;  // [–] programs write `pixdim` with few digits
+    constexpr double rounding = 1e-3, wrong = 1e-2;  // [–] many programs write `pixdim` with few digits
     if (worst <= rounding) return;
     const std::string both = "a voxel is " + text(spacing.x, spacing.y, spacing.z) + " by `pixdim` and " +
                              text(length(by_matrix.steps[0]), length(by_matrix.steps[1]), length(by_matrix.steps[2])) +
@@ -134,7 +134,7 @@ void compare_sizes(const Placement& by_matrix, Vec3 spacing, ImageFile& image) {
     image.doubts.push_back(std::move(doubt));
 }
 
-/// `sform` where there is one, or else `qform`. Where both are there and differ, that is a doubt.
+/// Sets the placement from `sform`, or without it from `qform`. If both exist and differ, that is a doubt.
 void place_nifti(const Header& header, ImageFile& image) {
     const double mm = unit_of(header);
     constexpr Vec3 ras{-1, -1, 1};
@@ -165,7 +165,7 @@ void place_nifti(const Header& header, ImageFile& image) {
         refuse("E0627", "neither `qform_code` nor `sform_code` is above 0: left and right cannot be distinguished.",
                "Export the image with its orientation.");
     if (by_matrix && by_quaternion) {
-        constexpr double same = 0.1;  // [mm]: headers are single precision, over the width of a body
+        constexpr double same = 0.1;  // [mm]: single-precision headers, over the width of a body
         if (const double apart = disagreement(*by_matrix, *by_quaternion, image.size); apart > same)
             image.doubts.push_back("`sform` and `qform` of the file place voxels up to " + number_text(apart) +
                                    " mm apart; `sform` was taken.");
@@ -180,7 +180,7 @@ void read_scale(const Header& header, ImageFile& image) {
     const double slope = header.real(112), intercept = header.real(116);
     if (!std::isfinite(slope) || !std::isfinite(intercept))
         refuse("E0622", "`scl_slope` or `scl_inter` is no finite number.", "Export the image again.");
-    if (slope != 0.0) {  // 0 means that neither counts
+    if (slope != 0.0) {  // 0 means that neither applies
         image.slope = slope;
         image.intercept = intercept;
     } else if (intercept != 0.0) {
@@ -223,7 +223,7 @@ ImageFile read_nifti(const std::string& file, bool is_packed) {
     check_size(size, image);
 
     image.number = number_of(header.word(70));
-    image.is_big_endian = header.is_swapped();  // as everything is that Kerf runs on, the reader is little endian
+    image.is_big_endian = header.is_swapped();  // the reader is little endian, as all machines that run Kerf
     if (header.word(72) != 8 * image.bytes_per_voxel())
         refuse("E0622",
                "`bitpix` is " + std::to_string(header.word(72)) + ", but the voxel type has " +

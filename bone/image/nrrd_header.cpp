@@ -25,11 +25,11 @@ constexpr int most_layers = 64;
 struct Text {
     Fields fields;
     Remarks remarks;
-    std::size_t end = 0;    ///< [bytes] where the voxels begin, if they are in the same file
-    bool is_ended = false;  ///< an empty line came
+    std::size_t end = 0;    ///< [bytes] beginning of the voxels, if they are in the same file
+    bool is_ended = false;  ///< an empty line ended the header
 };
 
-/// A remark's value without the two escapes that NRRD has.
+/// Returns a remark's value without the two escapes of NRRD.
 std::string unescaped(std::string_view value) {
     std::string text;
     for (std::size_t i = 0; i < value.size(); ++i) {
@@ -75,7 +75,7 @@ Text lines_of(const std::string& file) {
     return text;
 }
 
-// ---- fields of one value for each axis ------------------------------------------------------------------------------
+// ---- fields with one value for each axis ----------------------------------------------------------------------------
 
 void check_count(std::size_t count, std::size_t axes, const char* field) {
     if (count != axes)
@@ -85,7 +85,7 @@ void check_count(std::size_t count, std::size_t axes, const char* field) {
                "Export the image again.");
 }
 
-/// `none` or `(1,0,0)` for each axis.
+/// Parses `none` or `(1,0,0)` for each axis.
 std::vector<std::optional<Vec3>> vectors_of(std::string_view text, const char* field) {
     std::vector<std::optional<Vec3>> vectors;
     const auto malformed = [&] {
@@ -110,7 +110,7 @@ std::vector<std::optional<Vec3>> vectors_of(std::string_view text, const char* f
     return vectors;
 }
 
-/// How many numbers a voxel has: those along a first axis that is no axis of space.
+/// Returns the numbers per voxel: the size of a first axis that is not an axis of space. Removes this axis.
 int layers_of(std::vector<long long>& sizes, const std::string* kinds) {
     if (sizes.size() != 4 || kinds == nullptr) return 1;
     const auto words = words_of(*kinds);
@@ -124,7 +124,7 @@ int layers_of(std::vector<long long>& sizes, const std::string* kinds) {
     return layers;
 }
 
-/// Refuses axes that are not of space: those behind the layers must be.
+/// Refuses axes behind the layers that are not of space.
 void check_kinds(const Fields& fields, std::size_t axes, std::size_t first) {
     const std::string* kinds = find(fields, {"kinds"});
     if (!kinds) return;
@@ -140,7 +140,7 @@ void check_kinds(const Fields& fields, std::size_t axes, std::size_t first) {
     }
 }
 
-/// Millimetres in one of `space directions` and `space origin`.
+/// Returns the millimetres per unit of `space directions` and `space origin`.
 double unit_of(const Fields& fields, std::size_t axes, std::size_t first) {
     const auto common = [&](const char* field, std::size_t count, std::size_t from) -> std::optional<double> {
         const std::string* text = find(fields, {field});
@@ -170,7 +170,7 @@ double unit_of(const Fields& fields, std::size_t axes, std::size_t first) {
     return mm;
 }
 
-/// A size or a position that the header gives a second time must agree.
+/// Checks a size or a position that the header gives a second time.
 void check_repeated(const Fields& fields, std::size_t axes, std::size_t first, const std::array<Vec3, 3>& steps) {
     if (const std::string* text = find(fields, {"spacings"})) {
         const auto spacings = decimals_of(*text, "spacings");
@@ -195,7 +195,7 @@ void check_repeated(const Fields& fields, std::size_t axes, std::size_t first, c
         }
 }
 
-/// LPS from the space of the header: 1 or −1 for each axis.
+/// Returns the factors from the header's space to LPS: 1 or −1 for each axis.
 Vec3 frame_of(const Fields& fields) {
     const std::string space = lower(need(fields, {"space"}));
     static const std::array<const char*, 6> spaces{"left-posterior-superior", "lps", "right-anterior-superior", "ras",
@@ -212,7 +212,7 @@ Vec3 frame_of(const Fields& fields) {
 
 // ---- the voxels -----------------------------------------------------------------------------------------------------
 
-/// Fields that give stored numbers another meaning.
+/// Refuses fields that change the meaning of stored numbers.
 void check_values(const Fields& fields, const ImageFile& image) {
     for (const auto& names : {std::array{"old min", "oldmin"}, std::array{"old max", "oldmax"}})
         if (find(fields, {names[0], names[1]}))
@@ -228,7 +228,7 @@ void check_values(const Fields& fields, const ImageFile& image) {
     }
 }
 
-/// Lines and bytes to pass over before the voxels. Bytes from the end of the file for −1, as NRRD defines it.
+/// Applies the bytes to skip before the voxels. −1 counts from the end of the file, as NRRD defines it.
 void skip(const Fields& fields, ImageFile& image) {
     const std::string *lines = find(fields, {"line skip", "lineskip"}),
                       *bytes = find(fields, {"byte skip", "byteskip"});
@@ -250,7 +250,8 @@ void skip(const Fields& fields, ImageFile& image) {
         refuse_truncated(size, need, "the file with the voxels");
 }
 
-/// A fractional labelmap holds shares of a voxel, a closed surface none.
+/// Refuses representations other than a binary labelmap. A fractional labelmap has fractions, a closed surface no
+/// voxels.
 void check_representation(const Remarks& remarks) {
     for (const char* key : {"Segmentation_SourceRepresentation", "Segmentation_MasterRepresentation"})
         if (const auto at = remarks.find(key); at != remarks.end() && lower(trimmed(at->second)) != "binary labelmap")

@@ -18,7 +18,7 @@ struct PackedBytes::Stream {
     std::vector<unsigned char> packed = std::vector<unsigned char>(1 << 16),
                                nowhere = std::vector<unsigned char>(1 << 18);
     bool is_open = false, is_damaged = false;
-    bool is_over = false;  ///< behind the last piece; what else there may be is not unpacked
+    bool is_over = false;  ///< after the last piece; data behind it are not unpacked
 
     bool refill() {
         if (unpacker.avail_in > 0) return true;
@@ -46,7 +46,7 @@ bool PackedBytes::is_damaged() const noexcept { return stream_->is_damaged; }
 PackedBytes::End PackedBytes::end() {
     Stream& s = *stream_;
     if (s.packing == Packing::none) return s.in.peek() == std::ifstream::traits_type::eof() ? End::sound : End::more;
-    // zlib compares check sum and length when it comes to the end of a piece.
+    // zlib compares checksum and length at the end of a piece.
     char next = 0;
     const std::uint64_t count = take(&next, 1);
     return s.is_damaged ? End::damaged : count > 0 ? End::more : s.is_over ? End::sound : End::cut;
@@ -58,7 +58,7 @@ std::uint64_t PackedBytes::take(char* into, std::uint64_t count) {
     if (s.packing == Packing::none) {
         if (into == nullptr) {
             s.in.seekg(static_cast<std::streamoff>(count),
-                       std::ios::cur);  // whoever checks a raw file asks for its size
+                       std::ios::cur);  // callers check the size of a raw file themselves
             return s.in ? count : 0;
         }
         s.in.read(into, static_cast<std::streamsize>(count));
@@ -74,7 +74,7 @@ std::uint64_t PackedBytes::take(char* into, std::uint64_t count) {
         taken += room - s.unpacker.avail_out;
         if (status == Z_STREAM_END) {
             inflateReset(&s.unpacker);
-            s.is_over = !s.refill() || *s.unpacker.next_in != 0x1f;  // the first byte of a further piece of gzip
+            s.is_over = !s.refill() || *s.unpacker.next_in != 0x1f;  // the first byte of another piece of gzip
         } else if (status != Z_OK && status != Z_BUF_ERROR) {
             s.is_damaged = true;
         }

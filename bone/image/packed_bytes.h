@@ -7,9 +7,9 @@
 
 namespace kerf {
 
-/// The bytes of a file from some place on, one after another; unpacked on the way if they are packed as gzip or zlib
-/// pack. Gzip in several pieces, as bgzip writes it, is one. No more is in memory than a buffer. Only regular files are
-/// opened.   [main]
+/// The bytes of a file from an offset on, in order, unpacked if they are packed as gzip or zlib. Gzip in several
+/// pieces, as bgzip writes it, is one stream. It needs the memory of one buffer only. Opens regular files only.
+/// [main]
 class PackedBytes {
 public:
     enum class Packing { none, deflated };
@@ -19,12 +19,12 @@ public:
     PackedBytes(const PackedBytes&) = delete;
     PackedBytes& operator=(const PackedBytes&) = delete;
 
-    /// The next `count` bytes, into a buffer of that size or, if it is null, nowhere. Returns how many there were:
-    /// fewer at the end of the file, or where it is damaged.
+    /// Reads the next `count` bytes into a buffer of that size, or drops them if it is null. Returns the number of
+    /// bytes, which is smaller at the end of the file or at damage.
     std::uint64_t take(char* into, std::uint64_t count);
 
-    /// What follows the bytes that were taken. `sound`: nothing more, and the check sum and length behind packed data
-    /// are right. `cut`: the packed data have no end. `damaged`: check sum or length are wrong.
+    /// State behind the bytes that were read. `sound`: no more data, and checksum and length behind packed data are
+    /// right. `cut`: the packed data have no end. `damaged`: checksum or length are wrong.
     enum class End { sound, more, cut, damaged };
     [[nodiscard]] End end();
 

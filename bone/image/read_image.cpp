@@ -21,7 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "turn the other files' numbers round");
 
-/// What ends reading; becomes a Diagnostic at the only way out.
+/// An error. `read_image()` turns it into a Diagnostic.
 struct Refusal {
     const char* code;
     std::string message;
@@ -31,7 +31,7 @@ Diagnostic refused(const std::string& file, const char* code, std::string messag
     return error_about(file, code, std::move(message) + " Export the image again, for example as .nii.gz.");
 }
 
-/// One layer's numbers out of `bytes`, `count` voxels of `layers` numbers each.
+/// Appends the numbers of one layer from `bytes`: `count` voxels with `layers` numbers each.
 template <class Stored>
 void append(std::vector<float>& values, const std::vector<char>& bytes, std::size_t count, const ImageFile& header,
             int layer) {
@@ -80,14 +80,14 @@ void append_row(std::vector<float>& values, const std::vector<char>& bytes, std:
     }
 }
 
-/// Row by row; what lies between the rows of the range is passed over.
+/// Reads row by row and skips the bytes between the rows of the range.
 std::vector<float> values_of(const ImageFile& header, const VoxelGrid& grid, const VoxelRange& range, int layer) {
     const bool is_packed = header.packing != ImageFile::Packing::raw,
                is_all = header.packing == ImageFile::Packing::gzip_file;
     PackedBytes bytes(header.data_file, is_all ? 0 : header.data_offset,
                       is_packed ? PackedBytes::Packing::deflated : PackedBytes::Packing::none);
     const Refusal changed{"E0628", "the file is another one than when it was looked at: voxels are missing now."};
-    std::uint64_t at = 0;  // of the voxels' bytes
+    std::uint64_t at = 0;  // offset in the bytes of the voxels
     if (is_all && bytes.take(nullptr, header.data_offset) != header.data_offset) throw changed;
 
     const std::uint64_t per_voxel =
@@ -134,7 +134,7 @@ std::optional<VoxelImage> read_image(const std::string& file, const ImageFile& h
         return image;
     } catch (const Refusal& refusal) {
         diagnostics.push_back(refused(file, refusal.code, refusal.message));
-    } catch (const std::exception& error) {  // no memory
+    } catch (const std::exception& error) {  // out of memory
         diagnostics.push_back(refused(file, "E0628", std::string("reading stopped: ") + error.what() + "."));
     }
     return std::nullopt;

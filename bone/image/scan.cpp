@@ -15,10 +15,10 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t most_files = 20'000;  // of a folder
+constexpr std::size_t most_files = 20'000;  // in a folder
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
-/// All files in a folder and below it, sorted, without following links out of it. Hidden ones are left out.
+/// Returns all files in a folder and its subfolders, sorted. Does not follow links; leaves out hidden files.
 std::optional<std::vector<std::string>> files_in(const std::string& folder, Diagnostics& diagnostics) {
     namespace fs = std::filesystem;
     std::vector<std::string> files;
@@ -46,15 +46,14 @@ std::optional<std::vector<std::string>> files_in(const std::string& folder, Diag
     return files;
 }
 
-// ---- a sheared file
-// ---------------------------------------------------------------------------------------------------
+// ---- a sheared file -------------------------------------------------------------------------------------------------
 
-/// The axes of a grid in another order: what is slices of a stack, and rows and columns in it.
+/// A permutation of a grid's axes to columns, rows and slices of a stack.
 struct AxisOrder {
     std::array<std::size_t, 3> axis{0, 1, 2};  ///< columns, rows, slices
 };
 
-/// The two axes at right angles to each other are in the slices. None: sheared within them too.
+/// Returns the order in which two axes at right angles lie within the slices; nothing if these are sheared, too.
 std::optional<AxisOrder> slices_of(const VoxelGrid& grid) {
     const auto lean = [&](std::size_t a, std::size_t b) {
         return std::abs(dot(grid.step(a), grid.step(b))) / (grid.spacing(a) * grid.spacing(b));
@@ -159,7 +158,9 @@ std::optional<std::uint64_t> Scan::hash() const {
         for (const DicomSlice& slice : series_->slices) files.push_back(slice.file);
     else
         files.push_back(source_);
-    if (file_ && file_->data_file != source_) files.push_back(file_->data_file);  // a header, its voxels beside it
+    if (file_ && file_->data_file != source_)
+        files.push_back(file_->data_file);  // a header with its voxels in another
+                                            // file
     std::vector<std::uint64_t> hashes;
     for (const std::string& file : files)
         if (!hash_of_file(file, hashes.emplace_back())) return std::nullopt;

@@ -14,31 +14,31 @@
 
 namespace kerf {
 
-/// A scan that was opened and judged, but whose voxels were not read yet: a file, or a folder with a DICOM series.
+/// A scan that was opened and checked, but whose voxels are not read yet: a file, or a folder with a DICOM series.
 class Scan {
 public:
-    /// Where its voxels lie once they are straight: what `read` gives.
+    /// Returns the grid of the straightened voxels that `read` returns.
     [[nodiscard]] const VoxelGrid& grid() const noexcept { return grid_; }
 
-    /// What was found and decided, a sentence each: no names, no paths, nothing of whose it is.
+    /// Returns findings and decisions, one sentence each, without names, paths or anything that identifies the patient.
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
 
-    /// Structures that a segmentation names; empty: it has only numbers.
+    /// Returns the named structures of a segmentation; empty if it has only numbers.
     [[nodiscard]] const std::vector<Segment>& segments() const noexcept { return segments_; }
 
-    /// Whether voxels are computed from those of the scan, which was tilted or uneven.
+    /// Returns whether voxels are resampled, because the scan is tilted or uneven.
     [[nodiscard]] bool is_resampled() const noexcept;
 
-    /// Whether `read` costs as much as its range has slices; else a whole file is unpacked each time.
+    /// Returns whether the cost of `read` grows with the slices of its range. Otherwise each call unpacks a whole file.
     [[nodiscard]] bool reads_by_slices() const noexcept { return series_.has_value(); }
 
-    /// The voxels of a range of one layer; only what they need is read and kept.
-    /// Error (E062x, E067x): nothing is left half-read. Never throws.   [main]
+    /// Returns the voxels of a range of one layer. Reads and stores only the data that they need. Error (E062x, E067x):
+    /// returns nothing. Never throws.   [main]
     [[nodiscard]] std::optional<VoxelImage> read(const VoxelRange& range, int layer, const Progress& progress,
                                                  Diagnostics& diagnostics) const;
 
-    /// 64-bit FNV-1a of its files' bytes, slices in the order in which they lie; none if one cannot be read again.
-    /// [main]
+    /// Returns the 64-bit FNV-1a of its files' bytes, slices in the order of the stack; nothing if a file cannot be
+    /// read.   [main]
     [[nodiscard]] std::optional<std::uint64_t> hash() const;
 
 private:
@@ -48,18 +48,18 @@ private:
     std::string source_;
     std::vector<std::string> notes_;
     std::vector<Segment> segments_;
-    std::optional<ImageFile> file_;      ///< this,
-    std::optional<DicomSeries> series_;  ///< or that
+    std::optional<ImageFile> file_;      ///< either this
+    std::optional<DicomSeries> series_;  ///< or this
 };
 
-/// Opens NIfTI-1, NRRD or MetaImage, or a folder with DICOM files, which is searched with all its subfolders.
+/// Opens NIfTI-1, NRRD or MetaImage, or a folder with DICOM files, including its subfolders.
 ///
-///     E0670  the folder cannot be read, or holds more than 20000 files
+///     E0670  the folder cannot be read, or has more than 20000 files
 ///     E0674  a slice whose voxels cannot be decoded (when reading)
 ///     E0632  an image that is sheared within its slices
 ///
-/// Error: these, E062x (bone/image/image_file.h) and E066x (bone/image/dicom_series.h). Warnings come
-/// along with a result. Never throws.   [main]
+/// Error: these, E062x (bone/image/image_file.h) and E066x (bone/image/dicom_series.h). A result may have warnings.
+/// Never throws.   [main]
 [[nodiscard]] std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choice,
                                             const Progress& progress, Diagnostics& diagnostics);
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t most_segments = 1000, most_listed = 12;
 constexpr const char* again = "Export the segmentation again from 3D Slicer 4.11 or later.";
 
-/// One segment as its keys describe it.
+/// The keys of one segment.
 struct Written {
     std::optional<std::string> id, name;
     std::optional<int> label, layer;
@@ -31,7 +31,7 @@ int number_in(const std::string& key, const std::string& text) {
     return static_cast<int>(value);
 }
 
-/// By their numbers, which need not be without gaps.
+/// Returns the segments by number. Numbers may have gaps.
 std::map<int, Written> written_in(const Remarks& remarks) {
     std::map<int, Written> segments;
     constexpr std::string_view prefix = "Segment";
@@ -74,7 +74,7 @@ std::string names_of(const std::map<int, Written>& written) {
 std::vector<Segment> segments_of(const Remarks& remarks, int layers) {
     const std::map<int, Written> written = written_in(remarks);
     std::size_t with_layer = 0;
-    std::map<int, int> in_layer;  // how many segments each has
+    std::map<int, int> in_layer;  // number of segments in each
     for (const auto& [number, segment] : written) {
         with_layer += segment.layer.has_value();
         ++in_layer[segment.layer ? *segment.layer : layers == 1 ? 0 : number];
@@ -111,7 +111,7 @@ std::vector<Segment> segments_of(const Remarks& remarks, int layers) {
 }
 
 std::string name_to_write(const std::string& name) {
-    constexpr std::size_t longest = 200;  // [bytes] beyond that nobody types it
+    constexpr std::size_t longest = 200;  // [bytes] no user types longer names
     return name.size() > longest ? excerpt(name) : yaml_word(name);
 }
 

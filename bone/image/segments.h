@@ -9,18 +9,18 @@
 
 namespace kerf::header {
 
-/// What NRRD calls key/value pairs: `Segment0_Name:=femur`.
+/// NRRD's key/value pairs: `Segment0_Name:=femur`.
 using Remarks = std::map<std::string, std::string>;
 
-/// The structures that 3D Slicer writes into a segmentation: of each `SegmentN_Name`, `SegmentN_LabelValue` and
-/// `SegmentN_Layer`. 3D Slicer 4.10 wrote neither value nor layer: then segment N is layer N, and all that is not 0 in
-/// it. Error: E0636, a structure whose voxels cannot be told from another's; E0622, a key that is no number.
+/// Returns the structures of a segmentation by 3D Slicer, from `SegmentN_Name`, `SegmentN_LabelValue` and
+/// `SegmentN_Layer`. 3D Slicer 4.10 wrote neither value nor layer: then segment N is every nonzero voxel of layer N.
+/// Error: E0636, a structure whose voxels cannot be distinguished; E0622, a key that is not a number.
 [[nodiscard]] std::vector<Segment> segments_of(const Remarks& remarks, int layers);
 
-/// The name of a structure as a document may name it under `keep`.
+/// Returns the name of a structure as a document writes it under `keep`.
 [[nodiscard]] std::string name_to_write(const std::string& name);
 
-/// `bone` (label 3, layer 0), `skin` …: at most twelve, then a count.
+/// Returns a list: `bone` (label 3, layer 0), `skin` …; at most twelve, then a count.
 [[nodiscard]] std::string list_of(const std::vector<Segment>& segments);
 
 }  // namespace kerf::header

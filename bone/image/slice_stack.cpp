@@ -9,12 +9,12 @@
 namespace kerf {
 namespace {
 
-constexpr double wide = 1.25;        // times the usual distance: a slice is missing
-constexpr double same_plane = 1e-3;  // times the usual distance, and no less than a micrometre
+constexpr double wide = 1.25;        // times the usual distance: wider means a missing slice
+constexpr double same_plane = 1e-3;  // times the usual distance, and at least a micrometre
 constexpr double most_voxels = 512.0 * 1024 * 1024;
 constexpr float unmeasured = std::numeric_limits<float>::quiet_NaN();
 
-/// Where a slice's first voxel lies in the plane, counted in voxels from that of the first slice.
+/// Offset of a slice's first voxel in the plane, from that of the first slice [voxels].
 struct Offset {
     double columns = 0.0, rows = 0.0;
 };
@@ -25,14 +25,14 @@ Offset offset_of(const SliceStack& stack, std::size_t slice) {
             dot(from_first, stack.down_column) / dot(stack.down_column, stack.down_column)};
 }
 
-/// Of an even number the lower one: one gap among two steps is a gap.
+/// Returns the median; of an even number the lower one, so that one gap among two steps counts as a gap.
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
 }
 
-/// One slice, moved to its place in the grid's plane: whole voxels and the shares of the next ones.
+/// One slice, moved to its position in the grid's plane by whole voxels and a fraction.
 class PlacedSlice {
 public:
     PlacedSlice(const SliceStack& stack, std::size_t slice, Vec3 grid_origin, std::vector<float> values)
@@ -40,7 +40,7 @@ public:
         const Vec3 shift = grid_origin - stack.origins[slice];
         const auto split = [](double at, int& whole, float& share) {
             const double nearest = std::round(at);
-            if (std::abs(at - nearest) < 1e-4) at = nearest;  // rounding of positions: no smoothing for that
+            if (std::abs(at - nearest) < 1e-4) at = nearest;  // rounding of positions causes no smoothing
             whole = static_cast<int>(std::floor(at));
             share = static_cast<float>(at - std::floor(at));
         };
@@ -48,7 +48,7 @@ public:
         split(dot(shift, stack.down_column) / dot(stack.down_column, stack.down_column), row_, row_share_);
     }
 
-    /// At a voxel (i, j) of the grid's plane.
+    /// Returns the value at a voxel (i, j) of the grid's plane.
     [[nodiscard]] float at(int i, int j) const noexcept {
         const int c = i + column_, r = j + row_;
         const auto between = [](float a, float b, float share) { return share > 0.0f ? a + share * (b - a) : a; };
@@ -71,7 +71,7 @@ private:
     float column_share_ = 0.0f, row_share_ = 0.0f;
 };
 
-/// The two slices around a height, and how far it is from the lower to the upper one.
+/// The two slices around a height, and the fraction of the distance from the lower to the upper one.
 struct Between {
     std::size_t lower = 0, upper = 0;
     float share = 0.0f;
@@ -104,7 +104,7 @@ StackShape shape_of(const SliceStack& stack) {
         if (steps[n] > wide * shape.distance) shape.gaps.push_back({n, steps[n]});
     }
 
-    // Off the even line from the first slice to the last; beside the straight line that fits the offsets best.
+    // Deviation in height from even steps between first and last slice, and sideways from the best straight line.
     const double whole = heights.back();
     double of_heights = 0.0;
     Offset slope;

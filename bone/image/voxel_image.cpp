@@ -14,7 +14,7 @@ double VoxelImage::sample_trilinear(Vec3 lps, double outside) const noexcept {
     std::array<double, 3> share{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double last = size[axis] - 1;
-        // Written so that NaN is outside.
+        // The negated condition puts NaN outside.
         if (!(where[axis] >= -rounding && where[axis] <= last + rounding)) return outside;
         const double inside = std::clamp(where[axis], 0.0, last);
         low[axis] = std::min(static_cast<int>(inside), std::max(0, size[axis] - 2));

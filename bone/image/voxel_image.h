@@ -12,7 +12,7 @@
 /// A CT or a label map as plain values.
 namespace kerf {
 
-/// A box of voxels: `first` and how many, along i, j, k.
+/// A box of voxels: its first voxel and its size, along i, j, k.
 struct VoxelRange {
     std::array<int, 3> first{}, size{};
     [[nodiscard]] std::size_t voxels() const noexcept {
@@ -21,7 +21,7 @@ struct VoxelRange {
     }
 };
 
-/// Where voxels lie in the patient. Frame: LPS, metres; (0,0,0) is the centre of the first voxel.
+/// Position of voxels in the patient. Frame: LPS, metres; (0,0,0) is the centre of the first voxel.
 struct VoxelGrid {
     std::array<int, 3> size{};                ///< voxels along i, j, k
     std::array<double, 12> lps_from_index{};  ///< 3×4, row by row [m]; may be sheared (tilted gantry)
@@ -37,30 +37,30 @@ struct VoxelGrid {
     }
     [[nodiscard]] VoxelRange all() const noexcept { return {{0, 0, 0}, size}; }
 
-    /// Voxel index to LPS [m], and back.   [any] pure.
+    /// Convert voxel index to LPS [m], and back.   [any] pure.
     [[nodiscard]] Vec3 lps(Vec3 index) const noexcept { return transformed(lps_from_index, index); }
     [[nodiscard]] Vec3 index(Vec3 lps) const noexcept { return transformed(index_from_lps, lps); }
 
-    /// From a voxel to the next along one axis [m], and how far that is.
+    /// Step from a voxel to the next along one axis [m], and its length [m].
     [[nodiscard]] Vec3 step(std::size_t axis) const noexcept {
         return {lps_from_index[axis], lps_from_index[4 + axis], lps_from_index[8 + axis]};
     }
     [[nodiscard]] double spacing(std::size_t axis) const noexcept { return length(step(axis)); }
     [[nodiscard]] Vec3 origin() const noexcept { return {lps_from_index[3], lps_from_index[7], lps_from_index[11]}; }
 
-    /// Around the centres of all voxels. (A grid that is turned against LPS does not fill its box.)
+    /// Returns the box around the centres of all voxels. A grid that is rotated against LPS does not fill it.
     [[nodiscard]] Box box() const noexcept;
 
-    /// The voxels in a box and those around it; one without voxels if they miss each other, or share a plane only.
+    /// Returns the voxels in a box and the next ones around it; empty if grid and box do not overlap in volume.
     [[nodiscard]] VoxelRange range(const Box& box) const noexcept;
 
-    /// The same voxels with those alone that are in a range. Pre: the range lies in the grid.
+    /// Returns the grid of the voxels in a range. Pre: the range lies in the grid.
     [[nodiscard]] VoxelGrid part(const VoxelRange& range) const noexcept;
 
-    /// Whether two axes that should be at right angles are not: by more than a thousandth.
+    /// Returns whether two axes deviate from right angles by more than a thousandth.
     [[nodiscard]] bool is_sheared() const noexcept;
 
-    /// Sets both matrices. False, and nothing is changed, if this one has no inverse.
+    /// Sets both matrices. Returns false, without a change, if the matrix has no inverse.
     bool place(const std::array<double, 12>& from_index) noexcept;
     bool place(Vec3 along_i, Vec3 along_j, Vec3 along_k, Vec3 origin) noexcept;
 
@@ -71,20 +71,21 @@ private:
     }
 };
 
-/// Same number of voxels, and each where the other has it, to 0.01 mm.
+/// Returns whether two grids have the same size and the same voxel positions, to 0.01 mm.
 [[nodiscard]] bool on_one_grid(const VoxelGrid& a, const VoxelGrid& b) noexcept;
 
-/// Voxels and what they hold.
+/// Voxels with their values.
 struct VoxelImage : VoxelGrid {
-    std::vector<float> values;  ///< i fastest; HU, grey or label, scaled as the file says
+    std::vector<float> values;  ///< i fastest; HU, grey or label, scaled as the header defines
 
-    /// Pre: `has(i, j, k)`.
+    /// Returns the value of a voxel. Pre: `has(i, j, k)`.
     [[nodiscard]] float at(int i, int j, int k) const noexcept { return values[offset(i, j, k)]; }
 
-    /// Value between the centres of the first and last voxels; `outside` everywhere else, and for NaN.   [any] pure.
+    /// Returns the value between the centres of the first and last voxels; `outside` elsewhere, and for NaN.   [any]
+    /// pure.
     [[nodiscard]] double sample_trilinear(Vec3 lps, double outside) const noexcept;
 
-    /// The voxels of a range alone. Pre: the range lies in the image.
+    /// Returns the voxels of a range as an image. Pre: the range lies in the image.
     [[nodiscard]] VoxelImage cropped(const VoxelRange& range) const;
 };
 

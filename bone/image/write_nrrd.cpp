@@ -18,7 +18,7 @@
 namespace kerf {
 namespace {
 
-/// Shortest digits that read back as the same number.
+/// Returns the shortest digits that read back as the same number.
 std::string number_text(double value) {
     std::array<char, 32> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value);

@@ -10,20 +10,20 @@
 
 namespace kerf {
 
-/// A volume as .nrrd: LPS, millimetres, compressed, slab by slab, so that it never lies in memory twice. Readers see
-/// the old file or the whole new one. It holds the voxels and where they are, and nothing of whose they are.
+/// Writes a volume as .nrrd: LPS, millimetres, compressed, slab by slab, so that memory never has it twice. Readers see
+/// the old file or the whole new one. The file has voxels and their position, and nothing that identifies the patient.
 class NrrdWriter {
 public:
-    /// `remark`: one line of comment. `as_short`: values are whole and fit into 16 bits; else they are floats.
+    /// `remark`: one line of comment. `as_short`: values are whole and fit into 16 bits; otherwise they are floats.
     NrrdWriter(std::string path, const VoxelGrid& grid, const std::string& remark, bool as_short);
     ~NrrdWriter();
     NrrdWriter(const NrrdWriter&) = delete;
     NrrdWriter& operator=(const NrrdWriter&) = delete;
 
-    /// The next voxels, i fastest.
+    /// Writes the next voxels, i fastest.
     void add(std::span<const float> values);
 
-    /// Puts the file in its place. Returns why not, for people; empty if all went well.   [main]
+    /// Moves the finished file to its path. Returns the error for people; empty on success.   [main]
     [[nodiscard]] std::string finish();
 
 private:
@@ -32,7 +32,7 @@ private:
 
     std::string path_, error_;
     bool as_short_;
-    std::size_t left_;  ///< voxels that must still come
+    std::size_t left_;  ///< voxels not yet written
     std::unique_ptr<Stream> stream_;
 };
 

@@ -12,41 +12,42 @@
 
 namespace kerf {
 
-/// How much of something long is done, 0 … 1, and what it is.
+/// Callback with the finished fraction of a long task, 0 … 1, and its name.
 using Progress = std::function<void(double share, const std::string& what)>;
 
 struct ImportOptions {
-    bool with_shifts = false;  ///< also tell how sure a CT's border is: three times the work
-    bool with_scan = false;    ///< also keep the values that bone was made of, for pictures
+    bool with_shifts = false;  ///< also computes the uncertainty of a CT's border; takes three times as long
+    bool with_scan = false;    ///< also stores the values of the scan, for pictures
     Progress progress = {};
 };
 
-/// How the border of a CT's bone moves with the threshold, where an axis enters it.
+/// Shift of a CT bone's border with the threshold, at the point where an axis enters it.
 struct BorderShift {
     std::string axis;
-    double step = 0.0;                   ///< [HU or grey] by which the threshold was moved both ways
+    double step = 0.0;                   ///< [HU or grey] change of the threshold in both directions
     const char* unit = "HU";             ///< or "grey levels"
-    std::optional<double> lower, upper;  ///< [m] the entry moves along the axis, positive into the bone; none: no entry
+    std::optional<double> lower, upper;  ///< [m] shift of the entry along the axis, positive into the bone; none: no
+                                         ///< entry
 };
 
-/// What import did and decided, for people and for the record: no paths, no names, nothing of the files' headers that
-/// could tell whose they are.
+/// Findings and decisions of an import, for people and for the record. It has no paths, no names, and nothing of the
+/// files' headers that identifies the patient.
 struct ImportReport {
     std::vector<std::string> notes;            ///< one sentence or two each
-    std::vector<LandmarkPoint> fitted_points;  ///< as they were found
+    std::vector<LandmarkPoint> fitted_points;  ///< with their fitted positions
     std::vector<LandmarkAxis> fitted_axes;
     std::vector<std::uint64_t> file_hashes;  ///< 64-bit FNV-1a of every data file's bytes, in the order they were read
-    std::vector<BorderShift> shifts;         ///< one per axis, if asked for
-    std::function<double(Vec3 lps)> scan_value;  ///< [HU or grey] of a CT, if asked for; NaN where it was not looked at
+    std::vector<BorderShift> shifts;         ///< one for each axis, on request
+    std::function<double(Vec3 lps)> scan_value;  ///< [HU or grey] of a CT, on request; NaN where it was not sampled
 };
 
-/// Hash of a file's bytes; false if it cannot be read.   [main]
+/// Computes the hash of a file's bytes. Returns false if the file cannot be read.   [main]
 [[nodiscard]] bool hash_of_file(const std::string& file, std::uint64_t& hash);
 
-/// One hash for several, in their order.
+/// Returns one hash of several, in their order.
 [[nodiscard]] std::uint64_t hash_of_hashes(const std::vector<std::uint64_t>& hashes);
 
-/// A number with `digits` behind the point, whatever the locale.
+/// Returns a number as text with `digits` decimals, in any locale.
 [[nodiscard]] std::string rounded(double value, int digits);
 
 }  // namespace kerf
