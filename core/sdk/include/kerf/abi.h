@@ -33,24 +33,23 @@ extern "C" {
 #define KERF_MAX_TISSUES 4u   /* materials that one sample can mix          */
 #define KERF_MAX_GAPS 3u      /* safe parts between parts of a tool that remove bone */
 #define KERF_MAX_ACTIONS 8u   /* actions of one commit                      */
-#define KERF_NOTE_BYTES 64u   /* what a resist hands on to its commit       */
-#define KERF_MAX_THREADS 16u  /* threads cut into the bone of a scene       */
-#define KERF_THREAD_BINS 64u  /* pieces of a thread that slip by themselves */
+#define KERF_NOTE_BYTES 64u   /* bytes that `resist` passes to `commit` */
+#define KERF_MAX_THREADS 16u  /* screw threads in the bone of a scene */
+#define KERF_THREAD_BINS 64u  /* bins of a screw thread, each of which slips separately */
 
 /* ---- lifetimes and threads ---------------------------------------------------------------------------------- */
 
-/* Each pointer that crosses the boundary has one of two lifetimes. Those marked [library] are valid while the library
- * is loaded: all that the entry's tables point to, and the host that `open` gets. All others are valid during the call
- * that passes them ([call]): copy what you need later.
+/* Each pointer that crosses the boundary has one of two lifetimes. A pointer marked [library] is valid while the
+ * library is loaded: all that the entry's tables point to, and the host that `open` gets. Any other pointer is valid
+ * during the call that passes it ([call]): copy values that you need later.
  *
  * The host calls `open` first. It calls the functions of tools and laws on one thread at a time, and waits for each to
- * return. It calls a strategy in another process, which has loaded the library too and has called its `open`: the two
- * share no memory of the library. There it makes one call at a time. Static data that a function writes is a fault:
- * `kerf check` looks for it.
+ * return. It calls a strategy in another process, which has loaded the library too and has called its `open`. The two
+ * processes have no memory of the library in common. There the host makes one call at a time. A function must not write
+ * static data: `kerf check` reports it.
  *
  * Texts are UTF-8, end with NUL and have no control characters. Ids have at most 64 bytes of a-z, A-Z, 0-9, `_`, `-`
- * and
- * `.`; other texts have at most 2000 bytes unless their array says how many. */
+ * and `.`. Other texts have at most 2000 bytes unless their array has another size. */
 
 /* ---- plain values ------------------------------------------------------------------------------------------ */
 
@@ -84,17 +83,17 @@ typedef struct kerf_param {
     const char* source;       /* origin of the default, and whether it is calibrated or assumed     */
 } kerf_param;
 
-/* A drive: what the trigger or the procedure sets on a powered tool while it is used. */
+/* A drive: a value that the trigger or the procedure sets on a powered tool during use. */
 typedef struct kerf_drive {
     const char* id; /* spindle_speed, stroke_rate, amplitude, irrigation, trigger … */
     const char* help;
     kerf_dimension dimension;
     const char* display_unit;
     double min, max, def; /* SI */
-    double least;         /* magnitude below which the tool runs but does not cut; 0: there is none */
+    double least;         /* magnitude below which the tool runs but does not cut; 0: no such limit */
 } kerf_drive;
 
-/* A quantity that a law reports each tick. It is recorded. */
+/* A quantity that a law reports each tick. The session records it. */
 typedef struct kerf_signal {
     const char* id;
     const char* help;
@@ -102,13 +101,13 @@ typedef struct kerf_signal {
     const char* display_unit;
 } kerf_signal;
 
-/*   note     nothing follows from it
- *   damage   the tool is spoiled: the step in which it happens fails, unless the procedure allows it there */
+/*   note     has no effect on the result of the step
+ *   damage   damages the tool: the step fails, unless the procedure allows the event in that step */
 enum { KERF_EVENT_NOTE = 0, KERF_EVENT_DAMAGE = 1 };
 
-/* What may happen at a tick and is recorded by its id. */
+/* An event that a law can report at a tick. The session records its id. */
 typedef struct kerf_event {
-    const char* id;   /* "<plugin>.<name>"; <plugin> is the plugin's id or what follows its last dot */
+    const char* id;   /* "<plugin>.<name>"; <plugin> is the plugin's id or the part of it after its last dot */
     const char* help; /* one sentence */
     uint32_t effect;  /* KERF_EVENT_… */
     uint32_t reserved;
@@ -117,10 +116,10 @@ typedef struct kerf_event {
 /* ---- the tool: geometry as data ----------------------------------------------------------------------------- */
 
 /* A point of the outline: the polyline (z, radius) from the tip backwards, z decreasing, radii 0 to 100 mm.
- *   revolution   turned about the tool's z axis. The radius may rise and fall, also while cutting (steps, a ball behind
- *                its equator): every sweep is exact
+ *   revolution   turned about the tool's z axis. The radius may rise and fall, also in the cutting part (steps, a ball
+ *                behind its equator): every sweep is exact
  *   prism        a blade: `radius` is half of its width along x, the front may be round, and two flat sides lie at
- *                ± half of its thickness across y; the outline must be convex as a whole */
+ *                ± half of its thickness across y; the whole outline must be convex */
 typedef struct kerf_profile_point {
     double z, radius;
 } kerf_profile_point;
@@ -132,58 +131,58 @@ typedef struct kerf_gap {
     uint32_t first, last;
 } kerf_gap;
 
-/* A tool's outline as the host holds it. */
+/* A tool's outline as the host stores it. */
 typedef struct kerf_solid {
     uint32_t size;
     uint32_t kind;
     const kerf_profile_point* profile;
     uint32_t profile_count;
-    uint32_t
-        cutting_first; /* the points from this one on, `cutting_count` of them, bound the region that removes bone */
-    uint32_t cutting_count;
-    double bore; /* [m] radius of the bore through all that cuts; 0: it is no hollow tool */
+    uint32_t cutting_first; /* first point of the part that removes bone */
+    uint32_t cutting_count; /* number of its points */
+    double bore;            /* [m] radius of the bore through the cutting part; 0: the tool is not hollow */
     uint32_t gap_count;
     uint32_t reserved;
-    kerf_gap gap[KERF_MAX_GAPS]; /* within what cuts, from the tip backwards */
+    kerf_gap gap[KERF_MAX_GAPS]; /* within the cutting part, from the tip backwards */
 } kerf_solid;
 
-/* What a tool writes into for the host: at most `capacity` points. The host sets all outputs to zero before. */
+/* The shape that a tool returns to the host: at most `profile_capacity` points. The host sets all outputs to zero
+ * before the call. */
 typedef struct kerf_tool_shape {
     uint32_t size;
     uint32_t profile_capacity;
     kerf_profile_point* profile;
     uint32_t profile_count; /* out */
-    uint32_t
-        cutting_count; /* out: the points that bound the region that removes bone; 0 for a tool that removes none */
-    uint32_t cutting_first; /* out: the first of them; what is before it has a shape only, as a pilot or a safe end */
+    uint32_t cutting_count; /* out: number of points of the part that removes bone; 0: the tool removes none */
+    uint32_t cutting_first; /* out: first of these points; the points before it, as of a pilot, remove no bone */
     uint32_t reserved;
-    double bore; /* out, revolution: radius of a bore through all that cuts [m], less than each of its radii, as of a
-                    trephine; 0: none */
-    kerf_gap
-        gap[KERF_MAX_GAPS]; /* out: safe parts within what cuts, from the tip backwards, as a neck between two heads */
-    uint32_t gap_count;     /* out */
+    double bore; /* out, revolution: radius [m] of a bore through the cutting part, as of a trephine; less than each of
+                    its radii; 0: none */
+    kerf_gap gap[KERF_MAX_GAPS]; /* out: safe parts within the cutting part, from the tip backwards, as a neck between
+                                    two heads */
+    uint32_t gap_count;          /* out */
     uint32_t reserved2;
-    double grip_z;         /* out: where the hand holds the tool on its axis [m], < 0 */
+    double grip_z;         /* out: point of the axis at which the hand grips the tool [m], < 0 */
     uint32_t kind;         /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION before the call */
-    uint32_t hands;        /* out: how many hold it; 0 means 1, 2 at most */
-    double kerf;           /* out, prism: thickness of what removes bone [m], > 0 */
-    double thickness;      /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
-    double mass;           /* out: of the tool with its handpiece [kg]; 0: none */
-    double centre_z;       /* out, with a mass: where its centre lies on the axis [m] */
+    uint32_t hands;        /* out: number of hands on the tool, 1 or 2; 0 means 1 */
+    double kerf;           /* out, prism: thickness of the part that removes bone [m], > 0 */
+    double thickness;      /* out, prism: thickness of the blade behind it [m], > 0 and ≤ kerf */
+    double mass;           /* out: mass of the tool with its handpiece [kg]; 0: none */
+    double centre_z;       /* out, with a mass: position of the centre of mass on the axis [m] */
     double gyration;       /* out, with a mass: radius of gyration about that centre [m], > 0 */
-    double tip_deflection; /* out: how far 1 N across the tip bends the shaft there, held at the grip [m/N]; 0: rigid */
-    double tip_slope;      /* out: by how much it turns the tip [rad/N]; 0 if and only if tip_deflection is */
-    double thread_radius;  /* out, revolution: the radius over its thread [m], at least that of what removes bone; 0: it
-                              has none */
-    double thread_lead;    /* out, with a thread: how far it goes in one turn [m], > 0 */
-    uint32_t stay_count;   /* out, with a thread: the first points that stay in bone when the driver leaves; 0: none */
-    uint32_t thread_count; /* out, with a thread: the first points, from the tip to the thread's end */
-    char refusal[240];     /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, their values and what is
-                              needed; UTF-8, ends with NUL */
+    double tip_deflection; /* out: deflection of the tip by 1 N across it, shaft clamped at the grip [m/N]; 0: rigid */
+    double tip_slope;      /* out: rotation of the tip by the same force [rad/N]; 0 if and only if tip_deflection is */
+    double thread_radius;  /* out, revolution: outer radius of the screw thread [m], not less than the cutting part;
+                              0: no thread */
+    double thread_lead;    /* out, with a thread: advance in one turn [m], > 0 */
+    uint32_t stay_count;   /* out, with a thread: number of points, from the tip, that stay in bone when the driver
+                              leaves; 0: none */
+    uint32_t thread_count; /* out, with a thread: number of points from the tip to the thread's end */
+    char refusal[240];     /* out, with KERF_OUT_OF_RANGE: the parameters that conflict, their values and the values
+                              that are needed; UTF-8, ends with NUL */
 } kerf_tool_shape;
 
 /*   axis   along its axis, tip first: a drill, a saw that plunges
- *   side   across its axis, towards x: a file, a side-cutting burr. What meets bone lies beside it
+ *   side   across its axis, towards +x: a file, a side-cutting burr. The bone lies on that side
  *   turn   along its axis by the lead of its thread for each turn: a screw, a tap */
 enum { KERF_FEED_AXIS = 0, KERF_FEED_SIDE = 1, KERF_FEED_TURN = 2 };
 
@@ -191,11 +190,11 @@ typedef struct kerf_tool {
     uint32_t size;
     uint32_t drive_count;
     const kerf_drive* drives; /* [library] */
-    /* Remeshing strategies that suit what the tool leaves, best first, the most accurate last: "kerf.burring.displace".
-       Each replaces the one before it where that is not installed or declines a cut. [library] */
+    /* Remeshing strategies that suit the cut of this tool, best first, the most accurate last: "kerf.burring.displace".
+       The host tries the next one where a strategy is not installed or declines a cut. [library] */
     const char* const* strategies;
     uint32_t strategy_count;
-    uint32_t feed; /* KERF_FEED_…: how a hand moves it through bone; `kerf check` and `kerf plan` do */
+    uint32_t feed; /* KERF_FEED_…: how a hand moves it through bone; used by `kerf check` and `kerf plan` */
     /* Writes the tool's outline for these parameters. [main] */
     kerf_status (*shape)(const double* params, kerf_tool_shape* out);
 } kerf_tool;
@@ -205,11 +204,11 @@ typedef struct kerf_tool {
 typedef struct kerf_bone kerf_bone;
 
 typedef struct kerf_bone_sample {
-    double engagement; /* [-] 0 in air … 1 in uncut bone; the cut as committed, about one voxel behind */
+    double engagement; /* [-] 0 in air … 1 in uncut bone; the committed cut, which lags by about one voxel */
     double gap;        /* [m] distance along the direction to uncut bone; ≥ 0                          */
     double weight[KERF_MAX_TISSUES];  /* [-] fraction of each tissue; sums to 1 where there is bone                   */
     double density[KERF_MAX_TISSUES]; /* [kg/m³] of each tissue at the point                                          */
-    int32_t body;                     /* which body answered; -1 for none                                             */
+    int32_t body;                     /* index of the sampled body; -1: none */
     uint32_t reserved;
 } kerf_bone_sample;
 
@@ -224,32 +223,32 @@ typedef struct kerf_surface_point {
  * helix about z of the frame `tool_from_thread`, whose z points into the bone; x points to the groove at z = 0. */
 typedef struct kerf_thread {
     kerf_pose tool_from_thread;    /* at the pose of this tick */
-    double lead;                   /* [m] along z for each turn, > 0 */
-    double radius, core;           /* [m] over the groove, and of the hole around which it is cut */
-    double from, to;               /* [m] of z: it is cut between them, from <= to */
-    double tapped_to;              /* [m] of z: so far a tap has taken its chips out; <= from: nowhere */
-    double tapped_radius;          /* [m] over the groove of that tap */
-    double volume;                 /* [m³] of bone that the groove has taken */
-    double slip_from, slip_step;   /* [m] of z: where the first bin of slip begins, and the length of each, > 0 */
-    double slip[KERF_THREAD_BINS]; /* [m] by which bone has given way there along z, >= 0 */
-    int32_t body;                  /* whose bone it is in */
-    uint32_t number; /* the host's, of a thread that it answered; KERF_NEW_THREAD of one that it does not know */
+    double lead;                   /* [m] advance along z in one turn, > 0 */
+    double radius, core;           /* [m] outer radius of the groove; radius of the hole around which it is cut */
+    double from, to;               /* [m] of z: the ends of the groove, from <= to */
+    double tapped_to;              /* [m] of z: end of the part that a tap has cut clear of chips; <= from: none */
+    double tapped_radius;          /* [m] outer radius of the groove of that tap */
+    double volume;                 /* [m³] of bone that the groove has removed */
+    double slip_from, slip_step;   /* [m] of z: start of the first slip bin, and length of each bin, > 0 */
+    double slip[KERF_THREAD_BINS]; /* [m] by which bone has yielded there along z, >= 0 */
+    int32_t body;                  /* index of the body that contains it */
+    uint32_t number;               /* number that the host gave this thread; KERF_NEW_THREAD for a new one */
 } kerf_thread;
 #define KERF_NEW_THREAD 0xffffffffu
 
 typedef struct kerf_bone_query {
     uint32_t size;
     uint32_t tissue_count;
-    double reach; /* [m] distances are known this far on either side of a surface */
+    double reach; /* [m] distances are known up to this far on either side of a surface */
     /* Samples the committed bone at cutting edges. `points` and `directions` (unit) are in the tool frame at the pose
        of this tick. `direction_count` is `count`, one direction a point, or 1; with any other number the first
-       direction holds for all points. One query of many points costs less than many queries. [haptic, nonblocking] */
+       direction is used for all points. One query of many points costs less than many queries. [haptic, nonblocking] */
     void (*sample)(const kerf_bone* bone, const kerf_vec3* points, uint32_t count, const kerf_vec3* directions,
                    uint32_t direction_count, kerf_bone_sample* out);
     /* Returns distance and normal of the present surface at contact points. [haptic, nonblocking] */
     void (*nearest)(const kerf_bone* bone, const kerf_vec3* points, uint32_t count, kerf_surface_point* out);
-    /* Returns how many threads there are in bodies near the tool, and writes the first `capacity` of them. Null: there
-       are none. [haptic, nonblocking] */
+    /* Returns the number of threads in bodies near the tool, and writes the first `capacity` of them. Null: the bone
+       has no threads. [haptic, nonblocking] */
     uint32_t (*threads)(const kerf_bone* bone, kerf_thread* out, uint32_t capacity);
     const kerf_bone* bone;
 } kerf_bone_query;
@@ -258,16 +257,16 @@ typedef struct kerf_bone_query {
 
 enum { KERF_CUT = 0, KERF_CONTACT = 1, KERF_FRICTION = 2, KERF_HOLD = 3 };
 
-/* A channel: one monotone scalar force. Its rate is s = dᵀu, with u the rate of the tool (velocity of the tip, angular
- * velocity) in the tool frame; its force on the tool is −d λ(s), with T the tick.
+/* A channel: one monotone scalar force. Its rate is s = dᵀu, where u is the rate of the tool (velocity of the tip,
+ * angular velocity) in the tool frame. Its force on the tool is −d λ(s), with T the tick.
  *   cut       λ = 0 for s ≤ g/T; else with s' = s − g/T: λ = τ(1 − e^(−s'/w)) + η s'
  *   contact   λ = max(0, k(δ + sT) + b(s + min(δ, 0)/T))
  *   friction  λ = τ clamp(s/w, −1, 1)
- *   hold      λ = k(δ + sT) + b s; with τ > 0 no more than τ either way
+ *   hold      λ = k(δ + sT) + b s; with τ > 0 clamped to −τ … τ
  * `follow` is a wrench on the tool per newton of filtered λ; it does no work against s: reaction torque, imbalance. */
 typedef struct kerf_channel {
     uint32_t kind;
-    uint32_t id;      /* the same number for the same thing in every tick: the host filters λ for `follow` by id */
+    uint32_t id;      /* constant over ticks for one resistance: the host filters λ for `follow` by id */
     double d[6];      /* linear [-], angular [m] */
     double follow[6]; /* force [N/N], torque [N·m/N] */
     double tau;       /* [N] */
@@ -278,54 +277,54 @@ typedef struct kerf_channel {
     double delta;     /* [m] > 0: penetration */
 } kerf_channel;
 
-/* What one evaluation of a law returns. The host sets all outputs to zero before. */
+/* The law that one evaluation returns. The host sets all outputs to zero before the call. */
 typedef struct kerf_law {
     uint32_t size;
     uint32_t count; /* out, ≤ KERF_MAX_CHANNELS */
     kerf_channel* channel;
-    double wrench[6]; /* out: on the tool, about its tip, tool frame [N, N·m]: what is no resistance, such as a motor's
-                         reaction. Together with `follow` the host applies at most half of what the coupling can hold */
-    unsigned char note[KERF_NOTE_BYTES]; /* out: what commit needs and would have to query again. The host returns the
-                                            bytes of the evaluation that it solved and does not read them */
+    double wrench[6]; /* out: wrench on the tool that is not a resistance, such as a motor's reaction; about its tip,
+                         tool frame [N, N·m]. The host applies at most half of the coupling's maximum of this and
+                         `follow` together */
+    unsigned char note[KERF_NOTE_BYTES]; /* out: values that commit needs and would have to query again. The host passes
+                                            on the bytes of the evaluation that it solved and does not read them */
 } kerf_law;
 
 typedef struct kerf_tick_in {
     uint32_t size;
-    uint32_t hand; /* index of the hand that holds the tool */
+    uint32_t hand; /* index of the hand on the tool */
     uint64_t tick;
     double dt;                 /* [s] nominal, constant */
-    const double* tool_params; /* SI, declared order: those of the tool that is held */
+    const double* tool_params; /* SI, declared order: parameters of the held tool */
     const double* force_params;
     const double* drive; /* commanded values of the tool's drives, declared order */
     const kerf_bone_query* bone;
     uint32_t tool_param_count;
-    uint32_t tool;             /* which of the law's `tools` is held; 0 for a law with `needs` */
-    const char* tool_id;       /* the id of the held tool */
-    const kerf_solid* outline; /* of the held tool */
-    const uint32_t*
-        bound; /* for each of the law's `needs`: its index into `tool_params` or `drive`; null without needs */
+    uint32_t tool;             /* index of the held tool in the law's `tools`; 0 for a law with `needs` */
+    const char* tool_id;       /* its id */
+    const kerf_solid* outline; /* its outline */
+    const uint32_t* bound; /* index of each of the law's `needs` into `tool_params` or `drive`; null without needs */
 } kerf_tick_in;
 
-/* What happened in the tick. */
+/* The motion and the forces of the tick. */
 typedef struct kerf_advance {
     uint32_t size;
     uint32_t channel_count;
-    double rate[6];              /* the rate of the tool at which hand and law balance, tool frame [m/s, rad/s] */
+    double rate[6];              /* rate of the tool at which hand and law balance, tool frame [m/s, rad/s] */
     const kerf_channel* channel; /* the law that was solved */
     const double* lambda;        /* the force of each channel [N] */
-    double following[6]; /* on the tool, about its tip, tool frame [N, N·m]: what the host applied of `follow` and
-                            of the law's own wrench. It is filtered and limited, so it is no sum over `lambda` */
-    const unsigned char* note; /* that law's note; null when no law was evaluated */
+    double following[6]; /* wrench on the tool that the host applied for `follow` and the law's own wrench, about its
+                            tip, tool frame [N, N·m]. It is filtered and limited, so it is not a sum over `lambda` */
+    const unsigned char* note; /* the note of that law; null when no law was evaluated */
 } kerf_advance;
 
-/*   cut      removes what the tool sweeps in this tick; `value` 1: at once all that the cylinder over its thread holds
- *            where the tool is, as of a thread that is stripped
+/*   cut      removes the volume that the tool sweeps in this tick; `value` KERF_CUT_THREAD: removes the cylinder around
+ *            the tool's thread at the present pose, as for a stripped thread
  *   hold     makes body `value` rigid to the tool: it moves with it, and other bodies stop it
- *   release  lets go of what is held
+ *   release  releases the body that is rigid to the tool
  *   event    reports number `value` of the law's declared events */
 enum { KERF_ACTION_CUT = 1, KERF_ACTION_HOLD = 2, KERF_ACTION_RELEASE = 3, KERF_ACTION_EVENT = 4 };
 
-/* What a cut removes. */
+/* The volume that a cut removes. */
 enum { KERF_CUT_REGION = 0, KERF_CUT_THREAD = 1 };
 
 typedef struct kerf_action {
@@ -337,16 +336,15 @@ typedef struct kerf_commit_out {
     uint32_t size;
     uint32_t action_count; /* out, ≤ KERF_MAX_ACTIONS */
     kerf_action* action;
-    double* signal;      /* out, declared order */
-    kerf_thread* thread; /* out: in the tool's frame before the motion; null: none is kept */
-    uint32_t
-        thread_count; /* out: 1: the law has cut a new thread, or changed the one that is numbered so; 0: neither */
+    double* signal;        /* out, declared order */
+    kerf_thread* thread;   /* out: in the tool's frame before the motion; null: the host stores no threads */
+    uint32_t thread_count; /* out: 1: the law has cut a new thread, or changed the one with this number; 0: neither */
     uint32_t reserved;
 } kerf_commit_out;
 
 enum { KERF_NEED_PARAM = 1, KERF_NEED_DRIVE = 2 };
 
-/* What a law needs of the tool that it is used with: a parameter or a drive with this id and dimension. */
+/* A requirement of a law on its tool: a parameter or a drive with this id and dimension. */
 typedef struct kerf_need {
     const char* id;
     const char* help;
@@ -366,30 +364,30 @@ typedef struct kerf_force {
     uint32_t tool_count;
     const kerf_need* needs;
     uint32_t need_count;
-    uint32_t budget_ns; /* what one `resist` should take at most */
-    /* What one `resist` needs at most, for any parameters: `kerf check` counts it, on every machine the same. 0: not
-       declared. */
+    uint32_t budget_ns; /* maximum time of one `resist` [ns] */
+    /* Maximum work of one `resist`, for any parameters. `kerf check` counts it, with the same result on every machine.
+       0: not declared. */
     uint32_t max_channels;
     uint32_t max_points; /* of all its queries together */
     uint32_t max_queries;
-    /* Writes the state that the law begins with. The parameters and the resolution of the bone stay the same until the
-       law begins again: work out here what follows from them alone. [haptic, nonblocking] */
+    /* Writes the initial state of the law. The parameters and the resolution of the bone stay the same until the host
+       calls `begin` again: compute values that depend on them alone here. [haptic, nonblocking] */
     void (*begin)(const kerf_tick_in* in, void* state);
     /* Evaluates the law at the present pose. Pure: the host may call it again. [haptic, nonblocking] */
     kerf_status (*resist)(const kerf_tick_in* in, const void* state, kerf_law* out);
-    /* Takes the motion that happened, once for each motion that was solved, and updates the state. [haptic,
-     * nonblocking] */
+    /* Updates the state with the motion that happened. Called once for each motion that was solved. [haptic,
+       nonblocking] */
     kerf_status (*commit)(const kerf_tick_in* in, const kerf_advance* advance, void* state, kerf_commit_out* out);
 } kerf_force;
 
 /* ---- components and the entry --------------------------------------------------------------------------------- */
 
-/* Kinds of components, and the version of each kind's table. The host leaves out components of a kind that it does not
- * know, and refuses a plugin with another version of a kind that it knows. */
+/* Kinds of components, and the version of each kind's table. The host skips components of an unknown kind. It refuses
+ * a plugin with another version of a known kind. */
 enum { KERF_KIND_TOOL = 1, KERF_KIND_FORCE = 2, KERF_KIND_REMESHER = 3 };
 enum { KERF_TOOL_VERSION = 1, KERF_FORCE_VERSION = 1, KERF_REMESHER_VERSION = 1 };
 
-/* What a component can do without, so that a planner may leave out what a scene does not need. */
+/* An optional part of a component: a planner may switch it off where a scene does not need it. */
 enum {
     KERF_FEATURE_EFFECT = 1,     /* a physical effect: absent where its parameters are `off` */
     KERF_FEATURE_RESOLUTION = 2, /* a resolution: coarser and cheaper towards `off`; one parameter */
@@ -397,7 +395,7 @@ enum {
 /* Lines with the same id are one feature and are switched together. */
 typedef struct kerf_feature {
     const char* id;   /* snake_case */
-    const char* help; /* one sentence: what is there with it */
+    const char* help; /* one sentence: the effect of the feature */
     uint32_t kind;
     uint32_t param; /* index into the component's params */
     double off;     /* SI, within that parameter's range */
@@ -426,7 +424,7 @@ typedef struct kerf_component {
 
 /* ---- the host ------------------------------------------------------------------------------------------------ */
 
-/* What a host offers a plugin: services by id and version. */
+/* The interface that a host offers to a plugin: services by id and version. */
 typedef struct kerf_host {
     uint32_t size;
     uint32_t abi;
@@ -436,7 +434,7 @@ typedef struct kerf_host {
     const void* (*find)(const struct kerf_host* host, const char* id, uint32_t version);
 } kerf_host;
 
-/* Service `kerf.log`: kerf_log. Lines that a plugin has to report. The host prints them under the plugin's name. */
+/* Service `kerf.log`: kerf_log. Prints lines of a plugin under the plugin's name. */
 #define KERF_LOG_ID "kerf.log"
 #define KERF_LOG_VERSION 1u
 enum { KERF_LOG_NOTE = 0, KERF_LOG_WARNING = 1 };
@@ -448,7 +446,7 @@ typedef struct kerf_log {
     void (*write)(const kerf_host* host, uint32_t level, const char* text);
 } kerf_log;
 
-/* Sizes of all structs that cross the boundary, so that the loader can name one that differs. */
+/* Sizes of all structs that cross the boundary. With them the loader names a struct that differs. */
 typedef struct kerf_layout {
     uint32_t param, drive, signal, event, solid, tool_shape, tool, bone_sample, surface_point, bone_query, channel, law,
         tick_in, advance, action, commit_out, force, component, feature, need, thread, host, log;
@@ -473,9 +471,9 @@ typedef struct kerf_entry {
     const char* plugin_id;            /* "kerf.drilling" */
     const char* plugin_version;       /* "0.1.0" */
     const char* licence;              /* SPDX */
-    const char* toolchain;            /* printed, never compared */
+    const char* toolchain;            /* printed, but not compared */
     const kerf_component* components; /* [library] */
-    /* Called once after loading, before any other function of the plugin. Null: not needed. Anything but KERF_OK
+    /* Called once after loading, before any other function of the plugin. Null: not needed. A status other than KERF_OK
        refuses the plugin. [main] `host` is valid while the library is loaded [library] */
     kerf_status (*open)(const kerf_host* host);
 } kerf_entry;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// Tools that bend: beams, alone and in series with the bone that they touch. All SI.
+/// Stiffness of tools that bend: beams, alone and in series with the bone that they touch. All SI.
 namespace kerf {
 
 inline constexpr double stainless_steel = 193e9;  ///< Young's modulus [Pa]
 
-/// Returns the stiffness [N/m] of a beam that is held at one end and loaded across at the other.
+/// Returns the stiffness [N/m] of a beam that is clamped at one end and loaded across at the other.
 ///
 ///     k = 3 E I / l³
 ///

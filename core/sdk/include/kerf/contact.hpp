@@ -13,25 +13,25 @@
 
 namespace kerf {
 
-/// How points of a tool touch bone, and the few contact channels that they make together.
+/// Contact between points of a tool and bone, combined into a few contact channels.
 ///
-/// A smooth tool pushes along its own normal: bone that it meets askew at depth p pushes with k p a and stiffens with k
-/// a², a the cosine between bone's normal and the tool's own reversed. So a point that turns away lets go without a
-/// jump, and a ledge in the wall of a hole does not hold a round shank back.
+/// A smooth tool pushes along its own normal. Let a be the cosine between the bone's normal and the tool's reversed
+/// normal. At depth p the force is k p a and the stiffness k a². So a point that turns away loses contact without a
+/// jump, and a ledge in the wall of a hole does not stop a round shank.
 ///
-/// Points belong to slots, one channel each. It lies where the slot's points are deepest; those nearly as deep share
-/// it: were it one point's, the choice between two would chatter. Ask the bone, write the channels.   [haptic,
-/// nonblocking]
+/// Each point belongs to a slot, and each slot makes one channel, at its deepest points. Points that are almost as deep
+/// contribute with a weight: a channel of the deepest point alone would chatter between two points.
+/// Call `ask`, then `write`.   [haptic, nonblocking]
 class Contact {
 public:
     static constexpr std::size_t most = ContactPoints::most, most_slots = ContactPoints::most_slots;
 
-    /// `points` must outlive it.
+    /// `points` must outlive this object.
     explicit Contact(const ContactPoints& points) noexcept : points_(points) {}
 
-    /// Asks the bone about all of them. For one that lies deep the wall is looked for inside the tool, from no farther
-    /// than `inwards` [m] behind it: the nearest surface of where it lies may be another one, or none that a fine grid
-    /// knows of, and how firmly a hole holds a bent drill is no matter of either.
+    /// Queries the bone near all points. For a deep point, it also searches for the wall inside the tool, up to
+    /// `inwards` [m] behind the point. There the nearest surface may be another wall, or lie out of the reach of a fine
+    /// grid. The search makes the stiffness of a bent drill in its hole independent of both.
     void ask(const BoneQuery& bone, double inwards) noexcept {
         std::array<kerf_surface_point, most> found;
         bone.nearest(points_.all(), {found.data(), points_.count()});
@@ -43,23 +43,23 @@ public:
             touch_[i] = touch(i, found[i]);
             depth_[i] = -found[i].distance;
             if (depth_[i] <= deep) continue;
-            const double beyond = std::min(
-                1.0, depth_[i] / deep - 1.0);  // looked for from there on, and told by nothing else from twice that
+            // 0 at `deep`, where the search begins; 1 from twice that depth on, where the search alone counts.
+            const double beyond = std::min(1.0, depth_[i] / deep - 1.0);
             if (beyond <= 0.0) continue;
             Wall& wall = walls[wall_count++] = {i, beyond};
             wall.add(1.0 - beyond, touch_[i], depth_[i], 0.0);
         }
         if (wall_count > 0) look_inside(bone, inwards, {walls.data(), wall_count});
     }
-    /// A point that lies so deep that its wall was looked for.
+    /// A point so deep that its wall was searched for.
     struct Deep {
         std::size_t point;
-        double found;  ///< [–] how well that was found; by the rest nothing holds the point, unless `hold` says so
+        double found;  ///< [–] fraction of the wall that the search found; the rest has no force, unless `hold` adds it
     };
     [[nodiscard]] std::span<const Deep> deep() const noexcept { return {deep_.data(), deep_count_}; }
     [[nodiscard]] double depth(std::size_t i) const noexcept { return depth_[i]; }
-    /// By what was not found of its wall, one that faces it holds it, in which it lies so deep [m]: as the tool knows
-    /// by itself.
+    /// Adds the part of the point's wall that the search did not find, as a wall that faces the point.
+    /// @param depth  [m] of the point in that wall, as the tool computes it
     void hold(const Deep& one, double depth) noexcept {
         if (depth <= 0.0 || one.found >= 1.0) return;
         const Touch& seen = touch_[one.point];
@@ -69,24 +69,24 @@ public:
         take(wall);
     }
 
-    /// Whether bone near it faces the point.
+    /// Returns whether bone near the point faces it.
     [[nodiscard]] bool faces_bone(std::size_t i) const noexcept { return touch_[i].share > 0.0; }
-    /// The bone is known to be so deep there [m], along its own normal, from elsewhere.
+    /// Sets the depth [m] of the point along the bone's normal, where the law knows it from elsewhere.
     void set_depth(std::size_t i, double depth) noexcept { depth_[i] = depth; }
-    /// Bone holds it by `force` [N] at most: deeper, it gives way.
+    /// Limits the force of the bone on the point to `force` [N]: deeper bone yields.
     void bear_at_most(std::size_t i, double force) noexcept {
         const double pressed = points_.stiffness(i) * depth_[i];
         if (pressed > force) touch_[i].share *= force / pressed;
     }
 
-    /// A channel for each slot that touches or soon may, as many as there is room for if `kept_free` are to be left:
-    /// those farthest from touching are left out.
-    /// @param follow  of each of them
+    /// Adds a channel for each slot in contact or near it. It leaves `kept_free` channels free, and for that drops the
+    /// slots that are farthest from contact.
+    /// @param follow  wrench of each of these channels
     void write(Channels& channels, std::uint32_t first_id, std::size_t kept_free,
                const Vec6& follow = {}) const noexcept {
         std::array<double, most_slots> deepest;
         deepest.fill(-near_contact);
-        std::array<double, most> pressed;  // [m] less where the bone does not face the tool: as it pushes, so it counts
+        std::array<double, most> pressed;  // [m] depth, reduced where the bone does not face the tool
         for (std::size_t i = 0; i < points_.count(); ++i) {
             if (!faces_bone(i)) continue;
             pressed[i] = depth_[i] * (depth_[i] > 0.0 ? touch_[i].share * touch_[i].against : 1.0);
@@ -128,34 +128,33 @@ public:
             kerf_channel* channel = channels.add(KERF_CONTACT, first_id + static_cast<std::uint32_t>(slot));
             for (std::size_t k = 0; k < 6; ++k) channel->d[k] = sum.d[k] / sum.stiffness;
             channel->k = sum.stiffness / sum.weight;
-            channel->delta = sum.force / sum.stiffness;  // so that what it carries lies between what its points would
+            channel->delta = sum.force / sum.stiffness;  // gives a force within the range of the slot's points
             std::copy(follow.begin(), follow.end(), channel->follow);
         }
     }
 
 private:
     static constexpr double near_contact = 0.3e-3;  ///< [m] points farther from bone make no channel
-    static constexpr double nearly = 20e-6;         ///< [m] behind the deepest, or half as deep: shares its channel
-    static constexpr double ramp = 0.1;             ///< [–] of the cosine
-    static constexpr double deep_contact = 0.1e-3;  ///< [m] from which on a wall is looked for [judgement]
-    static constexpr double look_step =
-        0.2e-3;  ///< [m] no longer than this, and than half of what distances tell [judgement]
-    static constexpr std::size_t most_looks = 16;  ///< but no more of them
-    static constexpr double far_end = 0.25;  ///< [–] of the way inwards: a wall there is less and less one [judgement]
-    static constexpr double wide_gap = 0.1e-3;  ///< [m] so wide a gap before it makes a wall all of one [judgement]
+    static constexpr double nearly = 20e-6;  ///< [m] behind the deepest point, at least: contributes to its channel
+    static constexpr double ramp = 0.1;      ///< [–] of the cosine, over which the stiffness rises
+    static constexpr double deep_contact = 0.1e-3;  ///< [m] depth at which the search for a wall begins [judgement]
+    static constexpr double look_step = 0.2e-3;     ///< [m] max step of the search; also half of `reach` [judgement]
+    static constexpr std::size_t most_looks = 16;   ///< max steps of the search
+    static constexpr double far_end = 0.25;  ///< [–] last part of the search: a wall there loses weight [judgement]
+    static constexpr double wide_gap = 0.1e-3;  ///< [m] depth of air before a wall of full weight [judgement]
 
-    /// How a point of the tool's surface and the bone's surface nearest to it face each other.
+    /// The relative orientation of a point of the tool's surface and the nearest surface of bone.
     struct Touch {
         double against;  ///< [–] cosine between the two normals, the tool's reversed
-        double share;    ///< [–] of the stiffness: nothing far from the bone, or where it does not face the tool
+        double share;    ///< [–] fraction of the stiffness: 0 far from the bone, or where it does not face the tool
     };
-    /// The wall that a deep point presses on: sums over what tells of it.
+    /// The wall that a deep point presses on: weighted sums over samples.
     struct Wall {
         std::size_t point;
-        double looked_for;                                 ///< [–] share of it that is
-        double share = 0.0, stiffness = 0.0, force = 0.0;  ///< [–], a² [–] and p a [m], by the shares that tell of it
+        double looked_for;                                 ///< [–] weight of the search, 0 … 1
+        double share = 0.0, stiffness = 0.0, force = 0.0;  ///< [–], a² [–] and p a [m], each weighted
 
-        /// From `inside` [m] behind the point, where bone has this depth.
+        /// Adds a sample `inside` [m] behind the point, where the bone has the depth `bone` [m].
         void add(double weight, const Touch& seen, double bone, double inside) noexcept {
             const double here = weight * seen.share, pushes = here * seen.against;
             share += here;
@@ -187,9 +186,9 @@ private:
             for (std::size_t n = 0; n < some.size(); ++n) find_wall(some[n], {found.data() + n * looks, looks}, step);
         }
     }
-    /// `inside`: what was found at each step behind the point. The wall is where, from the farthest that lies in air on
-    /// outwards, the first lies in bone; that one and the last in air tell of it together, the nearer the more, so that
-    /// it moves without a jump.
+    /// Finds the wall in the samples `inside`, one each `step` [m] behind the point. From the farthest sample in air,
+    /// it goes outwards to the first one in bone. This sample and the last one in air are interpolated linearly, so
+    /// that the wall moves without a jump.
     void find_wall(Wall& wall, std::span<const kerf_surface_point> inside, double step) noexcept {
         std::size_t in_air = inside.size();
         while (in_air > 0 && inside[in_air - 1].distance < 0.0) --in_air;
@@ -201,7 +200,7 @@ private:
             const kerf_surface_point& air = inside[in_air - 1];
             const double before = in_air > 1 ? -inside[in_air - 2].distance : depth_[wall.point],
                          of_air = before / (before + air.distance);
-            // It comes and goes at the far end, or as a gap that opens: not at once.
+            // A wall appears and disappears gradually at the far end, and where a gap opens.
             const double from_end = static_cast<double>(inside.size() - in_air) + 1.0 - of_air;
             found = std::min({1.0, from_end / (far_end * static_cast<double>(inside.size())), widest / wide_gap});
             const double share = wall.looked_for * found * of_air;
@@ -212,7 +211,7 @@ private:
         deep_[deep_count_++] = {wall.point, 1.0 - wall.looked_for * (1.0 - found)};
         take(wall);
     }
-    /// What tells of it, put together.
+    /// Writes the sums of a wall as depth and touch of its point.
     void take(const Wall& wall) noexcept {
         touch_[wall.point].share = wall.share;
         if (wall.share <= 0.0) return;
@@ -221,7 +220,7 @@ private:
     }
 
     const ContactPoints& points_;
-    std::array<double, most> depth_;  ///< [m] of the bone along its own normal, negative outside
+    std::array<double, most> depth_;  ///< [m] along the bone's normal, negative outside
     std::array<Touch, most> touch_;
     std::array<Deep, most> deep_;
     std::size_t deep_count_ = 0;

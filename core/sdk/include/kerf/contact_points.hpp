@@ -10,19 +10,18 @@
 
 namespace kerf {
 
-/// Points of a tool's own surface that may touch bone. A law finds them when its tool is taken up, keeps them in its
-/// state and asks about them in every tick, with `Contact`.   [haptic, nonblocking]
+/// Points of a tool's own surface that may touch bone. A law computes them when its tool is taken up, keeps them in its
+/// state and queries the bone near them in every tick, with `Contact`.   [haptic, nonblocking]
 class ContactPoints {
 public:
     static constexpr std::size_t most = 304, most_slots = KERF_MAX_CHANNELS;
 
-    /// @param at, outwards  on the tool's surface, unit normal; tool frame [m]
+    /// @param at, outwards  point on the tool's surface and its unit normal; tool frame [m]
     /// @param stiffness     [N/m]
-    /// @param facing        cosine up to which bone does not hold it; 0.1 beyond, it does with all its stiffness
+    /// @param facing        cosine up to which the bone has no force; the stiffness is full at 0.1 more
     /// @param slot          < most_slots
     void add(Vec3 at, Vec3 outwards, double stiffness, double facing, std::size_t slot) noexcept {
-        KERF_ASSERT(count_ < most && slot < most_slots,
-                    "a tool has no more contact points and slots than there is room for");
+        KERF_ASSERT(count_ < most && slot < most_slots, "a tool has too many contact points or slots; use fewer");
         at_[count_] = at;
         outwards_[count_] = outwards;
         stiffness_[count_] = stiffness;

@@ -12,7 +12,7 @@
 #include "kerf/abi.h"
 #include "kerf/units.hpp"
 
-/// How a tool or a law describes itself: one line beside each member, checked when it is compiled.
+/// Descriptions of tools and laws: one line per member, checked when it is compiled.
 ///
 ///     struct Awl {
 ///         double diameter;
@@ -35,21 +35,21 @@ struct Amount {
     constexpr Amount(double plain) noexcept : si(plain), dimension(dimension::none) {}
 };
 
-// ---- what is said of a member -----------------------------------------------------------------------------------
+// ---- texts that describe a member -------------------------------------------------------------------------------
 
 struct ParamText {
     const char* id;    ///< snake_case, unique within the component
     const char* help;  ///< one sentence
     DisplayUnit unit = unit::none;
     Amount min, max, def;
-    const char* source;  ///< where the default comes from, and whether it is calibrated or assumed
+    const char* source;  ///< origin of the default, and whether it is calibrated or assumed
 };
 struct DriveText {
     const char* id;
     const char* help;
     DisplayUnit unit = unit::none;
     Amount min, max, def;
-    Amount least = 0.0;  ///< magnitude below which the tool runs but does not cut; 0: there is none
+    Amount least = 0.0;  ///< magnitude below which the tool runs but does not cut; 0: no such limit
 };
 struct SignalText {
     const char* id;
@@ -57,14 +57,14 @@ struct SignalText {
     DisplayUnit unit = unit::none;
 };
 struct EventText {
-    const char* id;  ///< "<plugin>.<name>", where <plugin> is the plugin's id or what follows its last dot
+    const char* id;  ///< "<plugin>.<name>", where <plugin> is the plugin's id or the part of it after its last dot
     const char* help;
-    bool is_damage = false;  ///< it spoils the tool: the step fails, unless the procedure allows it
+    bool is_damage = false;  ///< the event damages the tool: the step fails, unless the procedure allows it
 };
 struct FeatureText {
     const char* id;    ///< parameters with the same id are one feature and are switched together
-    const char* help;  ///< one sentence: what is there with it
-    Amount off = 0.0;  ///< the value of the parameter without it
+    const char* help;  ///< one sentence: the effect of the feature
+    Amount off = 0.0;  ///< value of the parameter that switches the feature off
 };
 struct NeedText {
     const char* id;
@@ -72,12 +72,12 @@ struct NeedText {
     DisplayUnit unit = unit::none;
 };
 
-// ---- the member with what is said of it -------------------------------------------------------------------------
+// ---- members with their texts -----------------------------------------------------------------------------------
 
 template <class T>
 struct Param {
     double T::*member;
-    double& (*access)(T&);  ///< instead of `member`, for an element of an array
+    double& (*access)(T&);  ///< used for an element of an array, where `member` is null
     ParamText text;
 };
 template <class T>
@@ -110,23 +110,23 @@ struct Need {
 struct Budget {
     std::uint32_t ns;
 };
-/// What one evaluation of a law needs at most, for any parameters; 0: not declared. `kerf check` counts it.
+/// Maximum work of one evaluation of a law, for any parameters; 0: not declared. `kerf check` counts it.
 struct Work {
     std::uint32_t channels = 0;
     std::uint32_t points = 0;   ///< of all its queries together
     std::uint32_t queries = 0;  ///< of the bone
 };
-/// Remeshing strategies that suit what a tool leaves.
+/// Remeshing strategies that suit the cut of a tool.
 struct Strategies {
     static constexpr std::size_t max_count = 8;
     const char* ids[max_count] = {};
     std::uint32_t count = 0;
 };
-/// How a hand moves a tool through bone: KERF_FEED_….
+/// The direction in which a hand feeds a tool: KERF_FEED_….
 struct Feed {
     std::uint32_t how = KERF_FEED_AXIS;
 };
-/// What a remeshing strategy gets, and what its results depend on (kerf/strategy.hpp).
+/// Input of a remeshing strategy, and the versions on which its results depend (kerf/strategy.hpp).
 struct Remeshes {
     std::uint32_t scope = 0;  ///< KERF_REMESH_PATCH or KERF_REMESH_WHOLE
     const char* kernel = "";
@@ -141,12 +141,12 @@ template <class T>
 [[nodiscard]] constexpr Param<T> param(double T::*member, ParamText text) noexcept {
     return {member, nullptr, text};
 }
-/// The same for a value that is no member of its own: `access` returns where it is stored.
+/// Describes a parameter that is not a member itself: `access` returns a reference to its value.
 template <class T>
 [[nodiscard]] constexpr Param<T> param(double& (*access)(T&), ParamText text) noexcept {
     return {nullptr, access, text};
 }
-/// Describes a drive of a tool: a member that trigger or procedure set while the tool is used.
+/// Describes a drive of a tool: a member that the trigger or the procedure sets while the tool is used.
 template <class T>
 [[nodiscard]] constexpr Drive<T> drive(double T::*member, DriveText text) noexcept {
     return {member, text};
@@ -171,22 +171,22 @@ template <class T>
 [[nodiscard]] constexpr Feature<T> resolution(double T::*member, FeatureText text) noexcept {
     return {member, KERF_FEATURE_RESOLUTION, text};
 }
-/// Describes a parameter that a law needs of whatever tool it is used with.
+/// Describes a parameter that a law needs of any tool that it is used with.
 template <class T>
 [[nodiscard]] constexpr Need<T> need(double T::*member, NeedText text) noexcept {
     return {member, KERF_NEED_PARAM, text};
 }
-/// Describes a drive that a law needs of whatever tool it is used with.
+/// Describes a drive that a law needs of any tool that it is used with.
 template <class T>
 [[nodiscard]] constexpr Need<T> need_drive(double T::*member, NeedText text) noexcept {
     return {member, KERF_NEED_DRIVE, text};
 }
-/// States what one evaluation of a law should take at most. Without it: 20 µs.
+/// States the maximum time of one evaluation of a law. Default: 20 µs.
 [[nodiscard]] constexpr Budget budget_us(std::uint32_t microseconds) noexcept { return {1000 * microseconds}; }
-/// States what one evaluation of a law needs at most: `kerf check` prints what to write.
+/// States the maximum work of one evaluation of a law. `kerf check` prints the numbers to write.
 [[nodiscard]] constexpr Work work(Work most) noexcept { return most; }
-/// States which remeshing strategies suit what a tool leaves, by full id: the best first, the most accurate last. Each
-/// replaces the one before it where that is not installed or declines a cut.
+/// States the remeshing strategies that suit the cut of a tool, by full id: best first, the one of highest accuracy
+/// last. The host tries the next one where a strategy is not installed or declines a cut.
 template <class... Id>
 [[nodiscard]] constexpr Strategies strategies(Id... id) {
     static_assert(sizeof...(Id) <= Strategies::max_count, "a tool names at most 8 strategies");
@@ -194,11 +194,11 @@ template <class... Id>
         if (one.find('.') == one.npos) throw "a strategy needs its full id, as \"example.burring.groove\"";
     return {{id...}, sizeof...(Id)};
 }
-/// States that a tool is fed across its axis, towards its x: a file. Without it: along its axis, tip first.
+/// States that a tool is fed across its axis, towards its +x: a file. Default: along its axis, tip first.
 [[nodiscard]] constexpr Feed fed_sideways() noexcept { return {KERF_FEED_SIDE}; }
 /// States that a tool is fed by turning it: a screw, a tap.
 [[nodiscard]] constexpr Feed fed_by_turning() noexcept { return {KERF_FEED_TURN}; }
-/// Joins descriptions that several components share.
+/// Joins descriptions that several components have in common.
 template <class... Items>
 [[nodiscard]] constexpr Group<Items...> group(Items... items) noexcept {
     return {{items...}};
@@ -228,7 +228,7 @@ template <class... Items>
     auto all = std::tuple_cat(detail::flat(items)...);
     return Description<decltype(all)>{id, help, all};
 }
-/// Describes what a law needs of any tool: `static constexpr auto needs()` of the struct that it gets as its tool.
+/// Describes the needs of a law that takes any tool: `static constexpr auto needs()` of the struct in its Held<…>.
 template <class... Items>
 [[nodiscard]] constexpr auto describe_needs(const Items&... items) noexcept {
     return describe("", "", items...);
@@ -243,7 +243,7 @@ struct is_a : std::false_type {};
 template <class T, template <class> class Kind>
 struct is_a<Kind<T>, Kind> : std::true_type {};
 
-/// The items of one kind, each turned into an `Out` by `convert`.
+/// Returns the items of one kind, each converted to an `Out` by `convert`.
 template <template <class> class Kind, class Out, class Items, class Convert>
 constexpr auto collect(const Items& items, Convert convert) {
     constexpr std::size_t count = []<class... I>(std::type_identity<std::tuple<I...>>) {
@@ -298,7 +298,7 @@ constexpr void check_unique(const Table& table) {
             if (is_same_text(table[i].id, table[j].id)) throw "two ids are equal";
 }
 
-/// A parameter of `T` or of a base of it, as one of `T`.
+/// Access to a parameter of `T`, which `T` or a base of it declares.
 template <class T>
 struct Place {
     double T::*member = nullptr;
@@ -317,7 +317,7 @@ concept Needs = requires {
     T::needs();
 };
 
-/// All tables of one component or of one set of needs.
+/// The C tables of one component or of one set of needs.
 template <class T>
 struct Tables {
     static constexpr auto about = [] {
@@ -369,7 +369,7 @@ struct Tables {
         const auto numbers =
             collect<Event, std::size_t>(about.items, [](const auto& e) { return static_cast<std::size_t>(e.which); });
         for (std::size_t i = 0; i < numbers.size(); ++i)
-            if (numbers[i] != i) throw "events are described in another order than their enumeration, or not all";
+            if (numbers[i] != i) throw "events are missing or not in the order of their enumeration";
         return table;
     }();
     static constexpr auto features = collect<Feature, kerf_feature>(about.items, [](const auto& f) {
@@ -386,7 +386,7 @@ struct Tables {
                                 .param = static_cast<std::uint32_t>(i),
                                 .off = f.text.off.si};
         }
-        throw "a feature names a member that is no parameter of this component";
+        throw "a feature names a member that is not a parameter of this component";
     });
     static constexpr auto needs = collect<Need, kerf_need>(about.items, [](const auto& n) {
         check_text(n.text.id, n.text.help);
@@ -407,14 +407,14 @@ struct Tables {
     }();
     static_assert(are_sound);
 
-    /// A `T` whose members have these values.   [haptic, nonblocking]
+    /// Returns a `T` with these values of its parameters and drives.   [haptic, nonblocking]
     [[nodiscard]] static T value(const double* param, const double* drive) noexcept {
         T value{};
         put<places>(value, [&](std::size_t i) { return param[i]; });
         put<drive_places>(value, [&](std::size_t i) { return drive[i]; });
         return value;
     }
-    /// A set of needs, bound to a tool.   [haptic, nonblocking]
+    /// Returns a set of needs with the values of the bound tool.   [haptic, nonblocking]
     [[nodiscard]] static T value(const kerf_tick_in& in) noexcept {
         T value{};
         put<need_places>(value, [&](std::size_t i) {
@@ -440,7 +440,7 @@ private:
     }
 };
 
-/// Null for an empty table.
+/// Returns the address of the first element; null for an empty table.
 template <class Table>
 constexpr auto first_of(const Table& table) noexcept -> decltype(table.data()) {
     if constexpr (std::tuple_size_v<Table> == 0)

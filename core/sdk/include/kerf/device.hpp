@@ -5,33 +5,33 @@
 
 #include "kerf/math.hpp"
 
-/// What a device and the haptic loop tell each other once a tick. Draft: no promise yet.
+/// Values that a device and the haptic loop exchange once a tick. Draft: it may change in any version.
 namespace kerf {
 
-/// From the device. Anything that is no pose (NaN, no unit rotation) is taken as "not there".
+/// Sent by the device. The loop treats an invalid pose (NaN, a rotation that is not a unit quaternion) as missing.
 struct DeviceSample {
-    Pose world_from_handle = identity_pose();  ///< where the hand wants the tool
-    std::uint32_t missed = 0;                  ///< ticks that were due since the last one and did not run
+    Pose world_from_handle = identity_pose();  ///< pose that the hand wants for the tool
+    std::uint32_t missed = 0;                  ///< ticks that were due since the last sample and did not run
 };
 
-/// For a device that closes the spring itself, faster than the loop: until the next one comes it makes
+/// Setpoint of a device that closes the spring itself, faster than the loop. Until the next setpoint it applies
 ///
 ///     f = carried + limited(K (p − x) + B (ṗ − ẋ))      [N] on the hand, world frame
 ///
-/// with the bracket no longer than `limit` and x the position it reports.
+/// The magnitude of the second term is at most `limit`; x is the position that the device reports.
 struct Setpoint {
     Vec3 position{};         ///< p [m]
     Vec3 velocity{};         ///< ṗ [m/s]
     double stiffness = 0.0;  ///< K [N/m], device newtons
     double damping = 0.0;    ///< B [N·s/m]
     double limit = 0.0;      ///< [N]
-    Vec3 carried{};          ///< [N] what is not of the spring: release, passivity
+    Vec3 carried{};          ///< [N] force outside the spring: release, passivity
 };
 
-/// To the device.
+/// Sent to the device.
 struct DeviceCommand {
-    Vec6 wrench{};      ///< on the hand, at the grip, world frame [N, N·m], device newtons; held until the next tick
-    Setpoint setpoint;  ///< the same force as a spring, for a device that asks for it
+    Vec6 wrench{};  ///< on the hand, at the grip, world frame [N, N·m], device newtons; constant until the next tick
+    Setpoint setpoint;  ///< the same force as a spring, for a device that closes the spring itself
 };
 
 }  // namespace kerf

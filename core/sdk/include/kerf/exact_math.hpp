@@ -8,17 +8,17 @@
 
 #include "kerf/units.hpp"
 
-/// exp, sin and cos with the same bits on every machine: only +, −, ×, ÷, written out. Within 2 ulp of the library's
-/// in the ranges stated; the tick uses these and no others.
+/// exp, sin and cos with the same bits on every machine: they use only +, −, × and ÷. In the ranges below they are
+/// within 2 ulp of the library's functions. The tick uses these alone.
 namespace kerf {
 
 namespace detail {
-/// 2^k for −1022 ≤ k ≤ 1023.
+/// Returns 2^k for −1022 ≤ k ≤ 1023.
 constexpr double power_of_two(int k) noexcept {
     return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
 }
 
-/// (±1)ⁱ / (first + step i)!
+/// Returns (±1)ⁱ / (first + step i)! for i < count.
 template <std::size_t count>
 constexpr std::array<double, count> one_over_factorials(int first, int step, double sign) noexcept {
     std::array<double, count> c{};
@@ -32,7 +32,8 @@ constexpr std::array<double, count> one_over_factorials(int first, int step, dou
     return c;
 }
 
-/// Σ cᵢ xⁱ in pairs, pairs of pairs and so on, so that few sums wait for others; `power`: x, x², x⁴, x⁸.
+/// Returns Σ cᵢ xⁱ. It adds pairs, pairs of pairs and so on, which keeps chains of dependent sums short. `power` is x,
+/// x², x⁴, x⁸.
 template <std::size_t first, std::size_t count, std::size_t all>
 constexpr double polynomial(const std::array<double, all>& c, const double (&power)[4]) noexcept {
     if constexpr (count == 1) {
@@ -50,7 +51,7 @@ constexpr double polynomial(const std::array<double, all>& c, double x) noexcept
 }
 }  // namespace detail
 
-/// e^x; 0 below −708, +largest above 709.   [any] pure, nonblocking.
+/// Returns e^x; 0 for x ≤ −708, the largest double for x > 709.   [any] pure, nonblocking.
 constexpr double exp_exact(double x) noexcept {
     if (!(x > -708.0)) return 0.0;
     if (x > 709.0) return 1.7976931348623157e308;
@@ -66,7 +67,7 @@ struct SinCos {
     double sin, cos;
 };
 
-/// sin and cos of `x` [rad], |x| ≤ 1e6.   [any] pure, nonblocking.
+/// Returns sine and cosine of `x` [rad], |x| ≤ 1e6.   [any] pure, nonblocking.
 constexpr SinCos sin_cos_exact(double x) noexcept {
     const double turns = x / (0.5 * pi);
     const auto quarter = static_cast<std::int64_t>(turns + (turns >= 0.0 ? 0.5 : -0.5));

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// A number as people read it: three digits and its unit, whatever the locale.
+/// A number as text for people: three digits and its unit, independent of the locale.
 class Figure {
 public:
     explicit Figure(double value, std::string_view unit = {}) noexcept {
@@ -25,7 +25,7 @@ private:
     char text_[40];
     std::size_t size_;
 };
-/// @param length [m]
+/// Returns a length [m] as text in millimetres.
 [[nodiscard]] inline Figure in_mm(double length) noexcept { return Figure(1e3 * length, " mm"); }
 
 }  // namespace kerf

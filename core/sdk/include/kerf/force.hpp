@@ -13,20 +13,20 @@
 #include "kerf/math.hpp"
 #include "kerf/sampled_wall.hpp"
 
-/// What a force law reads and writes in a tick: bone, channels, the motion that happened, actions.
+/// Types that a force law reads and writes in a tick: bone, channels, the solved motion, actions.
 namespace kerf {
 
-/// The tick as such.
+/// Time, hand and tool outline of one tick.
 struct Tick {
     double dt = 0.0;                                ///< [s] nominal, constant
     std::uint64_t number = 0;                       ///< counts from 0
-    std::uint32_t hand = 0;                         ///< index of the hand that holds the tool
+    std::uint32_t hand = 0;                         ///< index of the hand on the tool
     std::span<const kerf_profile_point> outline{};  ///< of the held tool: (z, radius) [m], from the tip backwards
 };
 
 /// The surface of bone nearest to a point.
 struct SurfacePoint : kerf_surface_point {
-    /// Whether there is a surface, and the point lies inside bone or at most `distance` [m] outside.
+    /// Returns whether there is a surface and the point lies inside bone or at most `most` [m] outside.
     [[nodiscard]] bool is_within(double most) const noexcept {
         return body >= 0 && distance <= most && !(normal == Vec3{});
     }
@@ -47,7 +47,7 @@ public:
         query_->sample(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), directions.data(),
                        static_cast<std::uint32_t>(directions.size()), out.data());
     }
-    /// Returns the surface nearest to each point.
+    /// Writes the surface nearest to each point.
     void nearest(std::span<const Vec3> points, std::span<kerf_surface_point> out) const noexcept {
         query_->nearest(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), out.data());
     }
@@ -57,19 +57,19 @@ public:
         query_->nearest(query_->bone, &point, 1, &out);
         return out;
     }
-    /// Writes the threads in bodies near the tool. Returns how many were written.
+    /// Writes the threads in bodies near the tool. Returns the number written.
     std::size_t threads(std::span<kerf_thread> out) const noexcept {
         if (query_->threads == nullptr) return 0;
         const auto capacity = static_cast<std::uint32_t>(out.size());
         return std::min(query_->threads(query_->bone, out.data(), capacity), capacity);
     }
     [[nodiscard]] std::uint32_t tissue_count() const noexcept { return query_->tissue_count; }
-    /// [m] distances are known this far on either side of a surface.
+    /// Returns the distance [m] from a surface, on either side, up to which distances are known.
     [[nodiscard]] double reach() const noexcept { return query_->reach; }
-    [[nodiscard]] double voxel() const noexcept { return 0.25 * reach(); }  ///< [m] between the samples of the grid
-    /// [m] how far a sampled wall may lie from where the tool cut it.
+    [[nodiscard]] double voxel() const noexcept { return 0.25 * reach(); }  ///< [m] spacing of the grid's samples
+    /// Returns the error [m] of the position of a sampled wall.
     [[nodiscard]] double wall_error() const noexcept { return 0.1 * voxel(); }
-    /// The same for the wall of a hole of `radius` [m].
+    /// Returns the error [m] of the position of the sampled wall of a hole of `radius` [m].
     [[nodiscard]] double wall_error(double radius) const noexcept {
         return wall_error() + wall_sagitta(radius, voxel());
     }
@@ -78,51 +78,51 @@ private:
     const kerf_bone_query* query_;
 };
 
-/// A unit rate along `n` at `point`, as a rate of the tool about its tip: the `d` of a channel there.
+/// Returns the unit rate along `n` at `point` as a rate of the tool about its tip: the `d` of a channel there.
 [[nodiscard]] constexpr Vec6 rate_at(Vec3 point, Vec3 n) noexcept { return make_vec6(n, cross(point, n)); }
 
 // ---- channels, by named fields ----------------------------------------------------------------------------------
 
-/// Bone pushes back with `stiffness` × depth. `along` points into the bone.
+/// A contact: bone pushes back with `stiffness` × depth. `along` points into the bone.
 struct ContactSpec {
-    std::uint32_t id;      ///< the same number for the same thing in every tick
+    std::uint32_t id;      ///< constant over ticks for one resistance
     Vec3 at{};             ///< [m]
     Vec3 along;            ///< unit
     double stiffness;      ///< [N/m]
     double depth;          ///< [m] of penetration; negative outside
     double damping = 0.0;  ///< [N·s/m]
 };
-/// Bone resists an edge that moves along `along` faster than it must to cross `gap` in this tick.
+/// A cutting edge: bone resists motion along `along` that is faster than needed to cross `gap` in this tick.
 struct CutSpec {
     std::uint32_t id;
     Vec3 at{};
     Vec3 along;               ///< unit
     double edge_force = 0.0;  ///< [N] that builds up over `onset`
     double onset = 1e-6;      ///< [m/s] ≥ 1e-6
-    double slope;             ///< [N·s/m] of what grows with the rate
+    double slope;             ///< [N·s/m] of the part that grows with the rate
     double gap = 0.0;         ///< [m] to uncut bone
     Vec6 follow{};            ///< wrench on the tool per newton [N/N, N·m/N]
 };
-/// Rubbing along `along`, either way.
+/// Friction along `along`, in both directions.
 struct FrictionSpec {
     std::uint32_t id;
     Vec3 at{};
     Vec3 along;           ///< unit
     double limit;         ///< [N]
-    double onset = 1e-6;  ///< [m/s] ≥ 1e-6: the rate from which on the limit acts
+    double onset = 1e-6;  ///< [m/s] ≥ 1e-6: rate at which the limit is reached
 };
 
-/// A spring either way along `d`, which gives way at `limit`: a thread in bone.
+/// A spring along `d`, in both directions, that yields at `limit`: a thread in bone.
 struct HoldSpec {
     std::uint32_t id;
     Vec6 d;                ///< linear [–], angular [m]
     double stiffness;      ///< [N/m]
-    double stretch;        ///< [m] from where it holds no force
+    double stretch;        ///< [m] from the length without force
     double damping = 0.0;  ///< [N·s/m]
-    double limit = 0.0;    ///< [N] either way; 0: none
+    double limit = 0.0;    ///< [N] in both directions; 0: none
 };
 
-/// Where a law writes its channels. It drops and counts those beyond KERF_MAX_CHANNELS.
+/// The channels that a law writes. Channels beyond KERF_MAX_CHANNELS are dropped and counted.
 class Channels {
 public:
     explicit Channels(kerf_law& law) : law_(&law) { law.count = 0; }
@@ -157,8 +157,8 @@ public:
         c->delta = spec.stretch;
         c->tau = spec.limit;
     }
-    /// Adds an empty channel; null where there is no room.
-    /// @param id  the same number for the same thing in every tick
+    /// Adds an empty channel. Returns null if there are KERF_MAX_CHANNELS already.
+    /// @param id  constant over ticks for one resistance
     kerf_channel* add(std::uint32_t kind, std::uint32_t id) noexcept {
         if (law_->count >= KERF_MAX_CHANNELS) {
             ++dropped_;
@@ -176,7 +176,8 @@ public:
         if (c != nullptr) std::copy(d.begin(), d.end(), c->d);
         return c;
     }
-    /// Adds a wrench on the tool, about its tip, that is no resistance: a motor's reaction.   Force [N], torque [N·m].
+    /// Adds a wrench on the tool, about its tip, that is not a resistance, such as a motor's reaction. Force [N],
+    /// torque [N·m].
     void push(Vec3 force, Vec3 torque) noexcept {
         const Vec6 wrench = make_vec6(force, torque);
         for (std::size_t i = 0; i < 6; ++i) law_->wrench[i] += wrench[i];
@@ -189,19 +190,18 @@ private:
     int dropped_ = 0;
 };
 
-/// Sums edge elements that share a rate into one cut channel. Their onsets are averaged with their edge forces as
-/// weights.
+/// Sums edge elements with a common rate into one cut channel. Its onset is the mean of theirs, weighted by edge force.
 struct ChannelSum {
     double tau = 0.0, eta = 0.0, tau_w = 0.0;
 
     /// @param edge_force  [N] that builds up over `w` [m/s]
-    /// @param slope       [N·s/m] of what grows with the rate
+    /// @param slope       [N·s/m] of the part that grows with the rate
     void add(double edge_force, double slope, double w) noexcept {
         tau += edge_force;
         eta += slope;
         tau_w += edge_force * w;
     }
-    /// Writes a fraction `share` [–] of the sum along `d`; nothing where `channel` is null.
+    /// Writes the fraction `share` [–] of the sum along `d`; writes nothing if `channel` is null.
     void write(const Vec6& d, double share, double gap, kerf_channel* channel) const noexcept {
         if (channel == nullptr) return;
         std::copy(d.begin(), d.end(), channel->d);
@@ -214,28 +214,28 @@ struct ChannelSum {
 
 // ---- after the balance ------------------------------------------------------------------------------------------
 
-/// The motion that happened in the tick.
+/// The solved motion of the tick, and its forces.
 struct Advance {
     Vec6 rate{};                              ///< tool frame [m/s, rad/s]
     std::span<const kerf_channel> channel{};  ///< the law that was solved
     std::span<const double> lambda{};         ///< the force of each channel [N]
-    Vec6 following{};      ///< on the tool: what the host applied of `follow` and of the law's own wrench [N, N·m]
-    bool has_law = false;  ///< whether a law was evaluated in this tick
+    Vec6 following{};      ///< wrench on the tool that the host applied for `follow` and the law's own wrench [N, N·m]
+    bool has_law = false;  ///< true if a law was evaluated in this tick
 
-    /// Returns the force of all channels of one kind together [N].
+    /// Returns the sum of the forces of all channels of one kind [N].
     [[nodiscard]] double carried_by(std::uint32_t kind) const noexcept {
         double sum = 0.0;
         for (std::size_t c = 0; c < channel.size(); ++c)
             if (channel[c].kind == kind) sum += lambda[c];
         return sum;
     }
-    /// Returns the force of the channel `id` [N]; 0 without one.
+    /// Returns the force of the channel `id` [N]; 0 if there is none.
     [[nodiscard]] double carried_by_id(std::uint32_t id) const noexcept {
         for (std::size_t c = 0; c < channel.size(); ++c)
             if (channel[c].id == id) return lambda[c];
         return 0.0;
     }
-    /// Returns the force that pushes the tool back along its shaft, of all channels but friction [N], ≥ 0.
+    /// Returns the force of all channels except friction that pushes the tool back along its shaft [N], ≥ 0.
     [[nodiscard]] double pushed_along() const noexcept {
         double sum = 0.0;
         for (std::size_t c = 0; c < channel.size(); ++c)
@@ -244,33 +244,33 @@ struct Advance {
     }
 };
 
-/// The motion, with what `resist` returned for its commit. Without a law in this tick the notes are as constructed.
+/// The motion, with the notes that `resist` returned. Without a law in this tick, the notes are default-constructed.
 template <class Notes>
 struct Noted : Advance {
     static_assert(std::is_trivially_copyable_v<Notes> && sizeof(Notes) <= KERF_NOTE_BYTES,
-                  "what resist returns must be trivially copyable, of at most KERF_NOTE_BYTES");
+                  "the notes of resist must be trivially copyable, of at most KERF_NOTE_BYTES");
     Notes notes{};
 };
 
-/// What a law does to the world.
+/// The actions of a law on bone and bodies.
 class Actions {
 public:
     explicit Actions(kerf_commit_out& out) : out_(&out) { out.action_count = out.thread_count = 0; }
-    /// Removes what the cutting part of the tool sweeps in this tick.
+    /// Removes the volume that the cutting part of the tool sweeps in this tick.
     void cut() noexcept { add(KERF_ACTION_CUT, KERF_CUT_REGION); }
-    /// Removes all that the cylinder over the tool's thread holds: bone whose thread is stripped.
+    /// Removes the cylinder around the tool's thread: bone whose thread is stripped.
     void cut_thread() noexcept { add(KERF_ACTION_CUT, KERF_CUT_THREAD); }
-    /// Leaves a thread in bone, or changes one that the bone answered.
-    /// @param thread  as `BoneQuery::threads` gave it, or with `KERF_NEW_THREAD`
+    /// Leaves a thread in bone, or changes an existing one.
+    /// @param thread  from `BoneQuery::threads`, or with `KERF_NEW_THREAD`
     void leave(const kerf_thread& thread) noexcept {
         if (out_->thread == nullptr) return;
         *out_->thread = thread;
         out_->thread_count = 1;
     }
     /// Makes a body rigid to the tool.
-    /// @param body  as the bone's answers name it
+    /// @param body  its index in the bone's samples
     void hold(std::int32_t body) noexcept { add(KERF_ACTION_HOLD, static_cast<std::uint32_t>(body)); }
-    /// Lets go of what is held.
+    /// Releases the body that is rigid to the tool.
     void release() noexcept { add(KERF_ACTION_RELEASE); }
     /// Reports an event that the law describes.
     template <class E>

@@ -5,19 +5,19 @@
 
 #include "kerf/abi.h"
 
-/// What a plugin gets from the host that has loaded it.
+/// Services that the host offers to a plugin that it has loaded.
 namespace kerf {
 
 namespace detail {
 
-/// The host of this library and its log; null before `open_plugin`, and where there is none.
+/// The host of this library and its log; null before `open_plugin`, or if the host has none.
 struct HostServices {
     const kerf_host* host = nullptr;
     const kerf_log* log = nullptr;
 };
 inline HostServices services;
 
-/// The `open` of KERF_PLUGIN.
+/// Stores the host. The `open` of KERF_PLUGIN.
 inline kerf_status open_plugin(const kerf_host* host) noexcept {
     services.host = host;
     services.log = static_cast<const kerf_log*>(host->find(host, KERF_LOG_ID, KERF_LOG_VERSION));
@@ -32,10 +32,10 @@ inline void write_log(std::uint32_t level, const char* text) noexcept {
 
 /// Prints one line under the plugin's name: at most 500 bytes, and 100 lines in all.   [main], or in a strategy's call
 inline void log_note(const char* text) noexcept { detail::write_log(KERF_LOG_NOTE, text); }
-/// The same as a warning.
+/// Prints one line as a warning, with the same limits.
 inline void log_warning(const char* text) noexcept { detail::write_log(KERF_LOG_WARNING, text); }
 
-/// Returns a service of the host, or null where it does not offer that version.   [main]
+/// Returns a service of the host, or null if the host does not offer this version.   [main]
 template <class Service>
 [[nodiscard]] const Service* host_service(const char* id, std::uint32_t version) noexcept {
     const kerf_host* host = detail::services.host;

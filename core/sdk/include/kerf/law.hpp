@@ -33,12 +33,12 @@ struct Held<First, Second, Rest...> {
     [[nodiscard]] bool is() const noexcept {
         return std::holds_alternative<Tool>(tool);
     }
-    /// Returns what all of them derive from.
+    /// Returns the held tool as a common base of all tools.
     template <class Base>
     [[nodiscard]] const Base& as() const noexcept {
         return visit([](const auto& held) -> const Base& { return held; });
     }
-    /// Returns `function` of the held tool.
+    /// Returns the result of `function`, called with the held tool.
     template <class Function>
     decltype(auto) visit(Function function) const noexcept {
         return visit_from<0>(function);
@@ -56,7 +56,7 @@ private:
     }
 };
 
-/// For a law that takes any tool and reads nothing of it: Held<AnyTool>.
+/// The tool of a law that accepts any tool and reads none of its parameters: Held<AnyTool>.
 struct AnyTool {
     static constexpr auto needs() noexcept { return describe_needs(); }
 };
@@ -148,7 +148,7 @@ private:
     }
 };
 
-/// The C table of a law.
+/// Builds the C table of a law.
 template <class Law>
 struct LawTable {
     using Form = ResistForm<decltype(&Law::resist)>;

@@ -28,7 +28,7 @@ constexpr Vec3 cross(Vec3 a, Vec3 b) noexcept {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double length(Vec3 a) noexcept { return std::sqrt(dot(a, a)); }
-/// Unit vector along `a`; zero stays zero.
+/// Returns the unit vector along `a`; zero for a zero vector.
 inline Vec3 normalized(Vec3 a) noexcept {
     const double l = length(a);
     return l > 0.0 ? a / l : Vec3{0, 0, 0};
@@ -49,8 +49,8 @@ inline Quat normalized(Quat q) noexcept {
     const double l = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     return {q.w / l, q.x / l, q.y / l, q.z / l};
 }
-/// Rotation by |r| about r, for the small angles of one tick and for any other: uses only +, −, ×, ÷ and sqrt,
-/// so that it gives the same bits on every machine.
+/// Returns the rotation by |r| about r [rad]. Uses only +, −, ×, ÷ and sqrt, so that it gives the same bits on every
+/// machine.
 ///
 ///     q = ±normalise(1, tan(|r|/2) r/|r|) ≈ normalise(1, r/2 (1 + |r|²/12))    for |r| ≤ 0.1
 ///
@@ -66,14 +66,15 @@ inline Quat quat_from_rotation_vector(Vec3 r) noexcept {
     for (int i = 0; i < halvings; ++i) q = normalized(q * q);
     return q;
 }
-/// The rotation vector of `q`, exact to third order in the angle and within 2e-4 rad at 0.5 rad.   [any] pure.
+/// Returns the rotation vector [rad] of `q`, exact to third order in the angle and within 2e-4 rad at 0.5 rad.
+/// [any] pure.
 inline Vec3 small_rotation_vector(Quat q) noexcept {
     if (q.w < 0.0) q = {-q.w, -q.x, -q.y, -q.z};
     const Vec3 v{q.x, q.y, q.z};
     const double s2 = dot(v, v);
     return (2.0 * (1.0 + s2 / 6.0 + 0.075 * s2 * s2)) * v;
 }
-/// The shortest rotation that takes unit vector `from` to unit vector `to`.
+/// Returns the shortest rotation from unit vector `from` to unit vector `to`.
 inline Quat quat_between(Vec3 from, Vec3 to) noexcept {
     const double c = dot(from, to);
     if (c < -0.999999) {
@@ -86,7 +87,7 @@ inline Quat quat_between(Vec3 from, Vec3 to) noexcept {
 }
 
 constexpr Pose identity_pose() noexcept { return {{0, 0, 0}, {1, 0, 0, 0}}; }
-/// a_from_b * point_in_b = point_in_a.
+/// Returns the point in frame a: a_from_b * point_in_b = point_in_a.
 constexpr Vec3 operator*(const Pose& a_from_b, Vec3 point_in_b) noexcept {
     return a_from_b.position + rotate(a_from_b.rotation, point_in_b);
 }
@@ -97,7 +98,7 @@ constexpr Pose inverse(const Pose& a_from_b) noexcept {
     const Quat b_from_a = conjugate(a_from_b.rotation);
     return {rotate(b_from_a, -a_from_b.position), b_from_a};
 }
-/// The pose after moving for `dt` [s] at `rate`, given in the tool frame.
+/// Returns the pose after motion for `dt` [s] at `rate` [m/s, rad/s], which is in the tool frame.
 inline Pose advanced(const Pose& world_from_tool, const Vec6& rate, double dt) noexcept {
     const Pose tool_from_next{{rate[0] * dt, rate[1] * dt, rate[2] * dt},
                               quat_from_rotation_vector({rate[3] * dt, rate[4] * dt, rate[5] * dt})};

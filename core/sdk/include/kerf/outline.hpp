@@ -14,7 +14,7 @@
 
 namespace kerf {
 
-/// The solid of a tool, as its `outline()` returns it. Points are (z, radius) in the tool frame [m], from the tip
+/// The solid of a tool, the result of its `outline()`. Points are (z, radius) in the tool frame [m], from the tip
 /// backwards, z decreasing.
 ///
 ///     return revolution({{0, 0}, {-2_mm, 2_mm}}).cuts().to(-90_mm, 2_mm).gripped_at(-130_mm);
@@ -30,8 +30,8 @@ public:
         ++count_;
         return *this;
     }
-    /// Appends an arc of a ball about (`centre_z`, 0), from its tip to the polar angle `end` [rad], in `pieces` chords;
-    /// the first point, at its tip, too. `end` may lie behind the equator.
+    /// Appends an arc of a ball about (`centre_z`, 0), from its tip to the polar angle `end` [rad], in `pieces` chords,
+    /// with the point at its tip. `end` may lie behind the equator.
     Outline& ball(double centre_z, double radius, double end, std::size_t pieces = 12) noexcept {
         for (std::size_t i = 0; i <= pieces; ++i) {
             const SinCos angle = sin_cos_exact(end * static_cast<double>(i) / static_cast<double>(pieces));
@@ -39,18 +39,17 @@ public:
         }
         return *this;
     }
-    /// All that is listed so far removes bone while the law cuts; what follows does not. Never called: nothing does.
-    /// After `safe()` a further part cuts.
+    /// Ends a part that removes bone while the law cuts: all points so far, or all since `safe()`. Later points remove
+    /// none. Without a call, no part removes bone.
     constexpr Outline& cuts() noexcept {
         cutting_ = count_;
         if (has_gap_) ++gaps_;
         has_gap_ = false;
         return *this;
     }
-    /// What is listed so far is safe: it removes no bone. The region that does begins at its last point, with a flat
-    /// front: a reamer behind its pilot, a file behind its tip, a saw with a safe end. After `cuts()`, what is listed
-    /// since then is safe, and a further part that cuts begins: a second head behind a neck. At most KERF_MAX_GAPS
-    /// times.
+    /// Ends a part that removes no bone. Before the first `cuts()`: the cutting part begins at the last point, with a
+    /// flat front. Examples are a reamer behind its pilot and a saw with a safe end. After `cuts()`: the points since
+    /// then are safe and another cutting part begins, as a second head behind a neck; at most KERF_MAX_GAPS times.
     constexpr Outline& safe() noexcept {
         if (cutting_ == 0) {
             safe_ = count_;
@@ -60,17 +59,17 @@ public:
         }
         return *this;
     }
-    /// A bore of this radius [m] goes through all that removes bone: a trephine. What is in it stays.
+    /// Adds a bore of this radius [m] through the cutting part: a trephine. The core in it is not cut.
     constexpr Outline& hollow(double radius) noexcept {
         bore_ = radius;
         return *this;
     }
-    /// The hand holds the tool on its axis at `z` < 0 [m].
+    /// Sets the point of the axis at which the hand grips the tool: `z` < 0 [m].
     constexpr Outline& gripped_at(double z) noexcept {
         grip_z_ = z;
         return *this;
     }
-    /// Both hands hold it there, as a saw; a drill is held in one.
+    /// Sets two hands on the tool, as on a saw. Default: one hand.
     constexpr Outline& in_both_hands() noexcept {
         hands_ = 2;
         return *this;
@@ -79,15 +78,16 @@ public:
         double deflection;  ///< [m/N] of the tip, by a force across it
         double slope;       ///< [rad/N] of the tip, by the same force
     };
-    /// The shaft bends, held at the grip. What touches the bone behind the tip must leave this out.
+    /// Sets the bending of the shaft, clamped at the grip. A law's stiffness of contact behind the tip must not include
+    /// it.
     constexpr Outline& bends(Bending bending) noexcept {
         bending_ = bending;
         return *this;
     }
     struct Weight {
         double mass;      ///< [kg] of the tool with its handpiece
-        double centre_z;  ///< [m] where its centre lies on the axis
-        double gyration;  ///< [m] its radius of gyration about that centre, > 0
+        double centre_z;  ///< [m] position of the centre of mass on the axis
+        double gyration;  ///< [m] radius of gyration about that centre, > 0
     };
     constexpr Outline& weighs(Weight weight) noexcept {
         weight_ = weight;
@@ -95,22 +95,22 @@ public:
     }
     struct Thread {
         double radius;  ///< [m] over the crests
-        double lead;    ///< [m] in one turn
+        double lead;    ///< [m] advance in one turn
     };
-    /// All that is listed so far, behind the tip's cone, has a thread around it.
+    /// Adds a thread around all points so far, behind the cone of the tip.
     constexpr Outline& threaded(Thread thread) noexcept {
         thread_ = thread;
         threaded_ = count_;
         return *this;
     }
-    /// All that is listed so far stays in bone when its driver leaves: an implant.
+    /// Sets that all points so far stay in bone when the driver leaves: an implant.
     constexpr Outline& stays() noexcept {
         stay_ = count_;
         return *this;
     }
     [[nodiscard]] constexpr const kerf_profile_point& last() const noexcept { return point_[count_ - 1]; }
 
-    /// Writes it into what the host gave.
+    /// Writes the outline for the host. Returns KERF_OUT_OF_RANGE after `refuse`, KERF_CAPACITY for too many points.
     [[nodiscard]] kerf_status write(kerf_tool_shape& out) const noexcept {
         if (refusal_[0] != '\0') {
             std::copy(refusal_.begin(), refusal_.end(), out.refusal);
@@ -152,7 +152,7 @@ private:
     std::size_t count_ = 0, safe_ = 0, cutting_ = 0, stay_ = 0, threaded_ = 0;
     std::array<kerf_gap, KERF_MAX_GAPS> gap_{};
     std::size_t gaps_ = 0;
-    bool has_gap_ = false;  ///< one more, which the next cuts() ends
+    bool has_gap_ = false;  ///< a gap that the next cuts() ends
     std::uint32_t kind_ = KERF_SOLID_REVOLUTION, hands_ = 1;
     double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0, bore_ = 0.0;
     Thread thread_{};
@@ -161,14 +161,14 @@ private:
     std::array<char, sizeof(kerf_tool_shape::refusal)> refusal_{};
 };
 
-/// Turned about the tool's z axis.
+/// Returns an outline turned about the tool's z axis.
 [[nodiscard]] inline Outline revolution(std::initializer_list<kerf_profile_point> points = {}) noexcept {
     Outline outline;
     for (const kerf_profile_point& p : points) outline.to(p.z, p.radius);
     return outline;
 }
-/// A blade: each radius is half of its width along x. What cuts is `kerf` [m] thick across y, the blade behind it
-/// `thickness` [m].
+/// Returns a blade: each radius is half of its width along x. The cutting part is `kerf` [m] thick across y, and the
+/// blade behind it `thickness` [m].
 [[nodiscard]] inline Outline prism(double kerf, double thickness) noexcept {
     Outline outline;
     outline.kind_ = KERF_SOLID_PRISM;
@@ -177,8 +177,8 @@ private:
     return outline;
 }
 
-/// What `outline()` returns for parameters that do not go together, each within its range: which, what they are, and
-/// what is needed. Text beyond the room for it is cut off.
+/// Returns an `outline()` that refuses parameters that conflict, although each is within its range. The text gives the
+/// parameters, their values and the values that are needed. It is cut off at the size of kerf_tool_shape::refusal.
 ///
 ///     return refuse("`shoulder_diameter` is ", in_mm(3.0_mm), "; it needs more than `diameter`, ", in_mm(4.0_mm),
 ///     ".");

@@ -18,24 +18,26 @@
 #include "kerf/law.hpp"
 #include "kerf/outline.hpp"
 
-/// What a plugin needs for tools and laws: plain structs, and KERF_PLUGIN, which exports them. A plugin with a
-/// remeshing strategy includes kerf/strategy.hpp too.
+/// Tools and laws of a plugin as plain structs, and KERF_PLUGIN, which exports them. A plugin with a remeshing strategy
+/// includes kerf/strategy.hpp too.
 ///
-///     a tool   struct whose members are parameters and drives;   static constexpr auto about();   Outline outline()
-///     const; a law    struct whose members are parameters;              static constexpr auto about();
-///              void resist(const Held<Tool>&, const BoneQuery&, const State&, Channels&) const noexcept;
-///              void commit(const Held<Tool>&, const BoneQuery&, const Advance&, State&, Signals&, Actions&) const
-///              noexcept;
+///     a tool: struct whose members are parameters and drives
+///         static constexpr auto about();
+///         Outline outline() const;
+///     a law: struct whose members are parameters
+///         static constexpr auto about();
+///         void resist(const Held<Tool>&, const BoneQuery&, const State&, Channels&) const noexcept;
+///         void commit(const Held<Tool>&, const BoneQuery&, const Advance&, State&, Signals&, Actions&) const noexcept;
 ///
-/// `resist` is pure: it evaluates the law at the present pose as a few monotone channels, and the core finds the one
-/// motion at which hand and law balance. It may be called again. What it returns, if anything, reaches the commit as
-/// `Noted<Notes>::notes`. `commit` takes the motion that happened, once for each motion that was solved; a fast tick
-/// has several. Optional: State; Signals; commit; and `void begin(const Held<Tool>&, const BoneQuery&, State&) const
-/// noexcept`, which works out once what follows from parameters and resolution. Begin, resist and commit are [haptic,
+/// `resist` evaluates the law at the present pose as a few monotone channels. The core then finds the one motion at
+/// which hand and law balance. `resist` is pure, and the core may call it again. Notes that it returns reach the commit
+/// as `Noted<Notes>::notes`. `commit` takes the solved motion, once for each motion; a fast tick has several motions.
+/// Optional: State, Signals, commit, and `void begin(const Held<Tool>&, const BoneQuery&, State&) const noexcept`,
+/// which computes values that depend on parameters and resolution alone. begin, resist and commit are [haptic,
 /// nonblocking].
 ///
-/// A law that takes any tool with the right parameters names them in a struct with `static constexpr auto needs()` and
-/// takes `Held<That>`.
+/// A law that takes any tool with the right parameters names them in a struct with `static constexpr auto needs()`, and
+/// takes `Held<ThatStruct>`.
 namespace kerf {
 
 template <class T>
@@ -51,12 +53,12 @@ concept LawComponent = requires {
 
 namespace detail {
 
-/// The kind, its version and the table of a component, which `put_into` sets. A header for one more kind of components
+/// The kind, version and table of a component; `put_into` sets the table. A header for another kind of components
 /// specializes it.
 template <class T>
 struct ComponentTable;
 
-/// The item of this type in a description, or `otherwise`.
+/// Returns the item of this type in the description of `T`, or `otherwise`.
 template <class T, class Item>
 constexpr Item stated_in(Item otherwise) noexcept {
     std::apply(
@@ -126,7 +128,7 @@ struct ComponentTable<Law> {
     static constexpr void put_into(kerf_component& component) noexcept { component.force = &table; }
 };
 
-/// Whether an event carries its plugin's name, so that no one takes it for another's.
+/// Returns whether an event's id begins with its plugin's name, so that it cannot collide with other plugins' events.
 constexpr bool is_own_event(std::string_view event, std::string_view plugin) noexcept {
     const auto is_under = [&](std::string_view name) {
         return event.size() > name.size() + 1 && event.starts_with(name) && event[name.size()] == '.';
@@ -136,7 +138,7 @@ constexpr bool is_own_event(std::string_view event, std::string_view plugin) noe
 
 }  // namespace detail
 
-/// The C table of a component.
+/// Returns the C table of a component.
 template <class T>
 [[nodiscard]] constexpr kerf_component component_of() noexcept {
     using Tables = detail::Tables<T>;
@@ -156,7 +158,7 @@ template <class T>
     return component;
 }
 
-/// The tables of a plugin.
+/// Builds the tables of a plugin.
 template <class... Components>
 struct PluginTables {
     static constexpr std::array<kerf_component, sizeof...(Components)> components{component_of<Components>()...};
@@ -171,7 +173,7 @@ struct PluginTables {
     static_assert((has_its_tools<Components> && ...),
                   "a law takes Held<Tool> of a tool that this KERF_PLUGIN does not list");
 
-    /// The entry of the plugin `id`, checked.
+    /// Returns the checked entry of the plugin `id`.
     [[nodiscard]] static constexpr kerf_entry entry(const char* id, const char* version, const char* licence) {
         detail::check_unique(components_by_kind(KERF_KIND_TOOL));
         detail::check_unique(components_by_kind(KERF_KIND_FORCE));
@@ -194,7 +196,7 @@ private:
     struct Name {
         const char* id;
     };
-    /// Their ids; those of another kind are numbered, so that they differ from each other and from all ids.
+    /// Returns the ids of one kind. Components of other kinds get unique numbers that no id can equal.
     static constexpr auto components_by_kind(std::uint32_t kind) {
         constexpr const char* others[] = {"#0", "#1", "#2",  "#3",  "#4",  "#5",  "#6",  "#7",
                                           "#8", "#9", "#10", "#11", "#12", "#13", "#14", "#15"};
@@ -212,8 +214,8 @@ private:
     }
 };
 
-/// Returns a component with these parameters and drives, in the order of its description; drives that are left out
-/// are at their defaults.   [any]
+/// Returns a component with these parameters and drives, in the order of its description. Drives that are left out
+/// have their defaults.   [any]
 template <class T>
 [[nodiscard]] T value_of(std::span<const double> params, std::span<const double> drives = {}) noexcept {
     using Tables = detail::Tables<T>;
@@ -223,7 +225,7 @@ template <class T>
         drive[i] = i < drives.size() ? drives[i] : Tables::drives[i].def;
     return Tables::value(params.data(), drive.data());
 }
-/// Returns a component with all its defaults.   [any]
+/// Returns a component with its defaults.   [any]
 template <class T>
 [[nodiscard]] T defaults_of() noexcept {
     using Tables = detail::Tables<T>;
@@ -231,7 +233,7 @@ template <class T>
     for (std::size_t i = 0; i < Tables::params.size(); ++i) values[i] = Tables::params[i].def;
     return value_of<T>({values.data(), Tables::params.size()});
 }
-/// Returns the signals of a law from the values that it wrote.   [any]
+/// Returns the signals of a law from the values that its commit wrote.   [any]
 template <class Law>
 [[nodiscard]] typename Law::Signals signals_of(const double* values) noexcept {
     typename Law::Signals signals{};
@@ -256,7 +258,7 @@ template <class Law>
 
 }  // namespace kerf
 
-/// Exports the plugin with its tools, laws and strategies. Once in a shared library, outside of all namespaces:
+/// Exports the plugin with its tools, laws and strategies. Use it once in a shared library, outside of all namespaces:
 ///
 ///     KERF_PLUGIN("example.awl", "0.1.0", "Apache-2.0", Awl, Press)
 #define KERF_PLUGIN(id, version, licence, ...)                                            \

@@ -5,25 +5,25 @@
 #include "kerf/force.hpp"
 #include "kerf/spindle.hpp"
 
-/// A motor with a cutter: run-up, bogging, stall, and how its cutting forces fade as it stops.
+/// A motor with a cutter: run-up, bogging, stall, and the decay of its cutting forces as it stops.
 namespace kerf {
 
-/// How far a cutter cuts.
+/// Fraction of the cutting forces that acts.
 struct CuttingState {
-    double fraction = 0.0;  ///< [–] of the cutting forces: 1 while bone is removed, then fading
+    double fraction = 0.0;  ///< [–] of the cutting forces: 1 while bone is removed, then decaying
 
     [[nodiscard]] bool resists() const noexcept { return fraction > 0.0; }
     [[nodiscard]] bool removes_bone() const noexcept { return fraction >= 1.0; }
-    /// Below its slowest cutting speed a cutter removes no bone. It sinks onto what its edges leave, and their forces
-    /// fade over 2 ms while contact takes over, so that the hand feels no step.
-    /// @param fading_time  [s] longer for a cutter that sinks far, as one whose walls are known less well than its
-    /// point
+    /// Updates the fraction. A cutter below its slowest cutting speed removes no bone. It sinks onto the bone that its
+    /// edges left, and their forces decay while contact takes over, so that the hand feels no step.
+    /// @param fading_time  time constant [s]; longer for a cutter that sinks far, for example where its walls are known
+    ///                     less exactly than its point
     void step(bool cuts, double dt, double fading_time = 2e-3) noexcept {
         fraction = cuts ? 1.0 : fraction > 1e-6 ? fraction * exp_exact(-dt / fading_time) : 0.0;
     }
 };
 
-/// Which of a law's events reports which phase of its motor.
+/// Maps each phase of a motor to an event of the law.
 template <class E>
 struct PhaseEvents {
     E off, speeding_up, running, reversing, bogging, stalled, running_down;
@@ -55,16 +55,16 @@ struct PoweredCutter {
     CuttingState cutting;
 
     [[nodiscard]] double speed() const noexcept { return motor.speed; }  ///< [1/s], negative in reverse
-    /// One tick. Reports a new phase.   [haptic, nonblocking]
-    /// @param load          [N·m] what resists at speed
-    /// @param slowest_cut   [1/s] from which speed on bone is removed
+    /// Steps motor and cutting by one tick. Reports a new phase.   [haptic, nonblocking]
+    /// @param load          [N·m] resisting torque at speed
+    /// @param slowest_cut   [1/s] speed from which bone is removed
     template <class E>
     void step(const Motor& with, double commanded, double load, double dt, double slowest_cut,
               const PhaseEvents<E>& events, Actions& actions) noexcept {
         if (motor.step(with, commanded, load, dt)) actions.event(events.of(motor.phase));
         cutting.step(motor.speed >= slowest_cut, dt);
     }
-    /// The same for a law whose events are the phases, in their order.
+    /// Steps motor and cutting of a law whose events are the phases, in their order.
     void step(const Motor& with, double commanded, double load, double dt, double slowest_cut,
               Actions& actions) noexcept {
         if (motor.step(with, commanded, load, dt)) actions.event(motor.phase);

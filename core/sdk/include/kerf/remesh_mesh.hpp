@@ -13,23 +13,23 @@
 #include "kerf/math.hpp"
 #include "kerf/remesh.h"
 
-/// Meshes in and out of arenas, for both sides of the remeshing boundary. A draft, as remesh.h.
+/// Reads meshes from arenas and writes them, for both sides of the remeshing boundary. A draft, as remesh.h.
 namespace kerf::remeshing {
 
-/// Triangles with tags, as they cross the boundary.
+/// Triangles with tags, in the form that crosses the boundary.
 struct Triangles {
     std::vector<Vec3> vertices;            ///< [m]
     std::vector<std::uint32_t> triangles;  ///< three corners of each, anticlockwise seen from outside
     std::vector<std::uint8_t> tags;        ///< of each triangle: KERF_FACE_…
 };
 
-/// Returns a view of an array in an arena. Pre: it lies in the arena, as all that the host packs.   [any]
+/// Returns a view of an array in an arena. Pre: it lies in the arena, as all arrays that the host packs.   [any]
 template <class T>
 [[nodiscard]] std::span<const T> array(const kerf_arena& arena, kerf_offset at, std::size_t count) {
     return {reinterpret_cast<const T*>(arena.base + at), count};
 }
 
-/// Copies values behind what is in an arena. Returns their offset; 0 where there is no room or no value.   [any]
+/// Appends values to an arena. Returns their offset; 0 if the arena is too small or `count` is 0.   [any]
 template <class T>
 [[nodiscard]] kerf_offset append(kerf_arena& arena, const T* values, std::size_t count) {
     constexpr std::uint64_t alignment = 8;
@@ -49,7 +49,7 @@ template <class T>
     return mesh;
 }
 
-/// Writes a mesh into an arena. Returns false where it has no room.
+/// Writes a mesh into an arena. Returns false if the arena is too small.
 [[nodiscard]] inline bool write(const Triangles& mesh, kerf_arena& arena, kerf_patch& patch) {
     patch.vertex_count = static_cast<std::uint32_t>(mesh.vertices.size());
     patch.triangle_count = static_cast<std::uint32_t>(mesh.tags.size());
@@ -60,7 +60,7 @@ template <class T>
     return mesh.tags.empty() || (patch.vertices != 0 && patch.triangles != 0 && patch.tags != 0);
 }
 
-/// Returns a status with its reason, for people.
+/// Writes the reason of a status, for people, and returns the status.
 [[nodiscard]] inline kerf_status refuse(kerf_status status, kerf_remesh_out& out, const std::string& why) {
     std::snprintf(out.message, sizeof out.message, "%s", why.c_str());
     return status;

@@ -44,9 +44,9 @@ public:
         }
     }
 
-    /// Of each face with an edge that `is_long` the longest edge is split too, and those of the face beyond: so the
-    /// angles of faces stay bounded, and splitting ends. Where that meets a locked edge, no edge of the face is split.
-    /// Returns whether any edge is.
+    /// Chooses the edges to split. For each face with a chosen edge it also chooses the longest edge, and so on in the
+    /// faces on its other side: so angles of faces stay bounded, and splitting terminates. A face whose longest edge is
+    /// locked is not split. Returns whether any edge is chosen.
     template <class IsLong>
     bool choose(const IsLong& is_long) {
         for (auto& [edge, split] : all_)
@@ -59,7 +59,7 @@ public:
         });
         return std::any_of(all_.begin(), all_.end(), [](const auto& one) { return one.second.is_wanted; });
     }
-    /// Adds the middles of what is split to the vertices of a mesh.
+    /// Adds the midpoints of the chosen edges to the vertices of a mesh.
     void add_middles(std::vector<Vec3>& vertices) {
         for (auto& [edge, split] : all_) {
             if (!split.is_wanted) continue;
@@ -69,7 +69,7 @@ public:
     }
     [[nodiscard]] const std::array<EdgeSplit*, 3>& of_face(std::size_t face) const { return faces_[face]; }
 
-    /// The side of a face that is the longest; the first of equal ones.
+    /// Returns the longest side of a face; the first of equal ones.
     [[nodiscard]] static std::size_t longest_of(const std::array<EdgeSplit*, 3>& sides) {
         std::size_t longest = 0;
         for (std::size_t side = 1; side < 3; ++side)
@@ -78,7 +78,7 @@ public:
     }
 
 private:
-    /// Calls `change` for faces with an edge that is split and a longest edge that is not, until there is none.
+    /// Calls `change` for faces with a chosen edge whose longest edge is not chosen, until there is no such face.
     template <class Change>
     void settle(const Change& change) {
         for (bool has_changed = true; has_changed;) {
@@ -98,11 +98,11 @@ private:
 
 }  // namespace detail
 
-/// Splits edges longer than `longest` [m] for which `is_near(middle, length)` in their middle, until there is none, and
-/// the longest edges of their faces with them. Faces that are split keep their tag, vertices their number. Edges
-/// between two locked vertices stay whole, so that a locked border comes back; so do shorter edges of their faces.
-/// [any]
-/// @param locked   of each vertex: 1 for locked; may be empty
+/// Splits edges longer than `longest` [m] for which `is_near(middle, length)` at their midpoints, until there is none,
+/// and with them the longest edges of their faces. Split faces keep their tag, vertices their index. Edges between two
+/// locked vertices are never split, so that a locked border stays as it is. For that, shorter edges of their faces may
+/// stay too.   [any]
+/// @param locked   one value per vertex: 1 for locked; may be empty
 template <class IsNear>
 void split_long_edges(Triangles& mesh, std::span<const std::uint8_t> locked, double longest, const IsNear& is_near) {
     for (;;) {
@@ -117,7 +117,7 @@ void split_long_edges(Triangles& mesh, std::span<const std::uint8_t> locked, dou
         for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
             const auto& sides = edges.of_face(f);
             const std::uint8_t tag = mesh.tags[f];
-            // From the longest side on, which is split if any is.
+            // Begins at the longest side: it is split if any side is.
             const std::size_t first = detail::EdgesToSplit::longest_of(sides);
             const std::uint32_t a = mesh.triangles[3 * f + first], b = mesh.triangles[3 * f + (first + 1) % 3],
                                 c = mesh.triangles[3 * f + (first + 2) % 3];

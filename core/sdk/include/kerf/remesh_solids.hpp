@@ -11,8 +11,8 @@ namespace kerf::remeshing {
 
 using Profile = std::span<const kerf_profile_point>;
 
-/// Returns the parts of an outline along which a solid of revolution is convex; neighbours share a point. The solid is
-/// the union of theirs.   Pre: at least two points, z falls.   [any] pure.
+/// Returns the parts of an outline along which a solid of revolution is convex; neighbours have one point in common.
+/// The solid is the union of the solids of its parts.   Pre: at least two points, z falls.   [any] pure.
 [[nodiscard]] inline std::vector<Profile> convex_runs(Profile profile) {
     std::vector<Profile> runs;
     std::size_t first = 0;

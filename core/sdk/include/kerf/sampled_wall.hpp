@@ -5,10 +5,10 @@
 
 namespace kerf {
 
-/// How far inside the true one a round wall of `radius` may lie, known by samples `h` apart and straight between them
-/// [m]:
+/// Returns the distance [m] by which linear interpolation between samples `h` [m] apart may displace a round wall of
+/// `radius` [m] inwards:
 ///
-///     h²/(8 r),   r where the innermost samples are, 0.7 h further in; half a voxel at least
+///     h²/(8 r),   r the radius of the innermost samples: 0.7 h less than `radius`, at least h/2
 ///
 /// [any] pure.
 [[nodiscard]] constexpr double wall_sagitta(double radius, double h) noexcept {

@@ -8,13 +8,14 @@
 
 namespace kerf {
 
-/// What drives a tool that turns or oscillates.
+/// The motor of a tool that turns or oscillates.
 struct Motor {
-    double inertia = 0.0;  ///< [kg·m²] of all that turns; 0: the speed follows at once
-    double torque = 0.0;   ///< [N·m] the most it turns or brakes with
-    double ramp = 1e300;   ///< [1/s²] how fast its controller changes the speed, loaded or not, while the torque lasts
+    double inertia = 0.0;  ///< [kg·m²] of all rotating parts; 0: the speed follows at once
+    double torque = 0.0;   ///< [N·m] max driving or braking torque
+    double ramp = 1e300;   ///< [1/s²] rate at which its controller changes the speed, with or without load, while the
+                           ///< torque suffices
 
-    /// A motor that reaches `speed` [1/s] unloaded in `run_up` [s]; 0 makes the speed follow at once.
+    /// Returns a motor that reaches `speed` [1/s] unloaded in `run_up` [s]; 0 makes the speed follow at once.
     [[nodiscard]] static constexpr Motor with_run_up(double run_up, double speed, double torque,
                                                      double inertia) noexcept {
         if (run_up <= 0.0) return {.inertia = 0.0, .torque = torque};
@@ -22,16 +23,16 @@ struct Motor {
     }
 };
 
-/// A spindle as part of a law's State: it holds the commanded speed for as long as the motor's torque lasts.
+/// A spindle as part of a law's State: it keeps the commanded speed while the motor's torque suffices.
 ///
-///     J (ω⁺ − ω)/T = τ − τ_load (1 − e^(−ω⁺/ω_e)),      −τ_max ≤ τ ≤ τ_max just as holds ω⁺ = aim
+///     J (ω⁺ − ω)/T = τ − τ_load (1 − e^(−ω⁺/ω_e)),      −τ_max ≤ τ ≤ τ_max, chosen so that ω⁺ = aim if possible
 ///
-/// The aim goes to the commanded speed by the ramp; on its way down the motor brakes and never drives, so that a load
-/// stops it sooner.
+/// The aim approaches the commanded speed at the rate of the ramp. While the speed falls, the motor brakes and never
+/// drives, so that a load stops it sooner.
 ///
 /// One implicit scalar step a tick: the load never turns the tool backwards, and no step overshoots. Speeds are in
-/// revolutions per second, negative in reverse; from one to the other it passes through standing still. A motor that
-/// is held below its crawling speed for 20 ms has stalled: it pulls with all it has until it is switched off.
+/// revolutions per second, negative in reverse; a reversal passes through standstill. A motor that stays below its
+/// crawling speed for 20 ms has stalled: it pulls with its full torque until it is switched off.
 ///
 /// Source: docs/models/drilling.md, "The spindle".
 struct Spindle {
@@ -39,11 +40,11 @@ struct Spindle {
 
     double speed = 0.0;   ///< [1/s]
     double torque = 0.0;  ///< [N·m] of the motor in the last step, along the commanded sense
-    double held = 0.0;    ///< [s] that it has been crawling under all its torque
+    double held = 0.0;    ///< [s] time spent below the crawling speed at full torque
     Phase phase = Phase::off;
 
-    /// `load` [N·m] is what resists at speed, whichever way it turns. Returns whether the phase changed.
-    /// [haptic, nonblocking]
+    /// Advances the spindle by `dt` [s]. `load` [N·m] is the resisting torque at speed, in either sense of rotation.
+    /// Returns whether the phase changed.   [haptic, nonblocking]
     bool step(const Motor& motor, double commanded, double load, double dt) noexcept {
         const Phase before = phase;
         const double sense = speed != 0.0 ? (speed > 0.0 ? 1.0 : -1.0) : (commanded < 0.0 ? -1.0 : 1.0);
@@ -57,7 +58,7 @@ struct Spindle {
         torque = std::clamp(wasted + load * fading(now), -motor.torque, motor.torque);
         speed = sense * now;
 
-        // What it stands in is known to a rounding or two: by so much it may seem to gain speed.
+        // A stuck motor may seem to gain speed by rounding errors: hence the tolerance.
         const bool is_held = wanted > 0.0 && now < crawling && now <= old + 1e-4 * crawling;
         held = is_held ? held + dt : 0.0;
         if (held > stalling_time - 0.5 * dt) {
@@ -74,8 +75,8 @@ struct Spindle {
         }
         return phase != before;
     }
-    /// What the motor turns against besides the load: the reaction that its holder feels on top of the load's [N·m],
-    /// along the sense of turning.
+    /// Returns the motor's torque beyond the load [N·m], along the sense of rotation: a reaction that the hand feels in
+    /// addition to the load's.
     [[nodiscard]] double reaction_beyond(double load) const noexcept {
         return torque - load * fading(speed < 0.0 ? -speed : speed);
     }
@@ -83,7 +84,7 @@ struct Spindle {
 private:
     static constexpr double bogged_down = 0.7, back_to_speed = 0.95;
     static constexpr double onset = 5.0 / 60.0;      ///< ω_e [1/s]: below it the load fades [assumed]
-    static constexpr double crawling = 10.0 / 60.0;  ///< [1/s] what a held motor still does [assumed]
+    static constexpr double crawling = 10.0 / 60.0;  ///< [1/s] residual speed of a stuck motor [assumed]
     static constexpr double stalling_time = 20e-3;   ///< [s]
 
     [[nodiscard]] static double fading(double at) noexcept { return 1.0 - exp_exact(-at / onset); }
@@ -95,16 +96,16 @@ private:
         return braked >= wanted ? braked : reached(motor, old, wanted, motor.torque, load, dt);
     }
 
-    /// The speed after a step in which the motor drives with `most` at most and brakes with all it has.
+    /// Returns the speed after a step with a torque up to `most` for driving and the full torque for braking.
     [[nodiscard]] static double reached(const Motor& motor, double old, double wanted, double most, double load,
                                         double dt) noexcept {
         const double inertia = 2.0 * pi * motor.inertia / dt;  // [N·m·s] per revolution
-        // What is left over of a torque at a speed: falls with the speed.
+        // The torque that remains at a speed. It falls as the speed rises.
         const auto left_over = [&](double pull, double at) { return pull - load * fading(at) - inertia * (at - old); };
         const double least = -motor.torque;
         if (left_over(most, wanted) >= 0.0 && left_over(least, wanted) <= 0.0) return wanted;
-        // Too weak to get there, or still too fast: it gives all it has. Halve between standing and the faster of the
-        // two.
+        // The motor is too weak to reach `wanted`, or cannot brake to it: it applies its limit. Bisect between
+        // standstill and the faster of the two speeds.
         const double pull = left_over(most, wanted) < 0.0 ? most : least;
         double low = 0.0, high = std::max(old, wanted);
         if (left_over(pull, low) <= 0.0) return 0.0;

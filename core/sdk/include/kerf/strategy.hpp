@@ -19,7 +19,7 @@
 ///     struct Groove {
 ///         double tolerance;                                  // members are parameters
 ///         static constexpr auto about() {
-///             return describe("groove", "One sentence.", remeshes_patches("what its results depend on"), param(…));
+///             return describe("groove", "One sentence.", remeshes_patches("library, version, flags"), param(…));
 ///         }
 ///         RemeshAnswer remesh(const RemeshJob&) const;       // may allocate and throw
 ///     };
@@ -31,24 +31,24 @@ namespace kerf {
 /// One cut: the cutting part of a tool moves straight from one pose to another.
 struct SweptTool {
     std::span<const kerf_profile_point> profile;  ///< (z, radius) [m] from the tip backwards, tool frame
-    double kerf = 0.0;                            ///< [m] of a blade: its thickness; 0: the outline turns about z
-    double bore = 0.0;                            ///< [m] radius of a bore through it; 0: none
-    Pose from{}, to{};                            ///< body_from_tool
+    double kerf = 0.0;  ///< [m] thickness of a blade's cutting part; 0: the outline turns about z
+    double bore = 0.0;  ///< [m] radius of a bore through the tool; 0: none
+    Pose from{}, to{};  ///< body_from_tool
 };
 
-/// What a strategy has to do: remove what tools sweep from a mesh. A view of the request.
+/// The task of a strategy: remove the volume that tools sweep from a mesh. A view of the request.
 class RemeshJob {
 public:
     RemeshJob(const kerf_remesh_in& in, const kerf_arena& arena) noexcept : in_(&in), arena_(&arena) {}
 
     /// Returns a copy of the mesh. A patch has a border, whose vertices are locked.
     [[nodiscard]] remeshing::Triangles mesh() const { return remeshing::read(in_->base, *arena_); }
-    /// Of each vertex: 1 must come back bit for bit. Empty: no vertex is locked.
+    /// Returns one value per vertex: a vertex with 1 must be returned bit for bit. Empty: no vertex is locked.
     [[nodiscard]] std::span<const std::uint8_t> locked() const noexcept {
         return remeshing::array<std::uint8_t>(*arena_, in_->base.locked,
                                               in_->base.locked != 0 ? in_->base.vertex_count : 0);
     }
-    /// Returns the cuts in the order in which they were made. Throws std::out_of_range for a tool that does not exist.
+    /// Returns the cuts in chronological order. Throws std::out_of_range for a tool that does not exist.
     [[nodiscard]] std::vector<SweptTool> cuts() const {
         const auto solids = remeshing::array<kerf_cut_solid>(*arena_, in_->solids, in_->solid_count);
         std::vector<SweptTool> all;
@@ -60,11 +60,12 @@ public:
         }
         return all;
     }
-    [[nodiscard]] double tolerance() const noexcept { return in_->tolerance; }  ///< [m] that new faces may be off
-    /// 0 at first; another number after the host has refused an answer.
+    /// Returns the permitted deviation of new faces [m].
+    [[nodiscard]] double tolerance() const noexcept { return in_->tolerance; }
+    /// Returns 0 at first; another number after the host has refused an answer.
     [[nodiscard]] std::uint64_t seed() const noexcept { return in_->nudge_seed; }
     [[nodiscard]] std::uint32_t mode() const noexcept { return in_->mode; }  ///< KERF_REMESH_PROVISIONAL …
-    /// Whether the host waits no longer: then answer RemeshAnswer::cancelled() soon.
+    /// Returns whether the host no longer waits: then return RemeshAnswer::cancelled() soon.
     [[nodiscard]] bool is_cancelled() const noexcept {
         return in_->cancel != 0 && *reinterpret_cast<const volatile std::uint32_t*>(arena_->base + in_->cancel) != 0;
     }
@@ -74,23 +75,23 @@ private:
     const kerf_arena* arena_;
 };
 
-/// What a strategy answers.
+/// The result of a strategy.
 class RemeshAnswer {
 public:
-    /// The mesh without what was removed. Faces that stay keep their tags; new ones get KERF_FACE_WALL.
+    /// Returns the mesh after the cut. Faces that stay keep their tags; new ones get KERF_FACE_WALL.
     static RemeshAnswer cut(remeshing::Triangles mesh) { return {KERF_OK, {}, std::move(mesh)}; }
-    /// The cuts meet none of the faces.
+    /// Reports that the cuts meet none of the faces.
     static RemeshAnswer unchanged() { return {KERF_REMESH_UNCHANGED, {}, {}}; }
-    /// This strategy makes no such cut; the next one gets it.
+    /// Reports that this strategy does not make such a cut; the host passes it to the next strategy.
     static RemeshAnswer declined(std::string why) { return {KERF_REMESH_DECLINED, std::move(why), {}}; }
-    /// This job cannot be done; with another seed it may be.
+    /// Reports that this job cannot be done; another seed may help.
     static RemeshAnswer refused(std::string why) { return {KERF_REMESH_REFUSED, std::move(why), {}}; }
     static RemeshAnswer cancelled() { return {KERF_REMESH_CANCELLED, {}, {}}; }
 
     /// Writes the answer for the host.
     [[nodiscard]] kerf_status write(kerf_arena& to, kerf_remesh_out& out) const {
         if (status_ == KERF_OK && !remeshing::write(mesh_, to, out.result))
-            return remeshing::refuse(KERF_REMESH_REFUSED, out, "the arena has no room for the result");
+            return remeshing::refuse(KERF_REMESH_REFUSED, out, "the arena is too small for the result");
         return status_ == KERF_OK ? KERF_OK : remeshing::refuse(status_, out, why_);
     }
 
@@ -108,9 +109,9 @@ concept StrategyComponent = requires(const T& strategy, const RemeshJob& job) {
     { strategy.remesh(job) } -> std::same_as<RemeshAnswer>;
 };
 
-/// States that a strategy gets the faces near the cuts, and what its results depend on: library, version, flags.
+/// States that a strategy gets the faces near the cuts, and the library, version and flags on which its results depend.
 [[nodiscard]] constexpr Remeshes remeshes_patches(const char* kernel) noexcept { return {KERF_REMESH_PATCH, kernel}; }
-/// States that a strategy gets the whole mesh, and what its results depend on.
+/// States that a strategy gets the whole mesh, and the library, version and flags on which its results depend.
 [[nodiscard]] constexpr Remeshes remeshes_whole(const char* kernel) noexcept { return {KERF_REMESH_WHOLE, kernel}; }
 
 namespace detail {
@@ -125,7 +126,7 @@ struct ComponentTable<Strategy> {
         } catch (const std::exception& e) {
             return remeshing::refuse(KERF_REMESH_REFUSED, *out, e.what());
         } catch (...) {
-            return remeshing::refuse(KERF_REMESH_REFUSED, *out, "it threw something that is no std::exception");
+            return remeshing::refuse(KERF_REMESH_REFUSED, *out, "it threw an object that is not a std::exception");
         }
     }
     static constexpr Remeshes how = stated_in<Strategy>(Remeshes{});

@@ -3,7 +3,7 @@
 
 #include "kerf/abi.h"
 
-/// Quantities with their units: literals, and the units that parameters are shown in.
+/// Quantities with their units: literals, and the units in which parameters are displayed.
 namespace kerf {
 
 inline constexpr double pi = 3.14159265358979323846;
@@ -35,7 +35,7 @@ constexpr bool operator==(const kerf_dimension& a, const kerf_dimension& b) noex
     return true;
 }
 
-/// A number in SI that knows its dimension: `3.2_mm`. It converts to the number.
+/// A number in SI with its dimension: `3.2_mm`. It converts to the number.
 struct Quantity {
     double si;
     kerf_dimension dimension;
@@ -44,7 +44,7 @@ struct Quantity {
 };
 constexpr Quantity operator-(Quantity q) noexcept { return {-q.si, q.dimension}; }
 
-/// Literals in the units that a surgeon thinks in; the value is SI.
+/// Literals in the units that a surgeon uses; the value is in SI.
 inline namespace literals {
 #define KERF_LITERAL(suffix, factor, dim)                                  \
     constexpr Quantity operator""##suffix(long double v) noexcept {        \
@@ -73,7 +73,7 @@ KERF_LITERAL(_W, 1.0, power)
 #undef KERF_LITERAL
 }  // namespace literals
 
-/// What a value is shown in, and the dimension that comes with it.
+/// The unit in which a value is displayed, and its dimension.
 struct DisplayUnit {
     const char* name;
     kerf_dimension dimension;
