@@ -10,14 +10,14 @@ namespace kerf {
 
 namespace {
 
-/// Calls `ask(first, count)` for blocks of the points.
+/// Calls `ask(first, count)` for each block of the points.
 template <class Ask>
 void in_blocks(std::uint32_t count, const Ask& ask) noexcept {
     for (std::size_t first = 0; first < count; first += block_capacity)
         ask(first, std::min(block_capacity, count - first));
 }
 
-/// Member by member: to clear the whole struct at once took longer than all other stages of a question.
+/// Writes a sample in air. Member by member: clearing the whole struct took longer than all other stages of a query.
 void put_air(kerf_bone_sample& s) noexcept {
     s.engagement = s.gap = 0.0;
     for (double& weight : s.weight) weight = 0.0;
@@ -26,11 +26,11 @@ void put_air(kerf_bone_sample& s) noexcept {
     s.reserved = 0;
 }
 
-/// Whether a point lies beyond the region's faces across an axis.
+/// Returns whether a coordinate lies outside the region along an axis.
 bool is_beyond(const Lattice& grid, std::size_t axis, double at) noexcept {
     return at < grid.low[axis] || at > grid.high[axis];
 }
-/// On a face nothing is cut any more.
+/// Returns whether a point lies strictly inside the region: nothing is cut on its faces.
 bool can_be_cut(const Lattice& grid, Vec3 p) noexcept {
     return p.x > grid.low[0] && p.y > grid.low[1] && p.z > grid.low[2] && p.x < grid.high[0] && p.y < grid.high[1] &&
            p.z < grid.high[2];
@@ -60,8 +60,8 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
         return;
     }
 
-    // The way to the front is told one by one and only of those in bone, which most often are all; tissues of all, in
-    // the same steps.
+    // The gap is computed point by point, for points in bone alone; these are usually all. Tissues are computed for all
+    // points of the block.
     BlockValues gap;
     if (engaged_count == count) {
         tracker_->gap(body_from_tool_, points, count, directions, gap);
@@ -126,7 +126,7 @@ void BoneView::nearest_block(PendingSurface& pending, const Surface& surface, co
         block_kernel().slopes(body_->surface.shape(), committed_->shape(), count, places.places(), slopes.writable());
     const bool is_bounded = grid_.lattice().is_bounded;
     std::array<bool, block_capacity> can_rise;
-    for (std::size_t i = 0; is_bounded && i < count; ++i) {  // beyond a face everything is as at the face
+    for (std::size_t i = 0; is_bounded && i < count; ++i) {  // outside the region, bone continues as on its face
         const Vec3 at = grid_ * points[i];
         can_rise[i] = can_be_cut(grid_.lattice(), at);
         if (is_beyond(grid_.lattice(), 0, at.x)) slopes.x[i] = 0.0f;

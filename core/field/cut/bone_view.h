@@ -6,10 +6,10 @@
 
 #include "core/field/cut/pending_surface.h"
 
-/// The bone as a plugin sees it at one tick: batch queries in the tool frame, bounds-safe everywhere.
+/// The bone of one body at one tick, as a plugin queries it: batch queries in the tool frame, valid for any point.
 ///
-/// Questions are answered in blocks, stage by stage: places in the grid, surface and cut there, then tissues, or
-/// pending cuts only where they may concern a point. Every point gets the bits it would get alone.
+/// Queries are computed in blocks, stage by stage: indices in the grid, surface and cut there, then tissues, or pending
+/// cuts where they may concern a point. Each point gets the same bits as in a query of its own.
 namespace kerf {
 
 class BoneView {
@@ -26,9 +26,9 @@ public:
     BoneView(const BoneView&) = delete;
     BoneView& operator=(const BoneView&) = delete;
 
-    /// What its answers name.
+    /// Sets the body index that samples report.
     void name(std::int32_t body_id) noexcept { body_id_ = body_id; }
-    /// Points are asked about at this pose until the next call.   [haptic, nonblocking]
+    /// Sets the pose at which points are queried, until the next call.   [haptic, nonblocking]
     void place(const Pose& body_from_tool) noexcept {
         body_from_tool_ = body_from_tool;
         frame_ = frame_of(body_from_tool);
@@ -36,14 +36,15 @@ public:
     }
     [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
 
-    /// Edges: the committed cut, the gap to the front, tissues.   [haptic, nonblocking]
+    /// Samples edges: the committed cut, the gap to the front, tissues.   [haptic, nonblocking]
     void sample(const Vec3* points, std::uint32_t count, Directions directions, kerf_bone_sample* out) const noexcept;
     void sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
         sample(points, count, Directions::one(direction), out);
     }
-    /// Contact: the present surface.   [haptic, nonblocking]
+    /// Returns the present surface at contact points.   [haptic, nonblocking]
     void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
-    /// Signed distance to the present surface at a point of the body frame [m].   [haptic, nonblocking]
+    /// Returns the signed distance to the present surface [m], negative inside, at a point of the body frame.
+    /// [haptic, nonblocking]
     [[nodiscard]] double present_distance(Vec3 point_in_body) const noexcept;
 
 private:
@@ -66,7 +67,7 @@ private:
     const CutField* committed_;
     const CutTracker* tracker_;
     Pose body_from_tool_ = identity_pose();
-    Frame frame_ = frame_of(identity_pose());  ///< the same
+    Frame frame_ = frame_of(identity_pose());  ///< of body_from_tool_
     GridFrame grid_;
     std::int32_t body_id_ = 0;
     kerf_bone_query query_{};

@@ -17,7 +17,7 @@ namespace kerf {
 
 namespace {
 
-/// Samples that may lie on a ridge, a block at a time.
+/// A block of samples that may lie on a ridge between sub-poses.
 class RidgeBlock {
 public:
     RidgeBlock(const Sweep& sweep, double tolerance) noexcept : sweep_(&sweep), tolerance_(tolerance) {}
@@ -29,7 +29,7 @@ public:
     }
     [[nodiscard]] bool is_full() const noexcept { return points_.count == block_capacity; }
 
-    /// Those that the sweep holds; the block is empty then.
+    /// Calls `what` for each sample that the sweep contains, and empties the block.
     template <class Do>
     void for_each_held(const Do& what) noexcept {
         std::array<bool, block_capacity> may_hold;
@@ -112,7 +112,7 @@ CutField::CutField(const CutField& whole, const PieceMask& mask, std::size_t res
         if (body_->surface.is_all_air(index)) continue;
         const auto [i, j, k] = g.brick_place(index);
 
-        // Stored samples reach into the bricks above: what those lost shows in them.
+        // The stored samples of a brick include the first ones of its upper neighbours: these must agree too.
         const PieceMask::Share share = mask.gone_in(index);
         bool is_alike = share != PieceMask::Share::some;
         for (int c = 1; is_alike && c < 8; ++c) {
@@ -181,7 +181,7 @@ void CutField::find_ranges(std::size_t index) noexcept {
 void CutField::reserve(std::size_t count) {
     const std::size_t wanted = std::min(used_ + count, most_);
     if (wanted <= capacity_) return;
-    constexpr std::size_t some = 256;  // at a time
+    constexpr std::size_t some = 256;  // allocated at a time
     capacity_ = std::min((wanted + some - 1) / some * some, most_);
     samples_.resize((capacity_ + 2) * stored_samples, -32767);
     cells_.resize(capacity_);
@@ -227,7 +227,7 @@ std::size_t CutField::stamp_pose(const Pose& body_from_tool, const ToolSolid& so
     const Grid& g = grid();
     const BrickBox box = bricks_near(solid, body_from_tool, PoseStamp::band(g.spacing));
 
-    // Of those that hold bone, a block at a time: does the solid reach them?
+    // Test a block of bricks with bone at a time: does the solid reach them?
     PoseStamp stamp(g, solid, body_from_tool, &memory_);
     PointBlock centres;
     std::array<std::array<int, 3>, block_capacity> places;
@@ -255,15 +255,14 @@ std::size_t CutField::stamp_pose(const Pose& body_from_tool, const ToolSolid& so
 
 std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, const CutRecord& record,
                                    std::size_t next, int most, int& touched) noexcept {
-    // Only a sample a little outside a sub-pose can lie on a ridge beside it, and
-    // where one has raised samples there are bricks.
+    // A sample on a ridge lies a little outside of a sub-pose. A sub-pose that raised samples has allocated the bricks.
     const Grid& g = grid();
     const auto below = [&](double depth) {
         return static_cast<std::int16_t>(-std::min(static_cast<int>(depth / quantum_) + 2, 32767));
     };
     const std::int16_t lowest_anywhere = below(sweep.step());
-    // Of those before the solid's back end few were deeper at any instant of the way than in the end: where a face drew
-    // back.
+    // Before the solid's back end, few samples were deeper at any instant of the motion than at its end: only samples
+    // from which a face has receded.
     const Pose end_from_body = inverse(record.to);
     const std::int16_t lowest_before_end =
         !solid.is_convex()
@@ -344,8 +343,7 @@ std::size_t CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, 
         if (touched >= most) return n;
         const std::size_t index = grid().brick_index(i, j, k);
         if (start_[index] == uncut) open_brick(index);
-        ++touched;  // so that what a tick may stamp does not depend on what was cut
-                    // before
+        ++touched;  // also for full bricks, so that the allowance of a tick does not depend on earlier cuts
         if (is_full_[index] != 0) continue;
         std::int16_t* samples = brick(start_[index]);
         BrickCells& cells = cells_of(index);

@@ -12,8 +12,8 @@
 
 namespace kerf {
 
-/// The records that have cut a piece, in their order. Copies share what they have in common: the history of an image,
-/// and of a piece that came off, costs one pointer.   [worker] Copies may go to another thread.
+/// The records that have cut a piece, in their order. Copies store their common part once: the history of an image, or
+/// of a separated piece, costs one pointer.   [worker] A copy may be passed to another thread.
 class CutHistory {
 public:
     CutHistory() = default;
@@ -31,20 +31,20 @@ public:
         ++count_;
     }
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
-    /// The oldest first.
+    /// Returns all records, oldest first.
     [[nodiscard]] std::vector<CutRecord> records() const { return records_after({}); }
-    /// Those that came after an earlier history, the oldest first. Pre: `continues(earlier)`.
+    /// Returns the records after an earlier history, oldest first. Pre: `continues(earlier)`.
     [[nodiscard]] std::vector<CutRecord> records_after(const CutHistory& earlier) const {
         std::vector<CutRecord> all(count_ - earlier.count_);
         const Link* link = last_.get();
         for (std::size_t n = all.size(); n > 0; link = link->before.get()) all[--n] = link->record;
         return all;
     }
-    /// Whether it is what an earlier history became, or that history itself.
+    /// Returns whether this history begins with all records of `earlier`.
     [[nodiscard]] bool continues(const CutHistory& earlier) const noexcept {
         return earlier.count_ <= count_ && first(earlier.count_).last_ == earlier.last_;
     }
-    /// What both begin with.
+    /// Returns the longest common beginning of both histories.
     [[nodiscard]] CutHistory common_with(const CutHistory& other) const noexcept {
         CutHistory mine = first(std::min(count_, other.count_)), theirs = other.first(mine.count_);
         while (mine.last_ != theirs.last_) {
@@ -56,7 +56,7 @@ public:
     [[nodiscard]] bool operator==(const CutHistory& other) const noexcept { return last_ == other.last_; }
 
 private:
-    /// Pre: `count` is not more than there are.
+    /// Returns the first `count` records. Pre: `count` ≤ `count()`.
     [[nodiscard]] CutHistory first(std::size_t count) const noexcept {
         const std::shared_ptr<Link>* link = &last_;
         for (std::size_t n = count_; n > count; --n) link = &(*link)->before;
@@ -73,10 +73,10 @@ private:
         Link(const CutRecord& one, std::shared_ptr<Link> earlier) : record(one), before(std::move(earlier)) {}
         Link(const Link&) = delete;
         Link& operator=(const Link&) = delete;
-        /// Link by link: a chain that goes at once would go as deep into the stack as it is long.
+        /// Frees the chain link by link: a recursive destructor would need stack in proportion to its length.
         ~Link() {
             while (before != nullptr && before.use_count() == 1) {
-                std::atomic_thread_fence(std::memory_order_acquire);  // after whoever held it last, on any thread
+                std::atomic_thread_fence(std::memory_order_acquire);  // orders this after the last use on any thread
                 before = std::move(before->before);
             }
         }

@@ -13,20 +13,20 @@
 namespace kerf {
 
 namespace {
-constexpr double aside_voxels =
-    0.2;  ///< motion that closes a record: with the last tick's it is one sub-pose nearly always
-constexpr double along_voxels = 1.0;        ///< the same of a slide that the solid covers
-constexpr double look_voxels = 0.05;        ///< motion after which the open stretch is looked at again
-constexpr double reversal_voxels = 0.0005;  ///< turning back by less is rounding, not a reversal
+// In voxels.
+constexpr double aside_voxels = 0.2;        ///< sideways motion that closes a record: nearly always one sub-pose
+constexpr double along_voxels = 1.0;        ///< slide that closes a record, where the solid covers its slide
+constexpr double look_voxels = 0.05;        ///< motion after which the open stretch is tested again
+constexpr double reversal_voxels = 0.0005;  ///< a smaller reversal is rounding
 constexpr double bend_voxels = 0.02;        ///< detour that a record, which is straight, may leave out
-constexpr double stray_voxels =
-    0.04;  ///< the same of its way aside: a twentieth of a voxel from the straight way at most
-constexpr double wall_voxels = 0.03;  ///< how exact the committed wall of an earlier cut is
-constexpr double end_voxels = 0.25;   ///< the same at a blade's narrow ends, where two sides are near
-constexpr double rounding = 1e-9;     ///< [m] of distances that are compared with bounds
+constexpr double stray_voxels = 0.04;  ///< detour sideways that it may leave out: < 1/20 voxel off the straight path
+constexpr double wall_voxels = 0.03;   ///< accuracy of the committed wall of an earlier cut
+constexpr double end_voxels = 0.25;    ///< its accuracy at a blade's narrow ends, near which two sides lie
+constexpr double rounding = 1e-9;      ///< [m] of distances that are compared with bounds
 
-/// [m] by how much a point of the outline, `radius` from the axis, may seem to stand in bone where it has been before.
-/// Out of its hole and in again it goes along the wall that the widest end of its segment has left, of `widest` [m].
+/// Returns the apparent depth [m] in bone that a point of the outline, `radius` from the axis, may have in its own
+/// earlier cut. A tool that re-enters its hole slides along the wall that the widest end of its segment has cut; that
+/// end has the radius `widest` [m].
 double wall_error(const ToolSolid& solid, bool is_at_narrow_end, double radius, double widest, double h) noexcept {
     if (solid.is_prism()) return (is_at_narrow_end ? end_voxels : wall_voxels) * h;
     return wall_voxels * h + std::max(0.0, wall_sagitta(widest, h) - (widest - radius));
@@ -78,7 +78,8 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
     Travel way = way_from(open_from_);
     const double further = largest_motion(*solid_, farthest_, now);
     const bool has_turned = way.motion < farthest_motion_ || way.motion < further;
-    double aside = way_aside_ > 0.0 ? way_from(corner_).aside : way.aside;  // without one the corner is where it began
+    // Until the stretch has a corner, its start is the corner.
+    double aside = way_aside_ > 0.0 ? way_from(corner_).aside : way.aside;
     const bool has_strayed = way_aside_ + aside > way.aside + stray_voxels * h;
     if (further >= reversal_voxels * h &&
         (has_turned || has_strayed || farthest_motion_ + further > way.motion + bend_voxels * h)) {
@@ -132,7 +133,7 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
 
     last_removing_ = to;
     has_removed_ = true;
-    if (pending_count_ + 1 == pending_capacity) {  // nobody has come to commit: rather early than lost
+    if (pending_count_ + 1 == pending_capacity) {  // without a call of commit_passed: commit early, lose no record
         ++early_commits_;
         commit_oldest();
     }
@@ -155,7 +156,7 @@ void CutTracker::take_newest(const Pose& body_from_tool) noexcept {
 
 void CutTracker::commit_passed(const Pose& now, bool is_at_front, int most) {
     const double h = body_->grid().spacing;
-    // A tool that was drawn back from where a record ends has passed it only if it has gone aside as well.
+    // A tool drawn back from a record's end has passed that end only if it has moved sideways as well.
     const auto is_passed = [&](std::size_t i) {
         const Pose& end = pending(i).to;
         if (!is_at_front || largest_motion(*solid_, end, now) < h) return false;
@@ -166,8 +167,8 @@ void CutTracker::commit_passed(const Pose& now, bool is_at_front, int most) {
         return i < pending_count_ && (pending_count_ - i > pending_limit || is_passed(i));
     };
 
-    // A few bricks for each record that waits, and more where many do, so that the tool does not leave the stamping
-    // behind; all there may be beyond the limit.
+    // A few bricks for each waiting record, and more if many wait, so that stamping keeps up with the tool; the full
+    // allowance beyond the limit.
     int waiting = progress_.has_begun() ? 1 : 0;
     while (waiting * bricks_per_record < 2 * most && is_due(static_cast<std::size_t>(waiting))) ++waiting;
     const int few = std::min(waiting * bricks_per_record, bricks_per_tick);
@@ -198,7 +199,7 @@ void CutTracker::drop_oldest() noexcept {
 }
 
 std::size_t CutTracker::first_that_matters() const noexcept {
-    // Without a turn the last is the farthest along; the others lie behind it.
+    // Without a reversal, the last solid is the farthest along; the others lie behind it.
     const bool has_turned = pending_count_ > 0 && last_reversal_ > pending(0).sequence;
     return has_turned ? 0 : solid_count() - std::min<std::size_t>(solid_count(), 1);
 }
@@ -221,7 +222,8 @@ double CutTracker::depth_in_pending(Vec3 point) const noexcept {
 void CutTracker::gap(const Pose& body_from_tool, const Vec3* points, std::size_t count, Directions directions,
                      BlockValues& gaps) const noexcept {
     std::fill_n(gaps.begin(), count, 0.0);
-    // A point that is outside a convex solid after the gap found so far leaves it earlier, by far more than rounding.
+    // A point that is outside of a convex solid after the gap found so far leaves it before that gap, by far more than
+    // rounding.
     PointBlock in_solid, ahead;
     BlockValues depth;
     for (std::size_t i = solid_count(), first = first_that_matters(); i-- > first;) {
@@ -251,10 +253,10 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
     if (!is_in_reach_of_bone(*body_, *solid_, at, body_->grid().clamp(), CutOnly::yes)) return false;
     if (!has_removed_) return true;
 
-    // Past the deepest front so far: new bone for certain, however thin the slice.
+    // Ahead of the deepest front so far it removes new bone, however thin the slice.
     if ((inverse(last_removing_) * at).position.z > 1e-9) return true;
 
-    // Elsewhere: does the outline stand in present bone by more than the wall is exact?
+    // Elsewhere: is the outline in present bone, deeper than the accuracy of the wall?
     const double h = body_->grid().spacing;
     const auto& outline = solid_->outline();
     for (std::size_t way = 0; way < solid_->around(0.0, 0.0).size(); ++way)
@@ -262,7 +264,7 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
             const double dz = outline[i + 1].z - outline[i].z, dr = outline[i + 1].radius - outline[i].radius,
                          way_long = std::hypot(dz, dr);
             const double widest = std::max(outline[i].radius, outline[i + 1].radius);
-            // No bone is nearer than the distance to it: a step is as long as that, and a voxel at least.
+            // No bone is nearer than the distance, so the step is the distance, and at least a voxel.
             for (double s = 0.0;;) {
                 const double t = way_long > 0.0 ? s / way_long : 0.0;
                 const double radius = outline[i].radius + t * dr;

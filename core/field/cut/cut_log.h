@@ -8,59 +8,58 @@
 
 #include "core/field/cut/cut_field.h"
 
-/// From tool poses to cut records, and from records to the lagged cut that edges read (resolutions R2).
+/// Converts tool poses to cut records, and records to the lagged cut that edges read.
 namespace kerf {
 
-/// Closes records as the tool moves, and holds back those too near the edge to be committed.
+/// Closes records as the tool moves, and delays the commit of records that are too near the edge.
 ///
-/// A cutting edge lies on the border of what it just removed. Reading that border halves its engagement at every
-/// spacing, so a record reaches the committed field only when the tool is about one voxel farther.
+/// A cutting edge lies on the border of the volume that it just removed. Reading that border halves its engagement at
+/// every spacing. So a record reaches the committed field only when the tool is about one voxel farther.
 class CutTracker {
 public:
     static constexpr std::size_t pending_capacity = 128;
     static constexpr std::size_t recent_capacity = 16;
     static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
-    static constexpr int bricks_per_record =
-        16;  ///< stamped at a time, for each record that waits; the rest stays pending
-    static constexpr int bricks_per_tick = 32;  ///< so many for them together, unless more than four wait
-    static constexpr int most_bricks = 128;     ///< that a tick may stamp, of all bodies and in all of its parts
+    static constexpr int bricks_per_record = 16;  ///< stamped at a time for each waiting record; the rest stays pending
+    static constexpr int bricks_per_tick = 32;    ///< total for all waiting records, unless more than four wait
+    static constexpr int most_bricks = 128;       ///< that a tick may stamp, over all bodies and parts of the tick
 
     CutTracker(const Body& body, const ToolSolid& solid, CutField& committed)
         : body_(&body), solid_(&solid), committed_(&committed) {}
 
-    /// Starts at a pose: nothing is cut on the way there.   [haptic, nonblocking]
+    /// Starts at a pose, without a cut on the path to it.   [haptic, nonblocking]
     void restart(const Pose& body_from_tool) noexcept;
 
-    /// Takes over from the tracker of a body that came apart, whose field holds all closed records: the open stretch
-    /// goes on. Records are numbered on from `next`.   [haptic, nonblocking]
+    /// Continues the open stretch of the tracker of a body that has come apart, whose field contains all closed
+    /// records. The next record gets the number `next`.   [haptic, nonblocking]
     void go_on_from(const CutTracker& other, std::uint64_t next) noexcept;
-    /// The number of the next record.
+    /// Returns the number of the next record.
     [[nodiscard]] std::uint64_t next_sequence() const noexcept { return sequence_; }
 
-    /// The tool moved while cutting. Returns how many records were closed, 0 … 2; read them with `closed(i)`.
+    /// Moves the cutting tool. Returns the number of records that it closed, 0 … 2; read them with `closed(i)`.
     /// [haptic, nonblocking]
     int advance(const Pose& body_from_tool, std::uint64_t tick) noexcept;
     [[nodiscard]] const CutRecord& closed(int i) const noexcept { return closed_[static_cast<std::size_t>(i)]; }
 
-    /// Closes what is open. Returns as `advance`.   [haptic, nonblocking]
+    /// Closes the open stretch. Returns as `advance`.   [haptic, nonblocking]
     int close(std::uint64_t tick) noexcept;
 
-    /// Stamps records that the front has left a voxel behind, about `most` bricks of them. A tool that is only drawn
-    /// back has left none.   [haptic, nonblocking]
+    /// Stamps the records that the front has passed by a voxel, about `most` bricks of them. A tool that only retracts
+    /// passes none.   [haptic, nonblocking]
     void commit_passed(const Pose& body_from_tool, bool is_at_front, int most = most_bricks);
-    /// More wait than should: the tool had better not go on so fast.
+    /// Returns whether too many records are pending: the tool should slow down.
     [[nodiscard]] bool is_behind() const noexcept { return pending_count_ > pending_limit; }
-    /// Stamps everything pending: at a tool change, a split, the end.   [haptic, nonblocking]
+    /// Stamps all pending records: at a tool change, a split, the end.   [haptic, nonblocking]
     void flush();
 
-    /// The solids that are gone and not committed: where pending records end, the oldest first, and where the open
-    /// stretch stands, if it removes bone. What is stamped is decided by closed records alone.
+    /// Returns the number of solids that are removed but not committed: one at the end of each pending record, the
+    /// oldest first, and one at the open stretch if it removes bone. Stamping depends on closed records alone.
     [[nodiscard]] std::size_t solid_count() const noexcept { return pending_count_ + (is_open_solid_ ? 1 : 0); }
-    /// How far a point travels along `direction` (body frame) until it leaves every one of them [m].
+    /// Returns the distance [m] that a point travels along `direction` (body frame) until it has left all solids.
     [[nodiscard]] double gap(Vec3 point_in_body, Vec3 direction_in_body) const noexcept;
-    /// Largest depth of a point inside them [m]; negative outside all of them.
+    /// Returns the largest depth of a point inside the solids [m]; negative outside all of them.
     [[nodiscard]] double depth_in_pending(Vec3 point_in_body) const noexcept;
-    /// The last records that remove bone, the oldest first.
+    /// The last records that remove bone, oldest first.
     [[nodiscard]] std::size_t recent_count() const noexcept {
         return std::min(static_cast<std::size_t>(removing_ever_), recent_capacity);
     }
@@ -69,37 +68,37 @@ public:
     }
     [[nodiscard]] std::uint16_t body_id() const noexcept { return body_id_; }
     void name(std::uint16_t body_id) noexcept { body_id_ = body_id; }
-    /// Another tool cuts from now on; `number` is how records call it. Pre: nothing is pending.   [haptic, nonblocking]
+    /// Changes the cutting tool; records name it by `number`. Pre: nothing is pending.   [haptic, nonblocking]
     void take_tool(const ToolSolid& solid, std::uint16_t number) noexcept;
-    /// Records are numbered on from `next`.   [haptic, nonblocking]
+    /// Sets the number of the next record.   [haptic, nonblocking]
     void number_from(std::uint64_t next) noexcept { sequence_ = last_reversal_ = next; }
-    /// Of one of them.
+    /// Returns the depth of a point inside solid `i` [m]; negative outside.
     [[nodiscard]] double depth_in_pending(std::size_t i, Vec3 point_in_body) const noexcept {
         return -solid_->distance(tool_from_body(i) * point_in_body);
     }
 
-    /// The same for `count` ≤ `block_capacity` points of the tool at a pose, and directions in its frame.   [haptic,
-    /// nonblocking]
+    /// Writes the gap of `count` ≤ `block_capacity` points of the tool at a pose, with directions in its frame.
+    /// [haptic, nonblocking]
     void gap(const Pose& body_from_tool, const Vec3* points, std::size_t count, Directions directions,
              BlockValues& gaps) const noexcept;
-    /// From the tool at a pose to the frame of one of the solids.
+    /// Returns the transform from the tool at a pose to the frame of solid `i`.
     [[nodiscard]] Frame solid_from_tool(std::size_t i, const Pose& body_from_tool) const noexcept {
         return frame_of(tool_from_body(i) * body_from_tool);
     }
     [[nodiscard]] const Body& body() const noexcept { return *body_; }
     [[nodiscard]] const ToolSolid& solid() const noexcept { return *solid_; }
-    /// Those before it lie behind it and make no gap.
+    /// Returns the first solid that can make a gap: the solids before it lie behind it.
     [[nodiscard]] std::size_t first_that_matters() const noexcept;
 
-    /// How the frames of the solids differ: what a point moves by, on its way from the newest's to another's.
+    /// Bounds on the motion of a point when it changes from the frame of the newest solid to another solid's.
     struct Spread {
-        Vec3 low{}, high{};  ///< [m] of the origin
-        double turn = 0.0;   ///< [–] and no more than this of its distance from there
+        Vec3 low{}, high{};  ///< [m] motion of the origin
+        double turn = 0.0;   ///< [–] rotation: additional motion divided by the distance from the origin, at most
     };
     [[nodiscard]] const Spread& spread() const noexcept { return spread_; }
 
     [[nodiscard]] std::size_t pending_count() const noexcept { return pending_count_; }
-    /// How many bricks the last `commit_passed` stamped.
+    /// Returns the number of bricks that the last `commit_passed` stamped.
     [[nodiscard]] int last_bricks() const noexcept { return last_bricks_; }
     [[nodiscard]] std::uint64_t early_commits() const noexcept { return early_commits_; }
 
@@ -107,43 +106,42 @@ private:
     [[nodiscard]] const CutRecord& pending(std::size_t i) const noexcept { return pending_[slot(i)]; }
     [[nodiscard]] std::size_t slot(std::size_t i) const noexcept { return (pending_first_ + i) % pending_capacity; }
     [[nodiscard]] const Pose& tool_from_body(std::size_t i) const noexcept { return tool_from_body_[slot(i)]; }
-    /// The newest solid has come, or moved.
+    /// Sets the pose of the newest solid and updates `spread_`.
     void take_newest(const Pose& body_from_tool) noexcept;
     void begin_stretch(const Pose& body_from_tool) noexcept;
     void look_at_open_stretch() noexcept;
     int commit_oldest();
     void drop_oldest() noexcept;
     void close_at(const Pose& to, std::uint64_t tick) noexcept;
-    /// Whether the solid at this pose takes bone that is still there. Decided once, here: a record that removes
-    /// nothing is logged, and nobody stamps it.
+    /// Returns whether the solid at this pose removes bone that still exists. Decided once, here: a record that removes
+    /// nothing is logged, and stamped on no field.
     [[nodiscard]] bool removes_bone(const Pose& body_from_tool) const noexcept;
 
     const Body* body_;
     const ToolSolid* solid_;
     CutField* committed_;
-    Pose open_from_ = identity_pose();  ///< the last record's end
-    Pose farthest_ = identity_pose();   ///< of the open stretch
+    Pose open_from_ = identity_pose();  ///< end of the last record
+    Pose farthest_ = identity_pose();   ///< farthest pose of the open stretch
     double farthest_motion_ = 0.0;      ///< [m] from open_from_
-    Pose corner_ = identity_pose();     ///< where the way aside was measured last
-    double way_aside_ = 0.0;            ///< [m] until there
-    double looked_at_ = 0.0;            ///< [m] of that motion, when it was last asked whether the stretch removes bone
-    bool is_open_solid_ = false;        ///< it does
+    Pose corner_ = identity_pose();     ///< pose at which the sideways path was measured last
+    double way_aside_ = 0.0;            ///< [m] length of the sideways path up to the corner
+    double looked_at_ = 0.0;            ///< [m] farthest_motion_ at the last test whether the stretch removes bone
+    bool is_open_solid_ = false;        ///< true if the open stretch removes bone
     Pose last_removing_ = identity_pose();
     bool has_removed_ = false;
     bool is_started_ = false;
     std::uint64_t sequence_ = 0, removing_ever_ = 0;
     std::array<CutRecord, recent_capacity> recent_{};
-    std::uint16_t body_id_ = 0, solid_number_ = 0;  ///< records say them
+    std::uint16_t body_id_ = 0, solid_number_ = 0;  ///< written into the records
     std::uint64_t last_reversal_ = 0;               ///< sequence of the first record after the path last turned back
     std::array<CutRecord, 2> closed_{};
     int closed_count_ = 0;
 
     std::array<CutRecord, pending_capacity> pending_{};
-    std::array<Pose, pending_capacity>
-        tool_from_body_{};  ///< of the solids: one place is always free for the open stretch
+    std::array<Pose, pending_capacity> tool_from_body_{};  ///< of the solids; one slot stays free for the open stretch
     Spread spread_;
     std::size_t pending_first_ = 0, pending_count_ = 0;
-    StampProgress progress_;  ///< of the oldest
+    StampProgress progress_;  ///< of the oldest pending record
     int last_bricks_ = 0;
     std::uint64_t early_commits_ = 0;
 };

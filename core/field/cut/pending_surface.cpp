@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double rounding = 1e-8;  // [m] more than single precision leaves of a distance
+constexpr double rounding = 1e-8;  // [m] upper bound of the rounding error of a distance in single precision
 constexpr std::int32_t none = -1;
 
 double larger(double a, double b) noexcept { return a > b ? a : b; }
@@ -31,9 +31,9 @@ void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox
     const CutTracker::Spread& spread = tracker_->spread();
     const bool is_convex = solid.is_convex();
 
-    // Is any of them as deep in any of the solids as the least distance? Asked of the box as it lies in the newest.
+    // Can any point be as deep in any solid as the least distance? Tested with their box in the newest solid's frame.
     const Frame& f = newest_from_tool_;
-    const double far = 10.0;  // [m] no point beyond is in a solid, and it must not make the others' sums inexact
+    const double far = 10.0;  // [m] points beyond lie in no solid, and would make the sums inexact
     const auto kept = [far](const double(&v)[3]) {
         return Vec3{std::clamp(v[0], -far, far), std::clamp(v[1], -far, far), std::clamp(v[2], -far, far)};
     };
@@ -44,7 +44,7 @@ void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox
     const Vec3 extent = half.x * magnitude(f.x) + half.y * magnitude(f.y) + half.z * magnitude(f.z);
     const double deepest =
         is_convex ? solid.deepest_in(middle, extent + reach) : length(half) + length(reach) - solid.distance(middle);
-    if (deepest + turn <= least) return;  // not so where a number is NaN
+    if (deepest + turn <= least) return;  // also continues if a number is NaN
 
     if (frame_count_ == 0) {
         frames_[frame_count_++] = single(newest_from_tool_);

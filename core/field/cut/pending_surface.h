@@ -6,19 +6,20 @@
 
 #include "core/field/cut/cut_log.h"
 
-/// What the pending solids leave standing, as contact meets it.
+/// The surface that pending solids leave, for contact queries.
 namespace kerf {
 
-/// Made once for all points that are asked about at one pose.
+/// Made once for all points that are queried at one pose.
 ///
-/// A pending solid is the surface at a point that is deeper in it than the distance found before. Depths are taken in
-/// single precision, from the tool's origin: 2 nm at 10 mm, a tenth of the step of a stored distance.
+/// Where a point is deeper in a pending solid than its distance to the committed surface, that solid is its surface.
+/// Depths are computed in single precision, relative to the tool's origin: 2 nm at 10 mm, a tenth of the quantum of a
+/// stored distance.
 class PendingSurface {
 public:
     PendingSurface(const CutTracker& tracker, const Pose& body_from_tool) noexcept;
 
-    /// Raises the answers for `count` ≤ `block_capacity` points of the tool that lie in `box`; none of them is less
-    /// than `least` [m]. `may_rise`, where given, tells which.   [haptic, nonblocking]
+    /// Raises the answers of `count` ≤ `block_capacity` points of the tool, which lie in `box`. No distance is less
+    /// than `least` [m]. If `may_rise` is given, only answers with true may change.   [haptic, nonblocking]
     void raise(const Vec3* points, std::size_t count, const PointBox& box, double least, const bool* may_rise,
                kerf_surface_point* answers) noexcept;
 
@@ -27,8 +28,7 @@ private:
     Pose body_from_tool_;
     Frame newest_from_tool_{};
     double clamp_;
-    std::array<SingleFrame, CutTracker::pending_capacity>
-        frames_;  ///< of the solids, the newest first; from when they are needed
+    std::array<SingleFrame, CutTracker::pending_capacity> frames_;  ///< of the solids, newest first; computed on demand
     std::size_t frame_count_ = 0;
 };
 

@@ -8,8 +8,8 @@ namespace kerf {
 
 namespace {
 
-constexpr int block = 3 * brick_edge;  ///< a brick with those around it
-using Row = std::uint32_t;             ///< of a block, a bit for each sample along x
+constexpr int block = 3 * brick_edge;  ///< samples along an edge of 3³ bricks
+using Row = std::uint32_t;             ///< of a block: one bit per sample along x
 constexpr Row all_in_row = (Row{1} << block) - 1;
 
 /// Samples of 3³ bricks.
@@ -24,7 +24,8 @@ struct Block {
                     eight << (bx * brick_edge);
             }
     }
-    /// One sample farther: over faces, or over edges and corners too. The two in turn come near to a round distance.
+    /// Returns the samples grown by one: over faces, or over edges and corners too. Alternating, the two approximate a
+    /// Euclidean distance.
     [[nodiscard]] Block grown(bool over_corners) const noexcept {
         const auto along_x = [](Row r) { return (r | r << 1 | r >> 1) & all_in_row; };
         Block result;
@@ -59,7 +60,7 @@ struct Block {
     }
 };
 
-/// Of the middle brick: the samples of `others`, and air that is nearer to them, as far as distances are kept.
+/// Returns samples of the middle brick: the samples of `others`, and air nearer to them within the stored distances.
 BrickBits nearer_to_others(Block own, Block others) noexcept {
     BrickBits gone = others.middle();
     BrickBits settled = gone;
@@ -79,7 +80,7 @@ BrickBits nearer_to_others(Block own, Block others) noexcept {
 
 PieceMask::PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& piece)
     : grid_(grid), share_(grid.brick_count(), Share::everything), slot_(grid.brick_count(), 0) {
-    // Which bricks have bone of the piece, or of others, in them or in those around them.
+    // Find bricks with bone of the piece, or of others, in them or in their neighbours.
     std::vector<BrickBits> own(grid.brick_count()), others(grid.brick_count());
     std::vector<std::uint8_t> is_near_own(grid.brick_count(), 0), is_near_others(grid.brick_count(), 0);
     const auto around = [&](std::size_t brick, const auto& what) {
@@ -116,7 +117,7 @@ PieceMask::PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& pi
 }
 
 bool PieceMask::is_gone(int i, int j, int k) const noexcept {
-    // The stored samples beyond the last brick belong to it.
+    // Stored samples beyond the last brick count as its last samples.
     const auto in_grid = [&](int v, std::size_t axis) { return std::min(v, grid_.samples(axis) - 1); };
     i = in_grid(i, 0);
     j = in_grid(j, 1);

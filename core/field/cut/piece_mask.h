@@ -11,25 +11,25 @@
 
 namespace kerf {
 
-/// What is not a piece's own, where bone has come apart: samples of other pieces, air nearer to them, and whole bricks
-/// that have none of its bone near.
+/// Marks samples that do not belong to a piece, where bone has come apart: samples of other pieces, air nearer to them,
+/// and whole bricks without bone of the piece nearby.
 ///
-/// Air between two pieces knows the distance to the nearer of them. A piece that kept what lies nearer to the other
-/// would feel a wall where the other had been (R4).
+/// A sample in the air between two pieces stores the distance to the nearer piece. A piece that kept the samples nearer
+/// to the other one would have contact with a wall where the other piece was.
 class PieceMask {
 public:
-    /// `piece` of all the bone in `all`.   [worker]
+    /// Makes the mask of `piece`, a part of all bone `all`.   [worker]
     PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& piece);
 
     enum class Share : std::uint8_t { nothing, some, everything };
     [[nodiscard]] Share gone_in(std::size_t brick_index) const noexcept { return share_[brick_index]; }
-    /// Sample (i, j, k) of the grid; those of its upper border too.
+    /// Returns whether sample (i, j, k) of the grid is marked; also valid on the grid's upper border.
     [[nodiscard]] bool is_gone(int i, int j, int k) const noexcept;
 
 private:
     Grid grid_;
     std::vector<Share> share_;
-    std::vector<std::uint32_t> slot_;  ///< of bricks with `some`
+    std::vector<std::uint32_t> slot_;  ///< index into `some_`, for bricks with Share::some
     std::vector<BrickBits> some_;
 };
 

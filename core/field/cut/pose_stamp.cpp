@@ -8,11 +8,13 @@ namespace kerf {
 
 namespace {
 
-/// Beside a blade most cells change with every record: to ask first would take longer than it saves.
+/// Returns whether cells should be compared with earlier stamps. Near a blade most cells change with every record, and
+/// the test takes longer than it saves.
 bool pays_to_remember(const ToolSolid& solid) noexcept { return solid.is_convex() && !solid.is_prism(); }
 
 constexpr int rounding = 2;  // [quanta]
-/// So little is used up by rounding: what rose with the last stamp most likely rises with this, and is not asked about.
+/// Returns whether a test can succeed. With a smaller reserve, rounding uses it up: a cell that rose with the last
+/// stamp most likely rises with this one.
 bool pays_to_ask(std::int16_t spare) noexcept { return spare > rounding; }
 
 }  // namespace
@@ -78,7 +80,7 @@ const PoseStamp::Motion* PoseStamp::motion_since(std::uint32_t number) noexcept 
         const Pose then_from_now = then->tool_from_body * inverse(tool_from_body_);
         const Quat& q = then_from_now.rotation;
         motion.shift = -then_from_now.position;
-        motion.turn = (q.w < 0.0 ? 2.0 : -2.0) * Vec3{q.x, q.y, q.z};  // by its sine, for its angle
+        motion.turn = (q.w < 0.0 ? 2.0 : -2.0) * Vec3{q.x, q.y, q.z};  // sine instead of angle
         motion.turned = length(motion.turn);
         motion.error = motion.turned * motion.turned;
         motion.is_known = motion.turned < 0.1;
@@ -116,8 +118,8 @@ bool PoseStamp::raise_cells(std::int16_t* samples, BrickCells& cells, int i, int
     const Motion* since = motion_since(cells.compared);
     SampleCell cell = cell_at(i, j, k);
 
-    // How deep can any sample of a cell be? No deeper than a plane that touches the solid; or, since the distance is
-    // 1-Lipschitz, than the middle by as much as it lies from there.
+    // Upper bound of the depth of a cell's samples: by a plane that touches the solid; or, as the distance is
+    // 1-Lipschitz, by the depth of the cell's centre plus the distance from there.
     PointBlock middles;
     for (std::size_t n = 0; n < BrickCells::count; ++n) {
         const CellPlace at = CellPlace::of(n);
@@ -181,7 +183,7 @@ bool PoseStamp::raise(std::int16_t* samples, BrickCells& cells, int i, int j, in
         is_all_within = is_all_within && low[axis] >= first[axis] && low[axis] + brick_edge <= last[axis];
     if (is_all_within) return raise_cells(samples, cells, i, j, k);
 
-    // Some samples must stay: raise all, elsewhere, and take over the others.
+    // Some samples must not change: raise a copy, and take over the others from it.
     std::array<std::int16_t, stored_samples> raised;
     std::copy_n(samples, stored_samples, raised.data());
     if (!raise_cells(raised.data(), cells, i, j, k)) return false;

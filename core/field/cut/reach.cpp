@@ -13,7 +13,7 @@ bool is_in_reach_of_bone(const Body& body, const ToolSolid& solid, const Pose& b
     const auto [lowest, highest] = solid.box(body_from_tool);
     Vec3 low = lowest - around, high = highest + around;
     if (cut_only == CutOnly::yes && !body.region.meets(low, high)) return false;
-    low = body.region.nearest(low);  // beyond it, bone is as at its nearest face
+    low = body.region.nearest(low);  // outside the region, bone continues as on its nearest face
     high = body.region.nearest(high);
 
     const double edge = brick_edge * g.spacing;

@@ -8,8 +8,8 @@ namespace kerf {
 
 enum class CutOnly { no, yes };
 
-/// Whether any brick that holds bone, cut or not, comes within `margin` [m] of the solid at this pose. Errs towards
-/// true. Bone beyond the body's region counts unless it is asked what can be cut.   [any] pure, nonblocking.
+/// Returns whether any brick with bone, cut or not, comes within `margin` [m] of the solid at this pose. Errs towards
+/// true. Bone outside the body's region counts only with CutOnly::no.   [any] pure, nonblocking.
 [[nodiscard]] bool is_in_reach_of_bone(const Body& body, const ToolSolid& solid, const Pose& body_from_tool,
                                        double margin, CutOnly cut_only = CutOnly::no) noexcept;
 

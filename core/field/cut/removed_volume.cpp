@@ -8,20 +8,21 @@
 namespace kerf {
 
 namespace {
-/// Share of a voxel that is inside a surface at distance `d` voxels from its centre.
+/// Returns the fraction of a voxel inside a surface at distance `d` voxels from its centre.
 double inside_share(double d) noexcept { return std::clamp(0.5 - d, 0.0, 1.0); }
 
-/// Share of a voxel that two half spaces have in common, of which each alone takes a share `a` and `b`, and whose ways
-/// in are `cosine` to each other: the smaller where they face alike, their product across, and what they have too much
-/// where they face each other; in between in proportion. An edge of a cut is such a voxel: counted as facing, it would
-/// lose a twelfth of a voxel's area for every length of edge.
+/// Returns the fraction of a voxel that two half spaces have in common, which alone have the fractions `a` and `b`. The
+/// cosine between their inward directions is `cosine`. For parallel directions it is the smaller fraction, for
+/// perpendicular ones the product, for opposite ones the overlap max(0, a + b − 1). In between it is linear in the
+/// cosine. An edge of a cut has perpendicular directions: treated as opposite, it would lose a twelfth of a voxel's
+/// area for each length of edge.
 double common_share(double a, double b, double cosine) noexcept {
     const double across = a * b;
     return cosine > 0.0 ? across + cosine * (std::min(a, b) - across)
                         : across + cosine * (across - std::max(0.0, a + b - 1.0));
 }
-/// Between the ways into the bone and into the cut, by differences to the next samples along each axis. Where nothing
-/// of the bone is stored, as if they faced each other.
+/// Returns the cosine between the inward directions of bone and cut, by differences to the next samples along each
+/// axis; −1 where the bone has no stored samples.
 double cosine_of(const std::int16_t* bone, const std::int16_t* cut) noexcept {
     if (bone == nullptr) return -1.0;
     double common = 0.0, of_bone = 0.0, of_cut = 0.0;
@@ -34,7 +35,7 @@ double cosine_of(const std::int16_t* bone, const std::int16_t* cut) noexcept {
     return of_bone > 0.0 && of_cut > 0.0 ? common / std::sqrt(of_bone * of_cut) : -1.0;
 }
 
-/// What a brick's sample has of bone before and of it has lost: shares of a voxel.
+/// Fractions of a voxel per sample of a brick: bone before all cuts, and bone lost to the cut.
 class BrickShares {
 public:
     BrickShares(const Body& body, const CutField& cut, std::size_t brick) noexcept
@@ -51,7 +52,7 @@ public:
         if (has_room_) before = std::max(before, -(room_ != nullptr ? room_[sample] : no_room_));
         return inside_share(voxels_per_quantum_ * before);
     }
-    /// Of `bone`, the same sample's.
+    /// Returns the fraction lost at a sample, of its fraction of bone `bone`.
     [[nodiscard]] double lost(int sample, double bone) const noexcept {
         const double cut = removed_ != nullptr ? inside_share(-voxels_per_quantum_ * removed_[sample]) : 0.0;
         if (bone <= 0.0 || cut <= 0.0) return 0.0;

@@ -10,20 +10,20 @@
 
 namespace kerf {
 
-/// Volume of bone gone, by tissue, kept up to date brick by brick.
+/// Volume of removed bone by tissue, updated brick by brick.
 class RemovedVolume {
 public:
     explicit RemovedVolume(const Body& body) : body_(&body), per_brick_(body.grid().brick_count()) {}
 
     /// Recounts the bricks that changed since the last call.   [worker]
     void update(CutField& cut) { update(cut, cut.take_changed()); }
-    /// The same, told which.
+    /// Recounts the bricks `changed`.   [worker]
     void update(const CutField& cut, std::span<const std::size_t> changed);
-    /// What is gone in `cut` and was not before is another piece's: from now on only what is cut from this one is
-    /// counted.   [worker]
+    /// Starts to count the removal of a separated piece: the removed part of `cut` at this time belongs to other pieces
+    /// and does not count.   [worker]
     void go_on_with(const CutField& cut);
 
-    /// [m³] of material `m`.
+    /// Returns the removed volume of material `m` [m³].
     [[nodiscard]] double of_material(std::size_t m) const noexcept { return total_[m]; }
     [[nodiscard]] double total() const noexcept;
 
@@ -35,7 +35,8 @@ private:
     std::array<double, KERF_MAX_TISSUES> total_{};
 };
 
-/// [m³] of bone that a cut leaves in the body's region, partial voxels counted by their share.   [worker] pure.
+/// Returns the volume of bone [m³] that remains in the body's region, with partial voxels counted by their fraction.
+/// [worker] pure.
 [[nodiscard]] double bone_volume(const Body& body, const CutField& cut) noexcept;
 
 }  // namespace kerf

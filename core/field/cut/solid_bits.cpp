@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-/// A row of eight: bit x is set where both are negative.
+/// Returns a bit for each of eight samples of a row: set where both values are negative.
 std::uint64_t row_bits(const std::int16_t* a, const std::int16_t* b) noexcept {
 #if defined(__SSE2__)
     const __m128i both = _mm_and_si128(_mm_loadu_si128(reinterpret_cast<const __m128i*>(a)),
@@ -46,7 +46,7 @@ BrickBits solid_bits(const Body& body, const CutField& cut, std::size_t index) n
                          ? BrickBits::full()
                          : solid_bits(bone != nullptr ? bone : removed, removed != nullptr ? removed : bone);
     const auto [i, j, k] = body.grid().brick_place(index);
-    const auto within = [&](std::size_t axis, int brick) {  // the samples of a row that may be cut, a bit each
+    const auto within = [&](std::size_t axis, int brick) {  // a bit for each sample of a row that may be cut
         const int low = std::clamp(cut.first_sample()[axis] - brick * brick_edge, 0, brick_edge);
         const int high = std::clamp(cut.last_sample()[axis] - brick * brick_edge + 1, low, brick_edge);
         return static_cast<unsigned>((1 << high) - (1 << low));

@@ -9,11 +9,11 @@
 
 namespace kerf {
 
-/// Which samples of a brick are bone: both distances negative, as the surface has it, and strictly within the body's
-/// region. [any] pure, nonblocking.
+/// Returns the samples of a brick that are bone: both distances are negative, as in the surface mesh, and the sample
+/// lies strictly within the body's region.   [any] pure, nonblocking.
 [[nodiscard]] BrickBits solid_bits(const Body& body, const CutField& cut, std::size_t brick_index) noexcept;
 
-/// The same for one that no region's face cuts through.
+/// Returns the samples of a brick that are bone, for a brick that no face of the region crosses.
 [[nodiscard]] BrickBits solid_bits(const std::int16_t* surface, const std::int16_t* cut) noexcept;
 
 }  // namespace kerf

@@ -8,23 +8,23 @@
 
 namespace kerf {
 
-/// The last solids that a field was raised to, and where they stood: cells of it remember by their numbers what they
-/// were compared with last, so that a stamp need not look again at what cannot have changed.
+/// Ring of the last 256 stamps of a field. Each cell stores the number of the last stamp compared with it, so that a
+/// stamp skips cells that cannot have changed.
 class StampMemory {
 public:
     struct Stamped {
         std::uint32_t number = 0;  ///< 0: none
-        std::uint64_t solid = 0;   ///< its shape
+        std::uint64_t solid = 0;   ///< hash of its shape
         Pose tool_from_body = identity_pose();
     };
 
-    /// The number of one more. Numbers are not given twice.   [haptic, nonblocking]
+    /// Adds a stamp. Returns its number, which is unique.   [haptic, nonblocking]
     std::uint32_t add(const ToolSolid& solid, const Pose& tool_from_body) noexcept {
         const std::uint32_t number = ++last_;
         stamped_[number % stamped_.size()] = {number, solid.shape_hash(), tool_from_body};
         return number;
     }
-    /// Null: it is too long ago.   [haptic, nonblocking]
+    /// Returns a stamp; null: it is no longer stored.   [haptic, nonblocking]
     [[nodiscard]] const Stamped* find(std::uint32_t number) const noexcept {
         const Stamped& stamped = stamped_[number % stamped_.size()];
         return number != 0 && stamped.number == number ? &stamped : nullptr;

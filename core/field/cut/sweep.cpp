@@ -9,7 +9,8 @@
 namespace kerf {
 
 double largest_motion(const ToolSolid& solid, const Pose& from, const Pose& to) noexcept {
-    // The distance moved is convex in the point, so its maximum is at the ends of the bounding cylinder, or of the box.
+    // The distance moved is a convex function of the point. So its maximum is at the ends of the bounding cylinder, or
+    // at a corner of the box.
     const Frame a = frame_of(from), b = frame_of(to);
     const Vec3 origin = b.origin - a.origin, along_x = solid.largest_radius() * (b.x - a.x), along_z = b.z - a.z;
     const Vec3 along_y = (solid.is_prism() ? 0.5 * solid.thickness() : solid.largest_radius()) * (b.y - a.y);
@@ -94,8 +95,8 @@ void Sweep::may_hold(const PointBlock& points, double tolerance, std::array<bool
             before = after;
             continue;
         }
-        // A point's way past the solid is all but straight, and none of it deeper than the plane that touches at its
-        // end.
+        // The path of a point relative to the solid is nearly straight. No point of it is deeper than the plane that
+        // touches the solid at its end.
         transform(inverse(next), points, at_end);
         solid_->tangents(at_end, after, gradient);
         const Quat turn = conjugate(last.rotation) * next.rotation;
@@ -113,7 +114,7 @@ void Sweep::may_hold(const PointBlock& points, double tolerance, std::array<bool
 
 bool Sweep::holds_between(const Instant& a, const Instant& b, Vec3 point, double tolerance) const noexcept {
     const double way = slack * motion_ * (b.t - a.t);
-    constexpr double finest = 1e-7;  // [m] for points outside, whose depth may be all but constant on the way
+    constexpr double finest = 1e-7;  // [m] for points outside, whose depth may be nearly constant along the path
     if (0.5 * (a.depth + b.depth + way) <= tolerance || way <= (tolerance < 0.0 ? finest : tolerance)) return false;
     const Instant middle = at(0.5 * (a.t + b.t), point);
     if (middle.depth > tolerance) return true;

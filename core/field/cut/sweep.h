@@ -5,54 +5,54 @@
 
 #include "core/field/cut/tool_solid.h"
 
-/// A solid on its way from one pose to another.
+/// The motion of a solid from one pose to another.
 namespace kerf {
 
-/// The farthest any point of the solid moves between two poses [m].   [any] pure.
+/// Returns the largest distance that any point of the solid moves between two poses [m].   [any] pure.
 [[nodiscard]] double largest_motion(const ToolSolid& solid, const Pose& from, const Pose& to) noexcept;
 
-/// What of a solid's way from one pose to another leaves ridges between them, and what does not.
+/// Parts of a solid's motion: a slide along its axis leaves no ridges between sub-poses, the rest does.
 struct Travel {
     double motion = 0.0;  ///< [m] `largest_motion`
-    double along = 0.0;   ///< [m] its slide along its own axis, which it covers
-    /// [m] The farthest that any of its points moves besides: twice that, as on a slide only the pose ahead of a point
-    /// can cover it; or all of its motion, if that is less.
+    double along = 0.0;   ///< [m] slide along its own axis, which the solid covers
+    /// [m] Largest motion of any of its points apart from the slide, doubled: during a slide only the pose ahead of a
+    /// point can cover it. At most `motion`.
     double aside = 0.0;
 };
-/// `depth` [m]: as deep as anybody asks within the solid. A slide is covered by a land that is longer by twice that.
-/// [any] pure.
+/// Returns the parts of a motion. `depth` [m] is the largest depth inside the solid that is evaluated: a land covers a
+/// slide only if it is longer by twice that.   [any] pure.
 [[nodiscard]] Travel travel(const ToolSolid& solid, const Pose& from, const Pose& to, double depth) noexcept;
 
-/// The pose a share `t` of the way from `from` to `to`.   [any] pure.
+/// Returns the pose at fraction `t` of the motion from `from` to `to`.   [any] pure.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, double t) noexcept;
 
 class Sweep {
 public:
-    /// Poses are body_from_tool. `step` [m]: the farthest that any point may move from one sub-pose to the next, but
-    /// for a slide that the solid covers to a depth of `depth` [m].
+    /// Poses are body_from_tool. `step` [m]: largest motion of any point from one sub-pose to the next, except for a
+    /// slide that the solid covers to a depth of `depth` [m].
     Sweep(const ToolSolid& solid, const Pose& from, const Pose& to, double step, double depth) noexcept;
 
-    /// How many sub-poses follow `from`; the last is `to`. A function of poses, solid, step and depth alone.
+    /// Returns the number of sub-poses after `from`; the last is `to`. Depends on poses, solid, step and depth alone.
     [[nodiscard]] int sub_poses() const noexcept { return count_; }
-    /// Sub-pose 0 is `from`.
+    /// Returns sub-pose `i`; 0 is `from`.
     [[nodiscard]] Pose sub_pose(int i) const noexcept {
         return i == 0 ? from_ : i == count_ ? to_ : between(from_, to_, static_cast<double>(i) / count_);
     }
-    /// No point of the sweep lies farther than this outside the nearest of the sub-poses after `from` [m].
+    /// Returns an upper bound of the distance [m] of a point of the sweep from the nearest sub-pose after `from`.
     [[nodiscard]] double step() const noexcept { return slack * motion_ / count_; }
 
-    /// Whether the solid holds `point` (body frame) at any pose on the way, deeper than `tolerance` [m].
-    /// The distance to a solid changes no faster than its points move: what lies between two poses is bounded by what
-    /// is at them, and halved until that bound decides.   [any] pure, nonblocking.
+    /// Returns whether the solid contains `point` (body frame) deeper than `tolerance` [m] at any pose of the motion.
+    /// The distance to a solid changes no faster than its points move. This bounds it between two poses; intervals are
+    /// bisected until the bound decides.   [any] pure, nonblocking.
     [[nodiscard]] bool holds(Vec3 point, double tolerance) const noexcept;
 
-    /// For a block: false where `holds` is, for most such points at the cost of two distances.   [any] pure,
-    /// nonblocking.
+    /// Writes for a block of points whether `holds` may be true. For most points that are outside, the cost is two
+    /// distances.   [any] pure, nonblocking.
     void may_hold(const PointBlock& points_in_body, double tolerance,
                   std::array<bool, block_capacity>& may) const noexcept;
 
 private:
-    static constexpr double slack = 1.02;  ///< for turns, whose speed is not quite uniform between two sub-poses
+    static constexpr double slack = 1.02;  ///< for rotations, whose speed is not quite uniform between two sub-poses
 
     struct Instant {
         double t, depth;

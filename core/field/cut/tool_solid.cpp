@@ -42,7 +42,7 @@ ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickn
                           single(s.along_z), single(s.inverse_length2), single(s.slope), single(s.normal_r),
                           single(s.normal_z), single(s.offset)});
         if (i == 1) continue;
-        // Backwards the outline may only bend towards the axis.
+        // From the tip backwards, a convex outline bends only towards the axis.
         const OutlineSegment &a = segments_[i - 2], &b = segments_[i - 1];
         is_blunt_ = is_blunt_ && a.normal_r * b.normal_r + a.normal_z * b.normal_z > -0.5;
         is_convex_ = is_convex_ && b.along_r * a.along_z >= a.along_r * b.along_z;
@@ -149,7 +149,7 @@ double ToolSolid::distance(double r, double z) const noexcept {
     for (const OutlineSegment& s : segments_) depth = std::min(depth, to_face(s));
     if (!(depth < 0.0)) return -depth;
 
-    // Outside, the foot on that plane may lie beyond the face's edges.
+    // Outside, the nearest point of that plane may lie beyond the face's edges.
     bool is_beside = (front.z - z == depth && r <= front.radius) || (z - back.z == depth && r <= back.radius);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
         const OutlineSegment& s = segments_[i];
@@ -161,21 +161,21 @@ double ToolSolid::distance(double r, double z) const noexcept {
 }
 
 double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread, double deepest) const noexcept {
-    // Inside, the depth is the least of the planes' of its faces, and concave: it grows by no more than where it was,
-    // at the steepest of the faces that may have been the nearest. Outside of several faces the way to their edge lies
-    // between theirs.
+    // Inside, the depth is the minimum over the planes of its faces, and concave. It grows by no more than at its
+    // former point, along the steepest of the faces that may have been the nearest. Outside of several faces, the
+    // direction to their edge lies between their normals.
     const double size = length(moved) + spread, r = radius_of(middle);
     const double aside = std::sqrt(squared(half.x) + squared(half.y)) + size, along = half.z + size;
     const double lateral = std::sqrt(squared(moved.x) + squared(moved.y));
-    double outwards = -lateral;  // at least
-    if (aside < 0.7 * r) {       // by an angle of asin(aside / r) at most
+    double outwards = -lateral;  // lower bound
+    if (aside < 0.7 * r) {       // an angle of at most asin(aside / r)
         const double in_the_middle = (middle.x * moved.x + middle.y * moved.y) / r;
         outwards = std::max(outwards, in_the_middle - 1.11 * aside / r * lateral);
     }
     outwards -= spread;
 
     struct Plane {
-        double depth, out, on, gain;  // out, on: its normal's parts away from the axis and along it
+        double depth, out, on, gain;  // out, on: components of its normal away from the axis and along it
     };
     Plane nearest{HUGE_VAL, 0, 0, 0};
     const auto for_each_plane = [&](const auto& what) {
@@ -200,9 +200,9 @@ double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread,
 }
 
 double ToolSolid::most_gained_outside(const Pose& moved) const noexcept {
-    // Depth is concave: it grows by no more than the motion into the solid, along the way from where the solid is
-    // nearest. Before the back end that way leads forwards, or to the side, unless a face looks backwards. A turn moves
-    // what ends inside by its chord at most, about the origin, and turns the way itself.
+    // Depth is concave: it grows by no more than the motion into the solid, along the direction from the nearest point
+    // of the solid. Before the back end this direction leads forwards or sideways, unless a face points backwards. A
+    // rotation moves a point that ends inside by at most its chord about the origin, and rotates the direction.
     const Vec3 shift = moved.position;
     const bool looks_back =
         std::any_of(segments_.begin(), segments_.end(), [](const OutlineSegment& s) { return s.normal_z < 0.0; });
@@ -218,7 +218,7 @@ bool ToolSolid::has_edge_within(Vec3 middle, Vec3 half, double distance) const n
     const double x = std::abs(middle.x), y = std::abs(middle.y), least_x = std::max(0.0, x - half.x),
                  least_y = std::max(0.0, y - half.y);
     if (is_prism() &&
-        std::abs(y - half_thickness_) - half.y < distance)  // then any point of the outline stands for an edge
+        std::abs(y - half_thickness_) - half.y < distance)  // then any point of the outline counts as an edge
         return std::abs(this->distance(x, middle.z)) < distance + std::sqrt(squared(half.x) + squared(half.z));
     const double nearest = is_prism() ? least_x : std::sqrt(squared(least_x) + squared(least_y));
     const double farthest = is_prism() ? x + half.x : std::sqrt(squared(x + half.x) + squared(y + half.y));
@@ -231,7 +231,7 @@ bool ToolSolid::has_edge_within(Vec3 middle, Vec3 half, double distance) const n
 double ToolSolid::squared_distance(double r, double z) const noexcept {
     double nearest2 = 1e300;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-        // Project onto the segment; its direction and length were worked out once.
+        // Project onto the segment; its direction and length are precomputed.
         const auto& a = outline_[i];
         const OutlineSegment& s = segments_[i];
         const double dr = r - a.radius, dz = z - a.z;
@@ -263,7 +263,7 @@ Vec3 ToolSolid::way_in_of_prism(Vec3 p) const noexcept {
     const bool is_inside = flat <= 0.0 && side <= 0.0;
     if (is_inside ? side > flat : flat <= 0.0) return across;
 
-    // In the plane: away from the nearest face inside, towards the nearest point of the outline outside.
+    // In the plane of the outline: away from the nearest face inside, towards the nearest point outside.
     double in_r = 0.0, in_z = tip_z() - p.z < p.z - end_z() ? -1.0 : 1.0;
     if (flat <= 0.0) {
         double depth = std::min(tip_z() - p.z, p.z - end_z());
@@ -300,7 +300,7 @@ Vec3 ToolSolid::way_in_of_prism(Vec3 p) const noexcept {
 Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
     if (is_prism()) return way_in_of_prism(p);
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
-    if (is_convex_) {  // inside, away from the plane of the nearest face
+    if (is_convex_) {  // inside: away from the plane of the nearest face
         const double to_front = tip_z() - p.z, to_back = p.z - end_z();
         double depth = std::min(to_front, to_back), in_r = 0.0, in_z = to_front < to_back ? -1.0 : 1.0;
         for (const OutlineSegment& s : segments_) {
@@ -314,7 +314,7 @@ Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
         if (depth >= 0.0) return r > 0.0 ? Vec3{inwards * p.x, inwards * p.y, in_z} : Vec3{in_r, 0.0, in_z};
     }
 
-    // From the nearest point of the outline to the point, and inwards where there is no such way.
+    // Along the line from the nearest point of the outline; inwards if the point lies on the outline.
     double nearest2 = 1e300, off_r = 0.0, off_z = 0.0, in_r = 0.0, in_z = 0.0;
     const auto consider = [&](double dr, double dz, double inwards_r, double inwards_z) {
         const double d2 = squared(dr) + squared(dz);
@@ -335,7 +335,7 @@ Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
     if (front.radius > 0.0) consider(std::max(0.0, r - front.radius), p.z - front.z, 0.0, -1.0);
     consider(std::max(0.0, r - back.radius), p.z - back.z, 0.0, 1.0);
 
-    if (is_hollow()) {  // the bore is as near as it is to the side
+    if (is_hollow()) {  // the distance to the bore is radial
         const double off = r - bore_;
         if (squared(off) < nearest2 && (r < bore_ || distance(p) < 0.0))
             return r > 0.0 ? Vec3{p.x / r, p.y / r, 0.0} : Vec3{1.0, 0.0, 0.0};
@@ -354,8 +354,8 @@ Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
 }
 
 SingleOutline ToolSolid::faces_near(SingleOutline whole, double x, double spread, double reach) const noexcept {
-    // The nearest point of the surface lies no farther aside than it is away; a face's plane is nearest where its own
-    // points are.
+    // The nearest point of the surface is offset along x by at most its distance. The plane of a face is nearest only
+    // at points of the face itself.
     const double far = spread + reach, low = std::abs(x) - far, high = std::abs(x) + far;
     std::size_t first = 0, last = segments_.size();
     while (first + 1 < last && outline_[first + 1].radius < low) ++first;
@@ -378,7 +378,7 @@ void ToolSolid::depths(const PointBlock& points_in_tool, BlockValues& depths) co
 double ToolSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) const noexcept {
     if (distance(p) >= -tolerance) return 0.0;
 
-    // From inside, the first crossing of any face is the exit: caps first, then each cone.
+    // From inside, the first crossing of any face is the exit: end caps first, then each cone.
     double exit = 1e300;
     const auto consider = [&](double t) {
         if (t > 0.0 && t < exit) exit = t;

@@ -11,63 +11,66 @@
 #include "core/field/grid/level_set.h"
 #include "core/field/grid/region.h"
 
-/// A bone: its surface, and its materials composited front to back. Immutable after import.
+/// A bone: its surface, and its materials in the order of priority. Immutable after import.
 namespace kerf {
 
 struct Material {
     std::string id;
-    double density = 0.0;  ///< [kg/m³]; of a heterogeneous material the largest, which is what limits must hold for
-    LevelSet border;       ///< negative inside this material; unused for the last (base) material
+    double density = 0.0;         ///< [kg/m³]; of a heterogeneous material the maximum, with which limits are checked
+    LevelSet border;              ///< negative inside this material; unused for the last (base) material
     DensityField densities = {};  ///< of a heterogeneous material; empty: `density` everywhere
 };
 
-/// Frame: LPS, metres. The last material is the base and fills what the others leave.
+/// Frame: LPS, metres. The last material is the base: it fills the volume that the other materials leave.
 struct Body {
     std::string id;
     LevelSet surface;  ///< negative inside bone, before any cut
-    /// Rooms in it, negative inside them; empty: none. Two one-sided fields carry a sheet between surface and room
-    /// however thin, as they are combined after interpolation (B1). Every cut field begins with it, as with bone that
-    /// is gone.
+    /// Cavities in the bone, negative inside them; empty: none. Surface and cavity are two one-sided fields that are
+    /// combined after interpolation. So they represent a sheet of bone between them, however thin. Every cut field
+    /// begins with the cavities as removed bone.
     LevelSet hollow = {};
     std::vector<Material> materials;  ///< 1 … KERF_MAX_TISSUES
-    Region region = {};  ///< its faces lie on samples of the grid; unbounded: the grid holds all of the bone
+    Region region = {};  ///< its faces lie on samples of the grid; unbounded: the grid contains all of the bone
 
     [[nodiscard]] const Grid& grid() const noexcept { return surface.grid(); }
 };
 
-/// How far a point of the body frame is outside the body's region [m]; 0 inside, 0 without one, 0 for NaN. There bone
-/// is solid and nothing can be cut: the haptic loop stops the tool.   [any] pure, nonblocking.
+/// Returns the distance of a point of the body frame outside the body's region [m]; 0 inside, without a region, or for
+/// NaN. Outside, bone is solid and cannot be cut: the haptic loop stops the tool.   [any] pure, nonblocking.
 [[nodiscard]] inline double outside_region(const Body& body, Vec3 point_in_body) noexcept {
     return body.region.distance_outside(point_in_body);
 }
 
-/// Where to look for the bone at a point: beyond the region, where it ends.   [any] pure, nonblocking.
+/// Returns the cell in which to sample bone at a point: outside the region, at its nearest face.
+/// [any] pure, nonblocking.
 [[nodiscard]] inline BrickPlace locate(const Body& body, Vec3 point_in_body) noexcept {
     return locate(body.grid(), body.region.nearest(point_in_body));
 }
 
 inline constexpr float quantum_in_voxels = static_cast<float>(clamp_voxels / 32767.0);
 
-/// Share of a level set's inside at distance `d` [quanta], over a ramp of `ramp` voxels: 1 inside, ½ on the border.
+/// Returns the fraction inside a level set at distance `d` [quanta], over a ramp of `ramp` voxels: 1 inside, ½ on the
+/// border.
 [[nodiscard]] inline float coverage(float d, float ramp = 0.25f) noexcept {
     return std::min(std::max(0.5f - d * (quantum_in_voxels / ramp), 0.0f), 1.0f);
 }
 
-/// Distance to the bone before any cut [m].   [any] pure, nonblocking.
+/// Returns the signed distance to the bone before any cut [m], negative inside.   [any] pure, nonblocking.
 [[nodiscard]] inline double uncut_distance(const Body& body, const BrickPlace& place) noexcept {
     const double distance = body.surface.at(place);
     return body.hollow.is_empty() ? distance : std::max(distance, -body.hollow.at(place));
 }
 
-/// Share of an edge that is in bone, `uncut` and `cut` [quanta] the distances to the bone before any cut and to what
-/// was removed (negative where it still is). The removed solid is known to a twentieth of a voxel, so its border is a
-/// ramp of little more: the end of a lip runs along the wall of its own hole and must not feel it.
+/// Returns the fraction of an edge that is in bone [–]. `uncut` [quanta] is the distance to the bone before any cut,
+/// `cut` [quanta] the cut at the point (negative where bone remains). The border of the cut is accurate to a twentieth
+/// of a voxel, so its ramp is only slightly wider: the end of a lip moves along the wall of its own hole, and must get
+/// no force there.
 [[nodiscard]] inline float engagement(float uncut, float cut) noexcept {
     const float there = coverage(uncut), left = coverage(cut, 0.1f);
     return std::min(left, there);
 }
 
-/// Weights of the materials at a place: front to back, a partition of unity (resolutions B2).
+/// Writes the weights of the materials in a cell, in the order of priority; they sum to 1.
 inline void material_weights(const Body& body, const BrickPlace& place, double (&weight)[KERF_MAX_TISSUES]) noexcept {
     float left = 1.0f;
     const std::size_t last = body.materials.size() - 1;
@@ -80,7 +83,7 @@ inline void material_weights(const Body& body, const BrickPlace& place, double (
     weight[last] = static_cast<double>(left);
 }
 
-/// The same for a block, material by material.
+/// Writes the weights of the materials for a block of cells, material by material.
 inline void material_weights(const Body& body, const PlaceBlock& places,
                              std::array<FloatBlock, KERF_MAX_TISSUES>& weight) noexcept {
     const std::size_t last = body.materials.size() - 1;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The 8³ samples that a brick owns, a bit each.
+/// The 8³ samples that a brick owns, one bit each.
 namespace kerf {
 
 /// Word z, bit 8y + x.
@@ -29,7 +29,7 @@ struct BrickBits {
     }
     [[nodiscard]] constexpr int count() const noexcept {
         constexpr std::uint64_t pairs = 0x5555555555555555u, fours = 0x3333333333333333u, bytes = 0x0f0f0f0f0f0f0f0fu;
-        std::uint64_t sum = 0;  // a byte for each row of all slices: 64 at most
+        std::uint64_t sum = 0;  // one byte per row, over all slices: at most 64
         for (const std::uint64_t s : slice) {
             const std::uint64_t of_pairs = s - (s >> 1 & pairs),
                                 of_fours = (of_pairs & fours) + (of_pairs >> 2 & fours);
@@ -53,7 +53,7 @@ struct BrickBits {
         for (std::size_t z = 0; z < 8; ++z) slice[z] |= other.slice[z];
         return *this;
     }
-    /// What is in this and not in the other.
+    /// Returns the samples that are in this set and not in the other.
     [[nodiscard]] constexpr BrickBits without(const BrickBits& other) const noexcept {
         BrickBits left;
         for (std::size_t z = 0; z < 8; ++z) left.slice[z] = slice[z] & ~other.slice[z];
@@ -62,7 +62,7 @@ struct BrickBits {
     friend constexpr bool operator==(const BrickBits&, const BrickBits&) = default;
 };
 
-/// Whether a sample of `a` has one of `b` for its next along `axis`, where `b` belongs to the next brick that way.
+/// Returns whether samples of `a` and `b` touch along `axis`, where `b` belongs to the next brick in that direction.
 [[nodiscard]] constexpr bool touch_along(std::size_t axis, const BrickBits& a, const BrickBits& b) noexcept {
     constexpr std::uint64_t first_column = 0x0101010101010101u;
     if (axis == 2) return (a.slice[7] & b.slice[0]) != 0;
@@ -72,7 +72,7 @@ struct BrickBits {
     return any != 0;
 }
 
-/// All samples of `among` that hang together with `grown` over faces of voxels, within the brick.
+/// Returns all samples of `among` that are connected to `grown` over faces of voxels, within the brick.
 [[nodiscard]] constexpr BrickBits grown_within(BrickBits grown, const BrickBits& among) noexcept {
     constexpr std::uint64_t first_column = 0x0101010101010101u, last_column = first_column << 7;
     for (bool has_grown = true; has_grown;) {
@@ -82,7 +82,7 @@ struct BrickBits {
             if (z > 0) s |= grown.slice[z - 1];
             if (z < 7) s |= grown.slice[z + 1];
             s &= among.slice[z];
-            if (s == grown.slice[z]) return;  // nothing new from above or below, and within it has been filled before
+            if (s == grown.slice[z]) return;  // nothing new from the slices above and below
             for (std::uint64_t last = 0; s != last;) {
                 last = s;
                 s |= ((s & ~last_column) << 1) | ((s & ~first_column) >> 1) | (s << 8) | (s >> 8);
@@ -97,7 +97,7 @@ struct BrickBits {
     return grown;
 }
 
-/// Takes out of `left` the samples that hang together with its first one. Pre: it is not empty.
+/// Removes from `left` the samples that are connected to its first one, and returns them. Pre: `left` is not empty.
 [[nodiscard]] constexpr BrickBits take_component(BrickBits& left) noexcept {
     constexpr std::uint64_t first_column = 0x0101010101010101u, last_column = first_column << 7;
     BrickBits component;

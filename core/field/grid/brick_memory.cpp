@@ -16,10 +16,10 @@ constexpr std::size_t huge_page = std::size_t{2} << 20;
 
 #ifdef __linux__
 
-// A little goes to the ordinary heap: a mapping for it would be mostly empty.
+// Small blocks come from the ordinary heap: a mapping would be mostly empty.
 void* map_brick_memory(std::size_t bytes) {
     if (bytes < huge_page) return ::operator new(bytes);
-    // Room for one huge page more, so that the samples can begin on one; what lies beside them is given back.
+    // Map one huge page more, so that the samples can begin on a page border, and unmap the rest.
     constexpr std::size_t page = 4096;
     const std::size_t used = (bytes + page - 1) / page * page;
     void* mapped =
@@ -29,7 +29,7 @@ void* map_brick_memory(std::size_t bytes) {
     std::byte* aligned = static_cast<std::byte*>(mapped) + before;
     if (before > 0) munmap(mapped, before);
     if (before < huge_page) munmap(aligned + used, huge_page - before);
-    madvise(aligned, used, MADV_HUGEPAGE);  // a wish: where it is not granted, pages are small
+    madvise(aligned, used, MADV_HUGEPAGE);  // a hint: without huge pages the pages are small
     return aligned;
 }
 

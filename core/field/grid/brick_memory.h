@@ -7,19 +7,18 @@
 /// Memory for the samples of bricks.
 namespace kerf {
 
-/// Address room of at least `bytes`; if it is large, on the machine only where it has been touched, and in huge pages
-/// where the system has them. Throws std::bad_alloc.   [main, worker]
+/// Maps at least `bytes` of address space. A large block uses physical memory only where it has been touched, and huge
+/// pages where the system has them. Throws std::bad_alloc.   [main, worker]
 [[nodiscard]] void* map_brick_memory(std::size_t bytes);
 void unmap_brick_memory(void* memory, std::size_t bytes) noexcept;
-/// Asks for huge pages in memory from elsewhere, of which much will soon be touched for the first time.   [main,
-/// worker]
+/// Requests huge pages for other memory, much of which will soon be touched for the first time.   [main, worker]
 void prefer_huge_pages(void* memory, std::size_t bytes) noexcept;
 
-/// Behind the last sample there is so much more that may be read [bytes]: a kernel loads more than it needs.
+/// Number of bytes that may be read after the last sample: a kernel loads more than it needs.
 inline constexpr std::size_t brick_slack = 32;
 
-/// For std::vector: what it reserves costs nothing before it is used, so a vector that reserves all it can ever need
-/// grows without moving.
+/// Allocator for std::vector. Reserved memory costs nothing before it is used, so a vector can reserve its largest size
+/// and grow without moving.
 template <class Sample>
 struct BrickAllocator {
     using value_type = Sample;

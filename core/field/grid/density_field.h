@@ -9,33 +9,33 @@
 #include "core/field/grid/brick_memory.h"
 #include "core/field/grid/point_block.h"
 
-/// The density of a material that is not the same everywhere; immutable once built, so every thread may read it.
+/// The density of a heterogeneous material. Immutable once built, so every thread may read it.
 namespace kerf {
 
-/// Stored as float only in the bricks where the material is. What lies beyond the material's border is for the maker to
-/// extend from inside, so that interpolation at the border mixes in nothing of the neighbour.
+/// Stored as float, and only in bricks that contain the material. The builder extends the density from inside beyond
+/// the material's border, so that interpolation at the border includes no value of the neighbour.
 class DensityField {
 public:
-    DensityField() = default;  ///< empty: stored nowhere
+    DensityField() = default;  ///< without samples
 
     /// Samples `density` (body frame [m] → [kg/m³]) at the nodes of every brick for which `is_needed`.   [main]
     static DensityField build(const Grid& grid, const std::function<bool(std::size_t)>& is_needed,
                               const std::function<double(Vec3)>& density);
 
     [[nodiscard]] bool is_empty() const noexcept { return samples_.empty(); }
-    /// Trilinear [kg/m³]; `elsewhere` where nothing is stored.   [any] pure, nonblocking.
+    /// Returns the trilinear density [kg/m³]; `elsewhere` in bricks without samples.   [any] pure, nonblocking.
     [[nodiscard]] double at(const BrickPlace& place, double elsewhere) const noexcept {
         if (is_empty() || !place.is_inside) return elsewhere;
         const std::int32_t start = start_[place.brick];
         return start < 0 ? elsewhere : static_cast<double>(trilinear(brick(start), place));
     }
-    /// The same for a block. Pre: not empty.   [any] pure, nonblocking.
+    /// Writes the trilinear density of a block of cells. Pre: not empty.   [any] pure, nonblocking.
     void at(const PlaceBlock& places, double elsewhere, FloatBlock& densities) const noexcept {
         block_kernel().densities(start_.data(), samples_.data(), places.count, places.places(),
                                  static_cast<float>(elsewhere), densities.data());
     }
 
-    /// [kg/m³] of all that is stored; 0 when empty.
+    /// Returns the largest density of all samples [kg/m³]; 0 if empty.
     [[nodiscard]] double largest() const noexcept { return largest_; }
     [[nodiscard]] double mean() const noexcept;
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
@@ -45,7 +45,7 @@ public:
 private:
     [[nodiscard]] const float* brick(std::int32_t start) const noexcept { return samples_.data() + start; }
 
-    std::vector<std::int32_t> start_;  ///< of each brick among the samples, and of what is outside; −1: nothing stored
+    std::vector<std::int32_t> start_;  ///< first sample of each brick, and of the outside of the grid; −1: no samples
     BrickSamples<float> samples_;
     double largest_ = 0.0;
 };

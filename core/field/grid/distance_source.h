@@ -40,13 +40,13 @@ struct BrickLattice {
 /// Distances at a brick's 9³ samples [m]; x runs fastest, then y.
 using BrickDistances = std::span<double, stored_samples>;
 
-/// A signed distance that a field is built from: body frame [m] → [m], negative inside, 1-Lipschitz.   [main]
+/// A signed distance from which a field is built: body frame [m] → [m], negative inside, 1-Lipschitz.   [main]
 class DistanceSource {
 public:
     virtual ~DistanceSource() = default;
     /// Returns the distance at a point.
     [[nodiscard]] virtual double at(Vec3 p, DistanceRange needed) = 0;
-    /// Writes the distances at all samples of a brick: the same values as `at`, as far as they are needed.
+    /// Writes the distances at all samples of a brick: the same values as `at`, within the needed range.
     virtual void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) {
         std::size_t n = 0;
         for (const double z : lattice.z)

@@ -10,15 +10,15 @@
 
 #include "kerf/math.hpp"
 
-/// The isotropic grid a body's fields share, cut into bricks of 8³ samples.
+/// The isotropic grid of all fields of a body, divided into bricks of 8³ samples.
 namespace kerf {
 
 inline constexpr int brick_edge = 8;                                            ///< samples owned per axis
 inline constexpr int stored_edge = brick_edge + 1;                              ///< with the apron of one
 inline constexpr int stored_samples = stored_edge * stored_edge * stored_edge;  ///< 729
-/// Bricks that one field can store: places among samples are counted with 31 bits, and two bricks are the same for all.
+/// Maximum number of bricks that one field can store: indices of samples have 31 bits, and two are for uniform bricks.
 inline constexpr std::size_t most_stored_bricks = std::numeric_limits<std::int32_t>::max() / stored_samples - 2;
-/// Distances are kept within this many voxels of the surface.
+/// Distances are stored up to this many voxels from the surface.
 inline constexpr double clamp_voxels = 4.0;
 
 struct Grid {
@@ -35,7 +35,7 @@ struct Grid {
                    static_cast<std::size_t>(bricks[0]) +
                static_cast<std::size_t>(i);
     }
-    /// The brick of an index, along each axis.
+    /// Returns the coordinates of a brick along each axis.
     [[nodiscard]] std::array<int, 3> brick_place(std::size_t index) const noexcept {
         const auto nx = static_cast<std::size_t>(bricks[0]), ny = static_cast<std::size_t>(bricks[1]);
         return {static_cast<int>(index % nx), static_cast<int>(index / nx % ny), static_cast<int>(index / nx / ny)};
@@ -45,33 +45,34 @@ struct Grid {
         return origin + spacing * Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
     }
     [[nodiscard]] double clamp() const noexcept { return clamp_voxels * spacing; }
-    /// Size of one int16 step [m].
+    /// Returns the size of one int16 step [m].
     [[nodiscard]] double quantum() const noexcept { return clamp() / 32767.0; }
 
-    /// The smallest grid of whole bricks that covers the box.
+    /// Returns the smallest grid of whole bricks that covers the box.
     static Grid covering(Vec3 low, Vec3 high, double spacing);
 };
 
-/// Where a point lies in the brick lattice. `is_inside` is false outside the grid; then nothing else counts.
+/// A point in the grid: its brick, cell and fractions. `is_inside` is false outside the grid; then no other member is
+/// valid.
 struct BrickPlace {
     bool is_inside = false;
     std::size_t brick = 0;
-    int offset = 0;  ///< of the low corner within the brick's 9³ samples
+    int offset = 0;  ///< of the cell's low corner within the brick's 9³ samples
     float fx = 0, fy = 0, fz = 0;
 };
 
-/// Voxels as whole numbers with `fraction_bits` behind the point: as many as 31 bits leave, and no more than a float
-/// holds. A grid of 512 samples an axis tells apart 2e-7 voxels, a five-hundredth of what one step of a sample is
-/// worth.
+/// Returns the number of fraction bits of fixed-point coordinates in voxels: as many as fit into 31 bits, at most the
+/// 23 of a float. In a grid of 512 samples along an axis the resolution is 2e-7 voxels, a five-hundredth of a quantum.
 [[nodiscard]] inline int fraction_bits(const Grid& grid) noexcept {
     const int longest = std::max({grid.samples(0), grid.samples(1), grid.samples(2), 1});
     return std::min(23, 31 - static_cast<int>(std::bit_width(static_cast<unsigned>(longest - 1))));
 }
 
-/// From coordinates in voxels times 2^bits. Less than one of these units before the first sample counts as on it.
+/// Returns the cell of coordinates in voxels times 2^bits. A coordinate less than one unit below the first sample
+/// counts as on it.
 [[nodiscard]] inline BrickPlace locate_fixed(const Grid& grid, int bits, double gx, double gy, double gz) noexcept {
     const double one = static_cast<double>(std::int64_t{1} << bits);
-    // Written so that NaN is outside.
+    // NaN compares false: outside.
     const bool is_inside = gx > -1.0 && gy > -1.0 && gz > -1.0 && gx < grid.samples(0) * one &&
                            gy < grid.samples(1) * one && gz < grid.samples(2) * one;
     if (!is_inside) return {};
@@ -97,8 +98,8 @@ struct BrickPlace {
     return locate_fixed(grid, bits, gx, gy, gz);
 }
 
-/// Trilinear value of one brick's stored samples, as they are stored. In float: of whole numbers up to 32767 that
-/// leaves less than a hundredth of one.
+/// Returns the trilinear value of one brick's stored samples. In float: for integers up to 32767 the error is less than
+/// a hundredth.
 template <class Sample>
 [[nodiscard]] inline float trilinear(const Sample* brick, const BrickPlace& at) noexcept {
     constexpr int y = stored_edge, z = stored_edge * stored_edge;

@@ -11,7 +11,7 @@
 #include "core/field/grid/grid.h"
 #include "core/field/grid/point_block.h"
 
-/// A signed distance in a narrow band of bricks; immutable once built, so every thread may read it.
+/// A signed distance in a narrow band of bricks. Immutable once built, so every thread may read it.
 namespace kerf {
 
 class LevelSet {
@@ -21,18 +21,18 @@ public:
     static LevelSet build(const Grid& grid, DistanceSource& distance);
     static LevelSet build(const Grid& grid, const std::function<double(Vec3)>& distance);
 
-    /// Trilinear distance [m], within ± clamp; outside the grid `+clamp`.   [any] pure, nonblocking.
+    /// Returns the trilinear distance [m], within ± clamp; outside the grid `+clamp`.   [any] pure, nonblocking.
     [[nodiscard]] double at(const BrickPlace& place) const noexcept {
         const std::int32_t start = place.is_inside ? start_[place.brick] : air;
         if (start < first_stored) return start == air ? clamp_ : -clamp_;
         return quantum_ * static_cast<double>(trilinear(brick(start), place));
     }
-    /// The same [quanta].
+    /// Returns the trilinear distance [quanta].
     [[nodiscard]] float quanta_at(const BrickPlace& place) const noexcept {
         const std::int32_t start = place.is_inside ? start_[place.brick] : air;
         return start < first_stored ? static_cast<float>(*brick(start)) : trilinear(brick(start), place);
     }
-    /// The same for a block.   [any] pure, nonblocking.
+    /// Writes the trilinear distance of a block of cells [m] or [quanta].   [any] pure, nonblocking.
     void at(const PlaceBlock& places, BlockValues& distances) const noexcept {
         block_kernel().metres(shape(), places.count, places.places(), quantum_, clamp_, distances.data());
     }
@@ -40,7 +40,7 @@ public:
         block_kernel().values(shape(), places.count, places.places(), quanta.data());
     }
     [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored, solid}; }
-    /// The stored sample (i, j, k) [quanta]; outside the grid the largest.
+    /// Returns the stored sample (i, j, k) [quanta]; outside the grid the largest value.
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
 
     [[nodiscard]] bool is_all_air(std::size_t brick_index) const noexcept { return start_[brick_index] == air; }
@@ -48,14 +48,14 @@ public:
     [[nodiscard]] bool has_border(std::size_t brick_index) const noexcept {
         return start_[brick_index] >= first_stored;
     }
-    /// The 9³ samples of a brick [quanta], or nullptr where it is uniform.
+    /// Returns the 9³ samples of a brick [quanta], or nullptr where it is uniform.
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
         return has_border(brick_index) ? brick(start_[brick_index]) : nullptr;
     }
     [[nodiscard]] std::int16_t uniform_value(std::size_t brick_index) const noexcept {
         return start_[brick_index] == air ? std::int16_t{32767} : std::int16_t{-32767};
     }
-    /// Whether any of a brick's 9³ samples is negative, or is not.
+    /// Returns whether any of a brick's 9³ samples is negative (`has_inside`), or is not (`has_outside`).
     [[nodiscard]] bool has_inside(std::size_t brick_index) const noexcept {
         return (signs_[brick_index] & inside) != 0;
     }
@@ -63,25 +63,25 @@ public:
         return (signs_[brick_index] & outside) != 0;
     }
     [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
-    [[nodiscard]] bool is_empty() const noexcept { return grid_.brick_count() == 0; }  ///< never built: nothing to ask
+    [[nodiscard]] bool is_empty() const noexcept { return grid_.brick_count() == 0; }  ///< never built
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
         return start_.size() * sizeof(std::int32_t) + samples_.size() * sizeof(std::int16_t) + signs_.size();
     }
 
 private:
-    // Uniform bricks have samples too, one brick of each kind: who interpolates need not tell them apart.
+    // Uniform bricks use common samples, one brick of each kind: interpolation needs no special case.
     static constexpr std::int32_t air = 0, solid = stored_samples, first_stored = 2 * stored_samples;
     static constexpr std::uint8_t inside = 1, outside = 2;
     [[nodiscard]] const std::int16_t* brick(std::int32_t start) const noexcept { return samples_.data() + start; }
 
     Grid grid_;
     double clamp_ = 0.0, quantum_ = 0.0;
-    std::vector<std::int32_t> start_;  ///< of each brick among the samples; the last entry is outside the grid
+    std::vector<std::int32_t> start_;  ///< first sample of each brick; the last entry is for points outside the grid
     BrickSamples<std::int16_t> samples_;
-    std::vector<std::uint8_t> signs_;  ///< of each brick's samples
+    std::vector<std::uint8_t> signs_;  ///< of each brick's samples: `inside` and `outside` bits
 };
 
-/// Metres to the nearest quantum, clamped.
+/// Returns the nearest quantum of a distance [m], clamped.
 [[nodiscard]] inline std::int16_t quantised(double distance, double quantum) noexcept {
     const double q = distance * (1.0 / quantum);
     if (q >= 32767.0) return 32767;

@@ -10,16 +10,16 @@
 #include "core/field/grid/kernel/block_kernel.h"
 #include "core/field/grid/region.h"
 
-/// Points asked about together. Coordinate by coordinate, so that the same step is taken for many of them at once.
+/// Points that are queried together. One array per coordinate, so that each step is done for many points at once.
 ///
-/// Each stage does for every point what its scalar namesake does for one, operation by operation: the same bits.
+/// Each stage does for every point the operations of the scalar function with the same name: the same bits.
 namespace kerf {
 
 inline constexpr std::size_t block_capacity = 256;
 using BlockValues = std::array<double, block_capacity>;
 using FloatBlock = std::array<float, block_capacity>;
 
-/// At most `block_capacity` points. Frame: as the function that takes it says; any double, also NaN.
+/// At most `block_capacity` points. The function that takes them defines the frame; coordinates may be NaN.
 struct PointBlock {
     std::size_t count = 0;
     BlockValues x, y, z;
@@ -35,19 +35,20 @@ struct PointBlock {
     [[nodiscard]] Coordinates writable() noexcept { return {x.data(), y.data(), z.data()}; }
 };
 
-/// Unit directions of points that are asked about together: one for all of them, or one each.
+/// Unit directions of points that are queried together: one for all of them, or one each.
 class Directions {
 public:
     [[nodiscard]] static Directions one(const Vec3& direction) noexcept { return {&direction, true}; }
     [[nodiscard]] static Directions each(const Vec3* directions) noexcept { return {directions, false}; }
-    /// As a plugin gives them for `points` points: one each where there are as many, else the first of them for all.
+    /// Returns the directions of a plugin's query of `points` points: one each if their number is equal, else the first
+    /// for all.
     [[nodiscard]] static Directions given(const Vec3* directions, std::uint32_t count, std::uint32_t points) noexcept {
         static constexpr Vec3 along_the_shaft{0, 0, 1};
         return count == 0 ? one(along_the_shaft) : count == points ? each(directions) : one(*directions);
     }
     [[nodiscard]] bool is_one() const noexcept { return is_one_; }
     [[nodiscard]] Vec3 operator[](std::size_t i) const noexcept { return direction_[is_one_ ? 0 : i]; }
-    /// Of the points from `first` on.
+    /// Returns the directions of the points from `first` on.
     [[nodiscard]] Directions from(std::size_t first) const noexcept {
         return is_one_ ? *this : each(direction_ + first);
     }
@@ -58,38 +59,39 @@ private:
     bool is_one_;
 };
 
-/// Taken from frame b to frame a.   [any] pure, nonblocking.
+/// Transforms points from frame b to frame a.   [any] pure, nonblocking.
 void transform(const Pose& a_from_b, const PointBlock& points_in_b, PointBlock& points_in_a) noexcept;
-/// The same of `count` ≤ `block_capacity` points.
+/// Transforms `count` ≤ `block_capacity` points.
 void transform(const Frame& a_from_b, const Vec3* points_in_b, std::size_t count, PointBlock& points_in_a) noexcept;
 
-/// As `BrickPlace`, for a block. Behind the last point the last once more, up to a multiple of eight.
+/// As `BrickPlace`, for a block. The last point is repeated up to a multiple of eight.
 struct PlaceBlock {
     std::size_t count = 0;
-    alignas(32) std::array<std::int32_t, block_capacity> brick,
-        offset;  ///< outside the grid: Grid::brick_count(), and then nothing else counts
+    /// Outside the grid `brick` is Grid::brick_count(), and no other member is valid.
+    alignas(32) std::array<std::int32_t, block_capacity> brick, offset;
     alignas(32) FloatBlock fx, fy, fz;
 
     [[nodiscard]] ConstPlaces places() const noexcept {
         return {brick.data(), offset.data(), fx.data(), fy.data(), fz.data()};
     }
 };
-/// From points of a frame to places in a grid: made once for all points asked about.
+/// Transforms points of a frame to cells of a grid; made once for all points of a query.
 class GridFrame {
 public:
     GridFrame(const Grid& grid, const Region& region, const Frame& body_from_points) noexcept;
 
-    /// `count` ≤ `block_capacity`. Beyond the region, where it ends.   [any] pure, nonblocking.
+    /// Writes the cells of `count` ≤ `block_capacity` points; a point outside the region is moved to its nearest face.
+    /// [any] pure, nonblocking.
     void locate(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept {
         place(points, count, places, nullptr);
     }
-    /// The same, and the box the points lie in.
+    /// Writes the cells, and returns the bounding box of the points.
     [[nodiscard]] PointBox locate_box(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept {
         PointBox box;
         place(points, count, places, &box);
         return box;
     }
-    /// In voxels times 2^bits, not taken to the region.
+    /// Returns a point in voxels times 2^bits, not moved to the region.
     [[nodiscard]] Vec3 operator*(Vec3 point) const noexcept { return fixed_from_points_ * point; }
     [[nodiscard]] const Lattice& lattice() const noexcept { return lattice_; }
 
@@ -100,7 +102,7 @@ private:
     Lattice lattice_;
 };
 
-/// Values of a field and their gradients [quanta per voxel], as the interpolation between eight samples has them.
+/// Values of a field and their gradients [quanta per voxel], from trilinear interpolation.
 struct SlopeBlock {
     alignas(32) FloatBlock value, x, y, z;
 

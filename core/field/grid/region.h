@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-/// The box in which a body was looked at, body frame [m]. Beyond it bone goes on as at its nearest face, solid, and
-/// cannot be cut. Without bounds there is no beyond: the body lies wholly in its grid.
+/// The box that was imaged, body frame [m]. Outside, bone continues as on its nearest face; it is solid there and
+/// cannot be cut. Without bounds the body lies wholly in its grid.
 struct Region {
     static constexpr double nowhere = std::numeric_limits<double>::infinity();
     Vec3 low{-nowhere, -nowhere, -nowhere}, high{nowhere, nowhere, nowhere};
@@ -19,21 +19,21 @@ struct Region {
     [[nodiscard]] bool is_everywhere() const noexcept {
         return low == Vec3{-nowhere, -nowhere, -nowhere} && high == Vec3{nowhere, nowhere, nowhere};
     }
-    /// Strictly: on a face nothing is cut any more.
+    /// Returns whether a point is strictly inside: nothing is cut on a face.
     [[nodiscard]] bool contains(Vec3 p) const noexcept {
         return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z;
     }
-    /// Whether a box has a point in it.
+    /// Returns whether a box and the region have a point in common.
     [[nodiscard]] bool meets(Vec3 box_low, Vec3 box_high) const noexcept {
         return box_high.x >= low.x && box_high.y >= low.y && box_high.z >= low.z && box_low.x <= high.x &&
                box_low.y <= high.y && box_low.z <= high.z;
     }
-    /// The nearest point of the region. NaN stays.   [any] pure, nonblocking.
+    /// Returns the nearest point of the region. NaN stays NaN.   [any] pure, nonblocking.
     [[nodiscard]] Vec3 nearest(Vec3 p) const noexcept {
         return {std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y), std::clamp(p.z, low.z, high.z)};
     }
-    /// How far outside a point is [m]: 0 within, and for NaN, so that nothing is pushed by it.   [any] pure,
-    /// nonblocking.
+    /// Returns the distance of a point outside the region [m]; 0 inside, and for NaN, so that NaN causes no force.
+    /// [any] pure, nonblocking.
     [[nodiscard]] double distance_outside(Vec3 p) const noexcept {
         // In this order of arguments NaN counts as 0.
         const auto beyond = [](double a, double from, double to) { return std::max(std::max(0.0, from - a), a - to); };

@@ -15,22 +15,22 @@ namespace kerf {
 
 namespace {
 
-/// Present distance [m], positive in air; as far as it is known.
+/// Returns the present distance [m], positive in air, up to the clamp of the fields.
 double distance_to(const CutBone& piece, Vec3 p) {
     const BrickPlace place = locate(*piece.bone, p);
     if (!place.is_inside) return piece.bone->grid().clamp();
     return std::max(piece.bone->surface.at(place), piece.cut->at(place));
 }
 
-/// Distances to a piece at a grid's samples. Near its border they are the piece's own; farther off those are not known
-/// any more, or too small, as beside an edge that was cut, and from there on they grow.
+/// Distances to a piece at a grid's samples. Near the piece its stored distances are used. Farther away these are
+/// clamped, or too small, as near a cut edge: there the distances are extended.
 class FarDistances {
 public:
-    /// `near` [m] at a point of the grid's frame.
+    /// `near` returns the stored distance [m] at a point of the grid's frame.
     template <class Near>
     FarDistances(const Grid& grid, const Near& near) : grid_(grid) {
         for (std::size_t axis = 0; axis < 3; ++axis)
-            count_[axis] = grid.samples(axis) + 1;  // with the last bricks' aprons
+            count_[axis] = grid.samples(axis) + 1;  // with the aprons of the last bricks
         std::vector<std::uint8_t> is_fixed;
         for (int k = 0; k < count_[2]; ++k)
             for (int j = 0; j < count_[1]; ++j)
@@ -63,7 +63,7 @@ std::optional<Bridge> bridge_between(const CutBone& a, const CutBone& b, const P
     const auto to_a = [&](Vec3 p) { return distance_to(a, p); };
     const auto to_b = [&](Vec3 p) { return distance_to(b, b_from_a * p); };
 
-    // Where both are known at once
+    // Find the box in which both distances are below their clamps,
     Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
     for (int k = 0; k < grid.bricks[2] * brick_edge; ++k)
         for (int j = 0; j < grid.bricks[1] * brick_edge; ++j)
@@ -78,7 +78,7 @@ std::optional<Bridge> bridge_between(const CutBone& a, const CutBone& b, const P
             }
     if (!(low.x <= high.x)) return std::nullopt;
 
-    // and how near they come to each other there.
+    // and the smallest sum of both distances in it.
     const double margin = 6.0 * h;
     const Vec3 around{margin, margin, margin};
     const Grid own = Grid::covering(low - around, high + around, h);

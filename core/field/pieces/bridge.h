@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// A bone and what has been cut of it.
+/// A bone and its cut.
 struct CutBone {
     const Body* bone;
     const CutField* cut;
@@ -15,13 +15,13 @@ struct CutBone {
 
 struct Bridge {
     Body bone;
-    double span;  ///< [m] the least distance it spans
+    double span;  ///< [m] the smallest distance that it spans
 };
 
-/// What grows between two pieces that face each other: all that lies outside of both where their distances together are
-/// no more than 1.05 times the least there is, and half a voxel. In the frame of `a`, of its base material, with the
-/// list of its materials. Nothing where they are farther from each other than both fields know, twice four voxels.
-/// [main]
+/// Returns the bone that grows between two pieces that face each other. It fills the points outside of both pieces
+/// where the sum of the two distances is at most 1.05 times its minimum plus half a voxel. It is in the frame of `a`,
+/// consists of its base material, and has its list of materials. Returns nothing if the pieces are farther apart than
+/// their fields store, twice four voxels.   [main]
 [[nodiscard]] std::optional<Bridge> bridge_between(const CutBone& a, const CutBone& b, const Pose& b_from_a);
 
 }  // namespace kerf

@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-/// The representative of a set, with the way to it shortened. Sets are joined under their lowest node.
+/// Returns the representative of a set, and shortens the path to it. The representative is the lowest node.
 std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t node) noexcept {
     while (parent[node] != node) node = parent[node] = parent[parent[node]];
     return node;
@@ -29,7 +29,7 @@ void begin_apart(std::vector<std::uint32_t>& parent, std::size_t count) {
     for (std::size_t n = 0; n < count; ++n) parent[n] = static_cast<std::uint32_t>(n);
 }
 
-/// Joins what touches between a brick and the next one along an axis.
+/// Joins components that touch between a brick and the next one along an axis.
 void join_along(std::vector<std::uint32_t>& parent, std::size_t axis, std::span<const BrickBits> low,
                 std::uint32_t low_node, std::span<const BrickBits> high, std::uint32_t high_node) noexcept {
     for (std::size_t a = 0; a < low.size(); ++a)
@@ -56,7 +56,7 @@ PieceFinder::PieceFinder(const Body& body, const CutField& cut)
     for (std::size_t b = 0; b < grid_.brick_count(); ++b) label(b, solid_bits(body, cut, b));
     for (std::size_t b = 0; b < grid_.brick_count(); ++b)
         if (count_[b] != 0) look_at_sides(b);
-    look_at_everything();  // so that there is room for it
+    look_at_everything();  // allocates the memory for later searches
     size_.resize(parent_.size());
     whole_searches_ = 0;
 }
@@ -74,7 +74,7 @@ void PieceFinder::label(std::size_t brick, const BrickBits& bits) {
     if (is_full_[brick] == 0) {
         for (BrickBits left = bits; !left.is_empty(); ++found) {
             const BrickBits one = take_component(left);
-            if (found == 0 && left.is_empty()) continue;  // the usual case: all that there is
+            if (found == 0 && left.is_empty()) continue;  // the usual case: one component with all samples
             components.push_back(one);
         }
     }
@@ -103,7 +103,7 @@ void PieceFinder::look_at_sides(std::size_t brick) noexcept {
     }
 }
 
-/// Between a brick and the next one along an axis.
+/// Updates the contact between a brick and the next one along an axis.
 void PieceFinder::look_at_side(std::size_t axis, std::size_t low, std::size_t high) noexcept {
     const bool has_both = count_[low] != 0 && count_[high] != 0,
                is_asked = has_both && (count_[low] > 1 || count_[high] > 1);
@@ -118,8 +118,8 @@ void PieceFinder::look_at_side(std::size_t axis, std::size_t low, std::size_t hi
     put(sides_[high].is_asked, 2 * axis, is_asked);
 }
 
-/// Where a brick is in one piece as it was, and touches all that it touched, nothing can have come apart: a dirty brick
-/// like that is as good as unchanged. Only told where those around are in one piece, too.
+/// Returns whether a dirty brick cannot have split its piece: it is one component as before, and still touches all
+/// neighbours that it touched. Only decided if its neighbours are one component each, too.
 bool PieceFinder::holds(const Dirty& dirty) const noexcept {
     const Sides &was = dirty.sides, &is = sides_[dirty.brick];
     return dirty.components.empty() && count_[dirty.brick] == 1 && (was.is_asked | is.is_asked) == 0 &&
@@ -132,7 +132,7 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
         if (count_[b] == 0) continue;
         const std::int16_t* removed = cut.stored(b);
         if (removed == nullptr) continue;
-        // What is left of the samples that were there: a cut only takes.
+        // A cut only removes samples, so only samples that were bone can remain.
         BrickBits now = solid_bits(removed, removed);
         for (std::size_t z = 0; z < 8; ++z) now.slice[z] &= bits_[b].slice[z];
         if (now == bits_[b]) continue;
@@ -150,7 +150,7 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
     if (fallen_apart_.empty()) return {};
 
     look_at_everything();
-    std::map<std::uint32_t, std::vector<std::uint32_t>> parts_of;  // by one of the parts: roots of all of them
+    std::map<std::uint32_t, std::vector<std::uint32_t>> parts_of;  // by the first root: roots of all parts
     for (const auto& places : fallen_apart_) {
         std::vector<std::uint32_t> roots;
         for (const auto& [brick, component] : places) roots.push_back(parent_[node(brick, component)]);
@@ -160,7 +160,7 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
     }
     if (parts_of.empty()) return {};
 
-    // Two components of the box may have been one piece outside of it: what shares a part belongs together.
+    // Two components of the box may have been one piece outside of it: join the lists that have a part in common.
     std::vector<std::vector<std::uint32_t>> pieces;
     for (auto& [first, roots] : parts_of) {
         std::vector<std::uint32_t> all = roots;
@@ -186,7 +186,7 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
 }
 
 std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector<std::uint32_t>>& pieces) {
-    // How large each part is,
+    // Find the size of each part,
     size_.assign(parent_.size(), {0, 0, 0, none});
     for (std::size_t b = 0; b < bits_.size(); ++b) {
         if (count_[b] == 0) continue;
@@ -204,7 +204,7 @@ std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector
         }
     }
 
-    // and what belongs to those that are not the largest.
+    // and collect the parts that are not the largest.
     std::vector<LoosePart> loose;
     for (const auto& piece : pieces) {
         const std::uint32_t stays =
@@ -230,7 +230,7 @@ std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector
         for (std::size_t c = 0; c < all.size(); ++c) {
             const std::uint32_t part = part_of(c);
             if (part == none) continue;
-            // Two components of a brick that hang together outside of it are added once.
+            // Components of a brick that are connected outside of it are added once.
             BrickBits together = all[c];
             bool is_first = true;
             for (std::size_t other = 0; other < all.size(); ++other) {
@@ -244,7 +244,8 @@ std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector
     return loose;
 }
 
-/// Takes out of `left` a brick, and others while the boxes around them meet: cuts far apart are looked at apart.
+/// Removes from `left` a brick, and others while the boxes around them meet; returns them. Distant cuts are processed
+/// separately.
 std::vector<PieceFinder::Dirty> PieceFinder::take_neighbours(std::vector<Dirty>& left) {
     std::vector<Dirty> near;
     near.push_back(std::move(left.back()));
@@ -273,7 +274,7 @@ std::vector<PieceFinder::Dirty> PieceFinder::take_neighbours(std::vector<Dirty>&
     return near;
 }
 
-/// Finds components of the box around dirty bricks that were one before and are several now.
+/// Finds components of the box around dirty bricks that were connected before and are several components now.
 void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
     Box box{grid_.brick_place(dirty.front().brick), grid_.brick_place(dirty.front().brick)};
     for (const Dirty& d : dirty) {
@@ -295,7 +296,7 @@ void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
                                  box.first[2] + static_cast<int>(n / extent(0) / extent(1)));
     };
 
-    // What a dirty brick was; the others are as they were. `part_of` says which.
+    // `part_of` is the index of a brick in `dirty`; bricks that are not dirty are unchanged.
     box_.part_of.assign(bricks, none);
     for (std::size_t d = 0; d < dirty.size(); ++d) {
         const auto at = grid_.brick_place(dirty[d].brick);
@@ -323,8 +324,8 @@ void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
     joined(before, box_.first_before, box_.before);
     joined(after, box_.first_after, box_.after);
 
-    // Each component of now lies in one of before. Two that lie in the same have been parted.
-    const auto for_each_component = [&](const auto& what) {  // what(brick, component, its piece before, its piece now)
+    // Each present component lies in one former component. Two in the same former component have been separated.
+    const auto for_each_component = [&](const auto& what) {  // what(brick, component, former root, present root)
         for (std::size_t n = 0; n < bricks; ++n) {
             const auto was = before(n), is = after(n);
             for (std::size_t c = 0; c < is.size(); ++c) {
@@ -369,7 +370,7 @@ void PieceFinder::look_at_everything() {
     }
     begin_apart(parent_, nodes);
     join_everything();
-    // A node's parent is never after it: one pass makes every parent a root.
+    // The parent of a node never comes after it: one pass makes every parent a root.
     for (std::uint32_t& parent : parent_) parent = parent_[parent];
 }
 
@@ -377,7 +378,7 @@ void PieceFinder::join_everything() {
     constexpr unsigned next_along[3] = {1u << 1, 1u << 3, 1u << 5},
                        next = next_along[0] | next_along[1] | next_along[2];
     std::array<std::pair<std::uint32_t, std::uint32_t>, 3>
-        joined;  // the last two along each axis: rows meet in many bricks
+        joined;  // the last pair joined along each axis: two rows meet in many bricks
     joined.fill({none, none});
     for (std::size_t b = 0; b < bits_.size(); ++b) {
         const unsigned touches = sides_[b].touches, is_asked = sides_[b].is_asked;
@@ -401,7 +402,7 @@ void PieceFinder::take_away(const SampleSet& bone) {
             look_at_sides(brick);
             return;
         }
-        // All of it, and all that it touched.
+        // The brick has one component: remove it, and all its contacts.
         count_[brick] = samples_[brick] = 0;
         is_full_[brick] = 0;
         sides_[brick] = {};

@@ -129,7 +129,7 @@ Separation PresentBone::part(std::uint16_t body, const CutRecord& record, std::v
     separation.tick = record.tick;
     separation.parent = body;
 
-    // All the bone there was when it came apart.
+    // All bone at the moment of the separation.
     SampleSet stays = parent.finder->bone();
     SampleSet all = stays;
     for (const LoosePart& part : loose) all.add(part.bone);
@@ -167,7 +167,7 @@ Separation PresentBone::part(std::uint16_t body, const CutRecord& record, std::v
     }
     parent.cut = CutField(whole, *separation.parts.front().mask, 0);
     parent.removed.go_on_with(parent.cut);
-    for (std::size_t b = 0; b < g.brick_count(); ++b)  // its surface has changed wherever the others were
+    for (std::size_t b = 0; b < g.brick_count(); ++b)  // its surface has changed where the separated parts were
         if (separation.parts.front().mask->gone_in(b) != PieceMask::Share::nothing) parent.changed.add(b);
     return separation;
 }

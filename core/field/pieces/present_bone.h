@@ -12,33 +12,33 @@
 #include "core/field/cut/removed_volume.h"
 #include "core/field/pieces/piece_finder.h"
 
-/// The bone as it is now: every record stamped at once, in pieces where it has come apart.
+/// The present bone: every record is stamped at once, and separated parts are pieces.
 namespace kerf {
 
 inline constexpr std::size_t most_bodies = 16;
 
-/// A record parted a body.
+/// The separation of a body by a record.
 struct Separation {
     std::uint64_t sequence = 0, tick = 0;  ///< of the record, in the parent's count
     std::uint16_t parent = 0;
     struct Part {
-        std::uint16_t body;  ///< the parent first, then what came off it: ids in the order of their first sample
+        std::uint16_t body;  ///< the parent first, then the separated parts: ids in the order of their first sample
         double volume;       ///< [m³]
         std::shared_ptr<const PieceMask> mask;
     };
     std::vector<Part> parts;
-    std::size_t crumbs = 0;     ///< pieces too small to keep: their bone is gone in every body
+    std::size_t crumbs = 0;     ///< pieces too small to keep: removed from every body
     double crumb_volume = 0.0;  ///< [m³]
 };
 
-/// Bricks, each once.
+/// A list of bricks without duplicates.
 class BrickList {
 public:
     explicit BrickList(std::size_t brick_count) : is_listed_(brick_count, 0) {}
     void add(std::size_t brick) {
         if (std::exchange(is_listed_[brick], std::uint8_t{1}) == 0) bricks_.push_back(brick);
     }
-    /// Ascending; empties the list.
+    /// Returns the bricks in ascending order, and empties the list.
     [[nodiscard]] std::vector<std::size_t> take();
 
 private:
@@ -46,7 +46,7 @@ private:
     std::vector<std::size_t> bricks_;
 };
 
-/// A piece as it was at one time.
+/// A snapshot of a piece.
 struct PieceImage {
     const Body* bone;
     CutField cut;
@@ -56,71 +56,71 @@ struct PieceImage {
     CutHistory history;
 };
 
-/// All bone as it was at one time. Images share the pieces that did not change between them.
+/// A snapshot of all bone. Snapshots use common copies of pieces that did not change between them.
 struct BoneImage {
     std::vector<std::shared_ptr<const PieceImage>> pieces;
     std::size_t crumbs = 0, refused = 0;
     double crumb_volume = 0.0, added = 0.0;
 };
 
-/// One body of several that share their bone's fields.
+/// One of several bodies that use the same fields of bone.
 struct PresentPiece {
     PresentPiece(const Body& whole, CutField field);
 
     const Body* bone;
     CutField cut;                             ///< without lag
-    RemovedVolume removed;                    ///< cut from it since it is a body of its own, but for the bricks
-    BrickList uncounted;                      ///< in here
-    std::optional<PieceFinder> finder;        ///< if pieces are looked for
+    RemovedVolume removed;                    ///< cut from it since it became a body, except in
+    BrickList uncounted;                      ///< these changed bricks
+    std::optional<PieceFinder> finder;        ///< only if pieces are searched for
     BrickList changed;                        ///< since `take_changed`
-    std::optional<std::uint16_t> still_in;    ///< until it is adopted, records that cut it name this body
-    std::uint16_t came_off = 0;               ///< the body that it was part of before
-    CutHistory history;                       ///< the records that changed it, and what it was part of
-    std::shared_ptr<const PieceImage> image;  ///< as it is, once somebody asked
+    std::optional<std::uint16_t> still_in;    ///< until adoption, records of its cuts name this body
+    std::uint16_t came_off = 0;               ///< the body from which it separated
+    CutHistory history;                       ///< the records that changed it and its former bodies
+    std::shared_ptr<const PieceImage> image;  ///< its present state, once a snapshot was taken
 };
 
 class PresentBone {
 public:
-    /// All of `body` is body 0; `reserve` bricks are ready.   [main]
+    /// Makes body 0 from all of `body`; `reserve` bricks are allocated.   [main]
     PresentBone(const Body& body, std::size_t reserve);
 
-    /// From now on bone that comes apart becomes bodies of its own, if it is larger than `crumb` [m³].   [main]
+    /// Starts the search for pieces: bone that separates becomes a body, if it is larger than `crumb` [m³].   [main]
     void look_for_pieces(double crumb);
 
-    /// Stamps a record into its body, and into what came off that body and has not been adopted. What that parts gets
-    /// bodies; what happened is said.   [worker]
+    /// Stamps a record into its body, and into separated parts of that body that have not been adopted. Makes bodies of
+    /// parts that it separates, and returns the separations.   [worker]
     std::vector<Separation> apply(const CutRecord& record, const ToolSolid& solid);
-    /// From now on records name the parts of a separation themselves.   [worker]
+    /// Marks a separation as adopted: later records name its parts themselves.   [worker]
     void adopted(const Separation& separation);
 
-    /// Another body beside those that there are, which must outlive this; its id.   [worker] Pre: fewer than
-    /// `most_bodies`.
+    /// Adds another body, which must outlive this object. Returns its id. Pre: fewer than `most_bodies`.   [worker]
     std::uint16_t add(const Body& body);
 
-    /// As it is now, to be brought back.   [worker]
+    /// Returns a snapshot for `restore`.   [worker]
     [[nodiscard]] BoneImage image();
-    /// Brings back all of what was, to the bit; bodies that there were not then are gone.   [worker]
+    /// Restores a snapshot bit for bit; bodies that are newer than it are removed.   [worker]
     void restore(const BoneImage& image);
 
     [[nodiscard]] std::size_t count() const noexcept { return pieces_.size(); }
     [[nodiscard]] const PresentPiece& piece(std::size_t body) const noexcept { return *pieces_[body]; }
     [[nodiscard]] PresentPiece& piece(std::size_t body) noexcept { return *pieces_[body]; }
     [[nodiscard]] const CutField& cut(std::size_t body = 0) const noexcept { return pieces_[body]->cut; }
-    /// Bricks of a body that changed since the last call, ascending.   [worker]
+    /// Returns the bricks of a body that changed since the last call, ascending.   [worker]
     [[nodiscard]] std::vector<std::size_t> take_changed(std::size_t body) { return pieces_[body]->changed.take(); }
 
-    /// Makes room for the cuts of a tick.   [main, worker]
+    /// Allocates memory for the cuts of a tick.   [main, worker]
     void reserve(std::size_t bricks);
 
-    /// [m³] cut from all bodies; of a material. Counts what has changed since it was asked last.   [worker]
+    /// Returns the volume cut from all bodies [m³]; in total or of one material. Counts the changes since the last
+    /// call. [worker]
     [[nodiscard]] double removed();
     [[nodiscard]] double removed_of_material(std::size_t m);
     [[nodiscard]] double crumb_volume() const noexcept { return crumb_volume_; }
     [[nodiscard]] std::size_t crumbs() const noexcept { return crumbs_; }
-    [[nodiscard]] double added() const noexcept { return added_; }  ///< [m³] of bodies that came later
-    /// Pieces that were left with their parent because there are sixteen bodies.
+    [[nodiscard]] double added() const noexcept { return added_; }  ///< [m³] of bodies added later
+    /// Returns the number of pieces that stayed with their parent because there are sixteen bodies already.
     [[nodiscard]] std::size_t refused() const noexcept { return refused_; }
-    /// Over all bodies, in the order of their ids.
+    /// Returns the hash over all bodies, in the order of their ids.
     [[nodiscard]] std::uint64_t hash() const noexcept;
 
 private:

@@ -6,8 +6,8 @@
 
 namespace kerf {
 
-/// The surface of what is left of a body, cut off flat at its region: closed, welded, anticlockwise from outside, with
-/// the material at each vertex (body frame [m]). Every `stride`-th sample is used.   [worker]
+/// Returns the surface of the remaining bone, cut off flat at its region: closed, welded, anticlockwise from outside,
+/// with the material at each vertex (body frame [m]). Uses every `stride`-th sample.   [worker]
 [[nodiscard]] Mesh bone_surface(const Body& body, const CutField& cut, int stride = 1);
 
 }  // namespace kerf

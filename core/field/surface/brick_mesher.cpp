@@ -19,7 +19,7 @@ constexpr std::array<int, 3> sample_of(int place) noexcept {
     return {(place & 15) - 1, (place >> 4 & 15) - 1, (place >> 8 & 15) - 1};
 }
 
-/// Which bits of a byte are set, one after the other.
+/// The numbers of the set bits of a byte, in ascending order.
 struct SetBits {
     std::uint16_t count = 0;
     std::array<std::uint16_t, 8> at{};
@@ -32,9 +32,9 @@ constexpr std::array<SetBits, 256> set_bits = [] {
     return all;
 }();
 
-/// Writes `first` + n for each bit n of a byte that is set, and rubbish behind them, eight in all. Where the next goes.
+/// Writes `first` + n for each set bit n of a byte, padded with arbitrary values to eight. Returns the end of the list.
 inline std::uint16_t* list(std::uint16_t* to, unsigned byte, int first) noexcept {
-    std::array<std::uint16_t, 8> places = set_bits[byte & 255].at;  // a copy, which nothing else can be in
+    std::array<std::uint16_t, 8> places = set_bits[byte & 255].at;  // a copy, so that the compiler can exclude aliasing
     for (std::uint16_t& place : places) place = static_cast<std::uint16_t>(place + first);
     std::memcpy(to, places.data(), sizeof places);
     return to + set_bits[byte & 255].count;
@@ -132,7 +132,7 @@ PatchView BrickMesher::mesh(const CutField& cut, std::size_t brick) noexcept {
         cut_off_at_region(at);
     }
 
-    // What lies outside the grid is outside: so no row says anything else.
+    // Samples outside the grid count as outside: clear their bits.
     const auto& bricks = body_->grid().bricks;
     const std::array<int, 3> first{at[0] == 0 ? -1 : 0, at[1] == 0 ? -1 : 0, at[2] == 0 ? -1 : 0};
     const std::array<int, 3> end{at[0] + 1 == bricks[0] ? 8 : 9, at[1] + 1 == bricks[1] ? 8 : 9,
@@ -268,7 +268,7 @@ void BrickMesher::list_edges_and_cells(const std::array<int, 3>& first) noexcept
 }
 
 void BrickMesher::make_triangles() noexcept {
-    // The triangles of a case, by how far the numbers of their vertices lie from that of the cell's place.
+    // The triangles of a case, by the index distance of their vertices from the number of the cell's slot.
     struct Case {
         std::uint32_t count = 0;
         std::array<std::uint16_t, 3 * max_triangles> offset{};
@@ -297,7 +297,7 @@ void BrickMesher::make_triangles() noexcept {
         const auto write = [&](std::size_t n) {
             to[n] = {number[what.offset[3 * n]], number[what.offset[3 * n + 1]], number[what.offset[3 * n + 2]]};
         };
-        for (std::size_t n = 0; n < 4; ++n) write(n);  // rubbish behind the last costs less than to ask
+        for (std::size_t n = 0; n < 4; ++n) write(n);  // writing unused triangles is faster than a test
         if (what.count > 4) write(4);
         to += what.count;
     }
@@ -322,7 +322,7 @@ void BrickMesher::close_at_border(const std::array<int, 3>& at) noexcept {
         std::array<int, 3> high = low;
         ++high[axis];
         const bool is_closing = !is_in_grid(low) || !is_in_grid(high);
-        // Central where both neighbours are in the grid, one-sided else; a face that closes looks straight out.
+        // Central differences where both neighbours are in the grid, else one-sided. A closing face has its own normal.
         const auto slope = [&](const std::array<int, 3>& s) {
             SampleSlope about{};
             for (std::size_t n = 0; n < 3 && !is_closing; ++n) {
@@ -341,7 +341,7 @@ void BrickMesher::close_at_border(const std::array<int, 3>& at) noexcept {
 }
 
 void BrickMesher::label(std::size_t brick) noexcept {
-    // Where no border of a material passes, the brick is all of one: the first whose inside it is.
+    // Without a border of a material the brick has one material: the first that contains it.
     const std::size_t last = body_->materials.size() - 1;
     std::size_t only = 0;
     bool is_one = true;
@@ -358,7 +358,7 @@ void BrickMesher::label(std::size_t brick) noexcept {
     PlaceBlock at;
     std::array<FloatBlock, KERF_MAX_TISSUES> weight;
     for (std::size_t begin = 0; begin < vertex_count_; begin += block_capacity) {
-        // A step inwards, so that the shell's own border does not decide.
+        // Half a voxel inwards, so that the border of the shell does not decide.
         const std::size_t count = std::min(block_capacity, vertex_count_ - begin);
         for (std::size_t n = 0; n < count; ++n) {
             const SurfaceVertex& v = vertices_[begin + n];

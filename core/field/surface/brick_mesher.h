@@ -10,22 +10,22 @@
 #include "core/field/cut/cut_field.h"
 #include "core/field/grid/body.h"
 
-/// The surface of what is left of a body, brick by brick.
+/// Makes the surface of the remaining bone of a body, brick by brick.
 namespace kerf {
 
-/// The surface in the cells of one brick, as it lies in somebody's memory. A brick's cells lie between its samples 0 …
-/// 8; in the first bricks of the grid from −1 on, so that the surface is closed there.
+/// A view of the surface in the cells of one brick. A brick's cells lie between its samples 0 … 8; in the first bricks
+/// of the grid from −1 on, so that the surface is closed there.
 ///
-/// Vertices come in three runs, those on edges along x first, each in the order of z, y, x: so vertices that two bricks
-/// share have the same order in both, and the same bits.
+/// Vertices are in three runs, by the axis of their edge, x first; each run is in the order of z, y, x. So the common
+/// vertices of two bricks have the same order and the same bits in both.
 struct PatchView {
     std::span<const SurfaceVertex> vertices;
-    std::span<const std::uint8_t> tissue;  ///< per vertex: the material a step inwards
-    std::span<const std::uint16_t> edges;  ///< per vertex: the place of the edge's lower sample | axis << 12
+    std::span<const std::uint8_t> tissue;  ///< per vertex: the material half a voxel inwards
+    std::span<const std::uint16_t> edges;  ///< per vertex: index of the edge's lower sample | axis << 12
     std::span<const std::array<std::uint16_t, 3>> triangles;  ///< anticlockwise seen from outside
 };
 
-/// The same, kept. Never changed once made: any thread may read it.
+/// A stored copy of a patch. Immutable: any thread may read it.
 class BrickPatch {
 public:
     explicit BrickPatch(const PatchView& patch);
@@ -34,8 +34,8 @@ public:
     [[nodiscard]] const std::vector<SurfaceVertex>& vertices() const noexcept { return vertices_; }
     [[nodiscard]] const std::vector<std::uint8_t>& tissue() const noexcept { return tissue_; }
     [[nodiscard]] const std::vector<std::array<std::uint16_t, 3>>& triangles() const noexcept { return triangles_; }
-    /// Whether a vertex's edge ends on this side of the brick, −x, +x, −y, +y, −z, +z: then its normal depends on what
-    /// lies beyond.
+    /// Returns whether the edge of a vertex ends on this side of the brick: −x, +x, −y, +y, −z, +z. Then its normal
+    /// depends on the neighbour.
     [[nodiscard]] bool depends_on(int side) const noexcept { return (sides_ >> side & 1) != 0; }
     [[nodiscard]] bool is_same_as(const PatchView& other) const noexcept;
 
@@ -47,21 +47,21 @@ private:
     unsigned sides_ = 0;
 };
 
-/// Marching cubes of max(surface, cut), cut off flat at the body's region, with the table and the rule of `isosurface`:
-/// zero counts as outside, and what lies outside the grid as a quarter of the clamp, one voxel. Single precision: a
-/// vertex is off by what its coordinate's last bit is worth, 30 nm at 0.3 m.
+/// Marching cubes of max(surface, cut), cut off flat at the body's region, with the table and the rules of
+/// `isosurface`: zero counts as outside, and samples outside the grid have the value of a quarter of the clamp, one
+/// voxel. Single precision: the error of a vertex is the last bit of its coordinates, 30 nm at 0.3 m.
 ///
-/// Not for two threads at once: it owns what it works in.
+/// Not thread-safe: it has its own work memory.
 class BrickMesher {
 public:
-    /// The body must outlive it.   [main, worker]
+    /// Makes a mesher. The body must outlive it.   [main, worker]
     explicit BrickMesher(const Body& body);
 
-    /// False where no cell of the brick can have a surface, by what is kept of it.   [worker]
+    /// Returns false if no cell of the brick can have a surface, according to its stored ranges.   [worker]
     [[nodiscard]] bool may_cross(const CutField& cut, std::size_t brick) const noexcept;
-    /// Says that `mesh` will be asked about this brick soon, so that its samples are near by then.   [worker]
+    /// Prefetches the samples of a brick that `mesh` will need soon.   [worker]
     void expect(const CutField& cut, std::size_t brick) const noexcept;
-    /// The patch of a brick; empty where nothing crosses. It lasts until the next call.   [worker]
+    /// Returns the patch of a brick; empty if it has no surface. Valid until the next call.   [worker]
     PatchView mesh(const CutField& cut, std::size_t brick) noexcept;
 
 private:
@@ -83,7 +83,7 @@ private:
     const Body* body_;
     GridFrame to_places_;
     SampleFrame frame_{};
-    /// How far samples −1 … beyond the last along each axis lie beyond the region [quanta]; empty without one.
+    /// Distance beyond the region [quanta] of samples −1 … one past the last along each axis; empty without a region.
     std::array<std::vector<std::int16_t>, 3> beyond_;
 
     alignas(64) std::array<std::int16_t, margin + 11 * place_layer + margin> samples_{};
@@ -92,7 +92,7 @@ private:
     std::array<std::size_t, 3> count_along_{};
     std::array<std::uint16_t, most_cells + slack> cells_{};
     std::size_t cell_count_ = 0, vertex_count_ = 0, triangle_count_ = 0;
-    std::array<std::uint16_t, 3 * places> number_{};  ///< of the vertex on the edge from a place along an axis
+    std::array<std::uint16_t, 3 * places> number_{};  ///< index of the vertex on the edge from a slot along an axis
     std::array<SurfaceVertex, most_vertices + slack> vertices_{};
     std::array<std::uint16_t, most_vertices + slack> edges_{};
     std::array<std::uint8_t, most_vertices + slack> tissue_{};

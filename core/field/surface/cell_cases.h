@@ -5,23 +5,24 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The triangles in a cell of a grid, by which of its corners are inside: the one table of marching cubes.
+/// The triangles in a cell of a grid, by the corners that are inside: the table of marching cubes.
 ///
-/// Where a face of a cell is ambiguous, inside corners are kept apart: what touches only across a diagonal stays two
-/// pieces, as 6-connectivity of the samples has it.
+/// Where a face of a cell is ambiguous, inside corners are kept apart: parts that touch only across a diagonal are two
+/// pieces, as with 6-connectivity of the samples.
 ///
 /// Source: [lorensen-1987]; the table is generated, not copied.
 namespace kerf {
 
-// A cell's corner c stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Its edge e runs along axis e / 4 from corner
-// `edge_start[e]`; bit c of a case says that corner c is inside.
+// Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2 & 1). Its edge e runs along axis e / 4 from corner
+// `edge_start[e]`; bit c of a case is 1 if corner c is inside.
 inline constexpr int cell_corners = 8, cell_edges = 12, cell_case_count = 256;
-inline constexpr int max_triangles = 5;  // found while generating; the compiler stops if it were more
+inline constexpr int max_triangles = 5;  // found while generating; the compiler stops if there are more
 inline constexpr std::array<int, cell_edges> edge_start{0, 2, 4, 6, 0, 1, 4, 5, 0, 1, 2, 3};
 
 struct CellCase {
     int count = 0;
-    std::array<std::array<std::uint8_t, 3>, max_triangles> triangles{};  ///< by the cell's edges their corners lie on
+    std::array<std::array<std::uint8_t, 3>, max_triangles>
+        triangles{};  ///< by the cell's edges on which their corners lie
 };
 
 namespace detail {
@@ -53,9 +54,9 @@ constexpr bool lie_on_one_face(int edge_a, int edge_b) {
     return false;
 }
 
-// The outline of a case on the cell's faces: next[e] is where it goes from edge e, −1 where it does not pass.
-// On each face one segment cuts off each run of inside corners, so two of them facing each other stay apart. It runs
-// with the inside on its right, seen from outside the cell; the neighbour, who sees the face from behind, runs back.
+// The outline of a case on the cell's faces: next[e] is the edge after edge e, −1 if the outline does not cross e.
+// On each face one segment cuts off each run of inside corners, so opposite corners stay apart. It runs with the inside
+// on its right, seen from outside the cell. In the neighbouring cell it runs in the opposite direction.
 constexpr std::array<int, cell_edges> outline(int inside) {
     std::array<int, cell_edges> next{};
     next.fill(-1);
@@ -75,8 +76,8 @@ constexpr std::array<int, cell_edges> outline(int inside) {
     return next;
 }
 
-// Fans each closed loop of the outline from the first corner none of whose diagonals lies on a face of the cell: there
-// the neighbour could draw the same diagonal, and an edge would belong to four triangles. There always is one.
+// Fans each closed loop of the outline from the first corner with no diagonal on a face of the cell: on a face the
+// neighbour could have the same diagonal, and an edge would belong to four triangles. Such a corner always exists.
 constexpr CellCase triangulated(int inside) {
     CellCase result;
     std::array<int, cell_edges> next = outline(inside);
@@ -118,7 +119,7 @@ consteval std::array<CellCase, cell_case_count> all_cases() {
 
 }  // namespace detail
 
-/// By case; triangles run anticlockwise seen from outside.
+/// Triangles by case, anticlockwise seen from outside.
 inline constexpr std::array<CellCase, cell_case_count> cell_cases = detail::all_cases();
 
 }  // namespace kerf

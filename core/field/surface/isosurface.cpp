@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 
-/// One pass through the cells, layer by layer in z. Cell (i, j, k) lies between samples (i, j, k) and (i+1, j+1, k+1);
-/// the outermost ones, from −1 on, reach out of the grid and close the surface.
+/// One pass through the cells, layer by layer in z. Cell (i, j, k) lies between samples (i, j, k) and (i+1, j+1, k+1).
+/// The outermost cells, from −1 on, reach out of the grid and close the surface.
 class Walk {
 public:
     explicit Walk(const SampleGrid& grid)
@@ -43,8 +43,8 @@ private:
         int i, j, k;
     };
 
-    // Samples of four slices, k−1 … k+2, as the normals need them; each asked for when first needed. `unknown` can be
-    // no sample: value() turns every NaN into +1.
+    // Samples of four slices, k−1 … k+2, which the normals need; each is evaluated at its first use. No sample can be
+    // `unknown`: value() turns every NaN into +1.
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
     std::size_t index(int i, int j) const {
@@ -61,7 +61,7 @@ private:
         if (std::isnan(known)) {
             known = grid_.value(s.i, s.j, s.k);
             if (std::isnan(known)) known = 1.0F;
-            known = std::clamp(known, -1e30F, 1e30F);  // an infinite sample would have no zero beside it
+            known = std::clamp(known, -1e30F, 1e30F);  // an infinite sample would have no zero next to it
         }
         return known;
     }
@@ -69,9 +69,9 @@ private:
     bool is_inside(Sample s) { return value(s) < 0.0; }
 
     void begin_layer(int k) {
-        // The slice that comes into reach takes the place of the one that went out of it.
+        // The slice that comes into reach replaces the slice that is no longer needed.
         samples_[static_cast<std::size_t>(k + 2) % 4].assign(layer_, unknown);
-        // What was the upper side of the last layer is the lower side of this one.
+        // The upper side of the last layer is the lower side of this one.
         for (std::size_t axis = 0; axis < 2; ++axis) {
             std::swap(vertex_on_edge_[axis], vertex_on_edge_[axis + 2]);
             vertex_on_edge_[axis + 2].assign(layer_, no_vertex);
@@ -92,7 +92,7 @@ private:
         }
     }
 
-    /// The vertex on an edge of `cell`, made when first met: neighbours that share the edge share the vertex.
+    /// Returns the vertex on an edge of `cell`, made at its first use: neighbours use the same vertex on a common edge.
     std::uint32_t vertex(Sample cell, int edge) {
         const int corner = edge_start[static_cast<std::size_t>(edge)], axis = edge / 4;
         const Sample low{cell.i + (corner & 1), cell.j + (corner >> 1 & 1), cell.k + (corner >> 2 & 1)};
@@ -124,7 +124,7 @@ private:
         mesh_.normals.push_back(is_finite(normal) && dot(normal, normal) > 0.5 ? normal : outwards);
     }
 
-    /// Change of the field per voxel at a sample in the grid: central, one-sided at the grid's border.
+    /// Returns the change of the field per voxel at a sample in the grid: central, one-sided at the grid's border.
     Vec3 difference(Sample s) {
         const auto along = [&](Sample before, Sample after) {
             const bool has_before = is_in_grid(before), has_after = is_in_grid(after);
@@ -137,9 +137,9 @@ private:
     }
 
     const SampleGrid& grid_;
-    std::size_t row_, layer_;  ///< samples, with one beyond each border
+    std::size_t row_, layer_;  ///< samples, including one beyond each border
     std::array<std::vector<float>, 4> samples_;
-    /// Along x and y on the lower side of the layer, the same on its upper side, and along z.
+    /// Edges along x and y on the lower side of the layer, along x and y on its upper side, and along z.
     std::array<std::vector<std::uint32_t>, 5> vertex_on_edge_;
     Mesh mesh_;
 };

@@ -9,26 +9,26 @@
 
 namespace kerf {
 
-/// A function known at the samples of a grid. Negative inside bone; zero, like NaN, counts as outside.
+/// A function at the samples of a grid. Negative inside bone; zero and NaN count as outside.
 struct SampleGrid {
     std::array<int, 3> size{};  ///< samples along x, y, z
     double spacing = 0.0;       ///< [m]
     Vec3 origin{};              ///< [m] of sample (0, 0, 0)
-    /// At sample (i, j, k), inside the grid only. Asked about each sample once.
+    /// Returns the value at sample (i, j, k) of the grid. Called once for each sample.
     std::function<float(int, int, int)> value;
 };
 
-/// The surface where `grid` is zero, as one welded mesh without holes.
+/// Returns the surface where `grid` is zero, as one welded mesh without holes.
 ///
-/// Marching cubes. Where a face of a cell is ambiguous, inside corners are kept apart: what touches only across a
-/// diagonal stays two pieces, as 6-connectivity of the samples has it. Each edge of the mesh belongs to two triangles
-/// that run along it in opposite directions, always. What lies outside the grid counts as +1, so a solid that reaches
-/// the grid's border is closed there. Vertices stand where the field, linear along the grid's edge, is zero; where a
-/// sample is exactly zero, several stand on one spot and triangles may have no area. Numbering follows from the field
-/// alone. Normals come from central differences of the field; on the closing faces they are the face's own. Leaves
-/// `Mesh::tissue` empty: that is the caller's.   [worker] pure if `value` is.
+/// Marching cubes. Where a face of a cell is ambiguous, inside corners are kept apart: parts that touch only across a
+/// diagonal are two pieces, as with 6-connectivity of the samples. Each edge of the mesh belongs to two triangles that
+/// run along it in opposite directions, always. Samples outside the grid count as +1, so a solid that reaches the
+/// grid's border is closed there. Vertices lie where the field, linear along the grid's edge, is zero. Where a sample
+/// is exactly zero, several vertices coincide and triangles may have no area. The numbering depends on the field alone.
+/// Normals are central differences of the field; on closing faces they are the normals of the faces. Leaves
+/// `Mesh::tissue` empty for the caller to fill.   [worker] pure if `value` is.
 ///
-/// The plain way, for any function; bone is meshed faster by `BrickMesher`. Source: [lorensen-1987].
+/// A simple implementation for any function; `BrickMesher` meshes bone faster. Source: [lorensen-1987].
 [[nodiscard]] Mesh isosurface(const SampleGrid& grid);
 
 }  // namespace kerf

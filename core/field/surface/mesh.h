@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// A closed surface of triangles, as shown, measured and exported.
+/// A closed surface of triangles, for display, measurement and export.
 struct Mesh {
     std::vector<Vec3> vertices;                           ///< [m] LPS
     std::vector<Vec3> normals;                            ///< unit, outward; one per vertex

@@ -11,19 +11,19 @@
 
 namespace kerf {
 
-/// The patches of a body at one moment, by brick. Never changed once made: any thread may keep and read it.
+/// The patches of a body at one moment, by brick. Immutable: any thread may keep and read it.
 ///
-/// Bricks lie in pages, and a table shares with the one it was made from all pages in which nothing changed, so that a
-/// new one costs what changed and not what there is.
+/// Bricks are grouped into pages. A new table reuses all unchanged pages of its predecessor. So its cost depends on the
+/// number of changes, not on the size of the surface.
 class PatchTable {
 public:
-    /// Without any surface.   [main, worker]
+    /// Makes a table without patches.   [main, worker]
     explicit PatchTable(std::size_t brick_count);
 
-    /// The next one: this with what was `published` since, bricks ascending.   [worker]
+    /// Returns this table with the patches `published` since, bricks ascending.   [worker]
     [[nodiscard]] PatchTable with(std::span<const SurfacePatches::Published> published) const;
 
-    /// Null where there is no surface.   [any] nonblocking
+    /// Returns the patch of a brick; null if it has no surface.   [any] nonblocking
     [[nodiscard]] const std::shared_ptr<const BrickPatch>& operator[](std::size_t brick) const noexcept {
         return (*pages_[brick / page_bricks])[brick % page_bricks];
     }

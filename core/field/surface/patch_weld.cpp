@@ -7,7 +7,7 @@ namespace kerf {
 
 namespace {
 
-/// On which of a brick's faces a place lies: bits 0 … 2 on the lower ones, 3 … 5 on the upper ones.
+/// The faces of a brick on which a slot lies: bits 0 … 2 for the lower ones, 3 … 5 for the upper ones.
 constexpr std::array<std::uint8_t, 10 * place_layer> faces_of_place = [] {
     std::array<std::uint8_t, 10 * place_layer> faces{};
     for (std::size_t place = 0; place < faces.size(); ++place)
@@ -39,7 +39,7 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
     const std::array<bool, 3> has_lower{brick % row != 0, brick % layer >= row, brick >= layer};
     const std::array<std::size_t, 3> below{1, row, layer};
 
-    // Vertices on a lower face have numbers already, in the order in which they come here too.
+    // Vertices on a lower face are numbered already, in the order in which they appear here too.
     static constexpr std::uint32_t none = 0;
     std::array<const std::uint32_t*, 3> known;
     unsigned lower_faces = 0;
@@ -49,7 +49,7 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
         lower_faces |= unsigned{has_lower[axis]} << axis;
     }
 
-    // Those on no face are new; of the others, those on no lower face.
+    // New vertices: those on no face, and those on faces but on no lower face.
     const std::size_t count = patch.vertices.size();
     number_.resize(count);
     fresh_.resize(count + 1);
@@ -88,7 +88,7 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
         }
     }
 
-    // Put together here, where it is near, and then taken over in one go.
+    // Assembled in small buffers that stay in cache, and then appended in one step.
     vertices_.resize(fresh);
     normals_.resize(fresh);
     tissue_.resize(fresh);
@@ -113,7 +113,7 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
         first_shared_[brick][axis] = static_cast<std::uint32_t>(shared_.size());
         shared_.insert(shared_.end(), upper_[axis].data(), upper[axis]);
     }
-    shared_.push_back(none);  // so that who reads one too many reads something
+    shared_.push_back(none);  // so that reading one past the end is valid
 }
 
 }  // namespace kerf

@@ -11,32 +11,32 @@
 
 namespace kerf {
 
-/// The surface of one body, kept brick by brick, so that only what changed is made anew.
+/// The surface of one body, stored brick by brick, so that only changed bricks are meshed again.
 ///
-/// Patches are shared and never changed: who holds one may read it on any thread, while this goes on. This itself
-/// belongs to one thread at a time and starts none.
+/// Patches are immutable and reference-counted: any thread may read a patch while this object changes. The object
+/// itself belongs to one thread at a time and starts none.
 class SurfacePatches {
 public:
     struct Published {
         std::size_t brick;
-        std::shared_ptr<const BrickPatch> patch;  ///< null: no surface there any more
+        std::shared_ptr<const BrickPatch> patch;  ///< null: no surface any more
     };
 
-    /// Of nothing yet. The body must outlive it.   [main, worker]
+    /// Makes an empty surface. The body must outlive it.   [main, worker]
     explicit SurfacePatches(const Body& body);
 
-    /// Makes the surface anew where values changed: `changed`, as CutField::take_changed() names bricks, and those of
-    /// their neighbours whose normals depend on them. Returns the patches that differ from those before, bricks
-    /// ascending; all patches are then, bit for bit, what `update_all` would make.   [worker]
+    /// Meshes the bricks `changed` (as in CutField::take_changed()) and the neighbours whose normals depend on them.
+    /// Returns the patches that differ from the former ones, bricks ascending. Afterwards all patches equal, bit for
+    /// bit, the result of `update_all`.   [worker]
     std::vector<Published> update(const CutField& cut, std::span<const std::size_t> changed);
-    /// The same with all bricks.
+    /// Meshes all bricks. Returns the patches that differ from the former ones.
     std::vector<Published> update_all(const CutField& cut);
 
-    /// Of a brick; null where there is no surface.
+    /// Returns the patch of a brick; null if it has no surface.
     [[nodiscard]] const std::shared_ptr<const BrickPatch>& patch(std::size_t brick) const noexcept {
         return patches_[brick];
     }
-    /// All of it as one closed mesh (body frame [m]).   [worker]
+    /// Returns the whole surface as one closed mesh (body frame [m]).   [worker]
     [[nodiscard]] Mesh welded() const;
 
 private:

@@ -10,7 +10,7 @@ extern const BlockKernel avx2_kernel_table;
 #endif
 
 namespace {
-// Looked up at the first use and not before main: then it is there for whoever is made before main.
+// Chosen at the first use, not before main: so objects that are constructed before main can use it.
 std::atomic<const BlockKernel*> in_use{nullptr};
 }  // namespace
 

@@ -6,21 +6,21 @@
 
 #include "kerf/abi.h"
 
-/// The arithmetic of block queries as a table of plain functions: written once for any machine, once for AVX2.
+/// The arithmetic of block queries as a table of functions, with one version for any machine and one for AVX2.
 ///
-/// Both do the same operations on every point in the same order, so both give the same bits; which one a machine runs
-/// changes how long it takes and nothing else. Here are only plain types and pointers: an inline function shared with a
-/// file that is compiled for AVX2 could end up in a program for a machine without it. Pointers that belong together go
-/// by reference: a copy of them, made with wider loads than they were stored with, would wait for those stores.
+/// Both versions do the same operations on every point in the same order, so both give the same bits; they differ only
+/// in speed. This header has plain types and pointers alone: an inline function that is also compiled for AVX2 could
+/// end up in a program for a machine without it. Groups of pointers are passed by reference: a copy would be loaded
+/// with wider instructions than its stores, and would wait for those stores.
 namespace kerf {
 
-/// A change of coordinates as nine factors and an offset; `frame.h` applies it to one point.
+/// A coordinate transform of nine factors and an offset; `frame.h` applies it to one point.
 struct Frame {
     kerf_vec3 x, y, z;  ///< b's axes in a
     kerf_vec3 origin;   ///< of b in a
 };
 
-/// The same in single precision.
+/// A coordinate transform in single precision.
 struct SingleFrame {
     float axis[3][3], origin[3];
 };
@@ -29,8 +29,9 @@ struct PointBox {
     double low[3], high[3];
 };
 
-/// Where a kernel reads or writes, coordinate by coordinate. All arrays a kernel is given have `block_capacity` places,
-/// and it may write rubbish behind the last point; not so what plugins are told, which ends there.
+/// Coordinates that a kernel reads or writes, one array each. Each array passed to a kernel has `block_capacity`
+/// elements, and the kernel may write arbitrary values after the last point. Arrays that plugins read are exact: they
+/// end with the last point.
 struct ConstCoordinates {
     const double *x, *y, *z;
 };
@@ -38,16 +39,16 @@ struct Coordinates {
     double *x, *y, *z;
 };
 
-/// What of a grid `place` needs. Coordinates: voxels times 2^bits, as `locate_fixed` has them.
+/// The part of a grid that `place` needs. Coordinates: voxels times 2^bits, as in `locate_fixed`.
 struct Lattice {
-    double low[3], high[3];  ///< points beyond are taken to the nearest between, if `is_bounded`
+    double low[3], high[3];  ///< points outside are moved to the nearest point inside, if `is_bounded`
     std::uint32_t end[3];    ///< samples per axis times 2^bits
     int bits;
     bool is_bounded;
-    std::int32_t row, layer;   ///< bricks along x, in a plane
-    std::int32_t brick_count;  ///< also the number of the brick outside the grid
+    std::int32_t row, layer;   ///< bricks along x, and in a layer of x and y
+    std::int32_t brick_count;  ///< also the index of the brick outside the grid
 };
-/// Outside the grid nothing but `brick` counts.
+/// Cells of points, one array per member. Outside the grid only `brick` is valid.
 struct Places {
     std::int32_t *brick, *offset;
     float *x, *y, *z;  ///< [–] 0 … 1 from the low corner
@@ -57,14 +58,14 @@ struct ConstPlaces {
     const float *x, *y, *z;
 };
 
-/// A field of distances as a kernel reads it: where each brick's 9³ samples begin, one entry more for what lies outside
-/// the grid. Bricks that begin before `first_stored` hold one value everywhere: they begin at 0, or where those samples
-/// end. Behind the last sample 16 bytes more may be read.
+/// A field of distances as a kernel reads it: the first of each brick's 9³ samples, with one more entry for the outside
+/// of the grid. Bricks that begin before `first_stored` are uniform: they begin at 0 or at 729, after the first uniform
+/// brick. 16 bytes may be read after the last sample.
 struct FieldShape {
     const std::int32_t* start;
     const std::int16_t* samples;
     std::int32_t first_stored;
-    std::int32_t lowest;  ///< where the brick begins that is deep in bone, or uncut, everywhere
+    std::int32_t lowest;  ///< first sample of the uniform brick that is deep in bone, or uncut
 };
 struct Slopes {
     float *value, *x, *y, *z;  ///< [quanta], and per voxel
@@ -72,13 +73,13 @@ struct Slopes {
 struct ConstSlopes {
     const float *value, *x, *y, *z;
 };
-/// What makes an answer of a slope.
+/// Constants that convert a slope to an answer.
 struct Surface {
     double quantum, clamp;  ///< [m]
     float in_tool[3][3];    ///< the grid's axes in the tool frame
 };
 
-/// What edges are told, each figure for all of them. Of tissues from `tissues` on: no share, no density.
+/// Samples for edges, one array per value. Tissues from number `tissues` on have weight and density 0.
 struct SampleColumns {
     const float* engagement;        ///< [–] 0 … 1
     const double* gap;              ///< [m]
@@ -87,7 +88,7 @@ struct SampleColumns {
     std::int32_t body;
 };
 
-/// A slab across the axis in which a solid is not: half of its thickness, and its middle [m].
+/// A gap of a solid across its axis: half of its thickness, and its middle [m].
 struct OutlineGap {
     double half, middle;
 };
@@ -96,11 +97,11 @@ struct SingleGap {
 };
 inline constexpr std::size_t max_gaps = KERF_MAX_GAPS;
 
-/// From one outline point to the next, in the half plane (r, z): r = √(x² + y²) of a solid of revolution, |x| of a
-/// prism.
+/// A segment from one outline point to the next, in the half plane (r, z): r = √(x² + y²) for a solid of revolution,
+/// |x| for a prism.
 struct OutlineSegment {
     double along_r, along_z, inverse_length2;
-    double slope;                       ///< [–] how the radius grows backwards
+    double slope;                       ///< [–] growth of the radius backwards
     double normal_r, normal_z, offset;  ///< of its line: normal_r r + normal_z z = offset; unit, outwards
 };
 /// An outline from the tip backwards, `count` points and `count − 1` segments.
@@ -116,9 +117,9 @@ struct OutlineShape {
     std::size_t gaps;
 };
 
-/// The same in single precision, for samples and for many solids at once.
+/// A segment of an outline in single precision, for samples and for many solids at once.
 struct OutlineFace {
-    float radius, z;  ///< where it begins
+    float radius, z;  ///< start point of the segment
     float along_r, along_z, inverse_length2, slope;
     float normal_r, normal_z, offset;
 };
@@ -137,23 +138,24 @@ struct SingleOutline {
 ///
 ///     ((origin + (first[0] + x) along[0]) + (first[1] + y) along[1]) + (first[2] + z) along[2]
 ///
-/// counted from one sample of the grid for all bricks, so that what two of them share lies at one place.
+/// For all bricks, `first` counts from one sample of the grid, so that a sample of two bricks has the same position in
+/// both.
 struct SampleCell {
     float origin[3], along[3][3], first[3];
-    bool has_edges;  ///< whether any of them may be outside and nearer to an edge of the outline than to a face
+    bool has_edges;  ///< true if any of them may be outside and nearer to an edge of the outline than to a face
 };
 
-/// What `deepest` finds.
+/// Results of `deepest`.
 struct Walls {
     float* depth;         ///< [m]
-    std::int32_t* which;  ///< of the solids
-    float *x, *y, *z;     ///< the way in, in the frame of the points; where the depth is not negative
+    std::int32_t* which;  ///< index of the solid
+    float *x, *y, *z;     ///< inward direction, in the frame of the points; valid where the depth is not negative
 };
 
-/// Samples −1 … 9 of a brick along each axis, as the surface of its cells needs them: at a *place* each, which is
+/// Samples −1 … 9 of a brick along each axis, which the surface of its cells needs. The *slot* of sample (x, y, z) is
 /// (x + 1) | (y + 1) << 4 | (z + 1) << 8.
 inline constexpr int place_row = 16, place_layer = 256;
-/// Where the 9³ samples begin of a brick and of its neighbours at −x, +x, −y, +y, −z, +z; of a uniform brick too.
+/// The first of the 9³ samples of a brick and of its neighbours at −x, +x, −y, +y, −z, +z; also for a uniform brick.
 struct BrickAround {
     const std::int16_t *own, *beside[6];
 };
@@ -162,80 +164,80 @@ struct SurfaceVertex {
     float position[3];  ///< [m] body frame
     float normal[3];    ///< unit, outwards
 };
-/// Where the samples of a brick lie: origin + spacing (first + (x, y, z)).
+/// Positions of a brick's samples: origin + spacing (first + (x, y, z)).
 struct SampleFrame {
     float origin[3], spacing;  ///< [m]
-    std::int32_t first[3];     ///< of its own samples, counted from the grid's
+    std::int32_t first[3];     ///< of the brick's first own sample, in samples of the grid
 };
 
 struct BlockKernel {
     const char* name;
 
-    /// As pose · point.
+    /// As pose · point, for a block.
     void (*transform)(const kerf_pose& a_from_b, std::size_t count, const ConstCoordinates& in_b,
                       const Coordinates& in_a) noexcept;
-    /// As frame · point.
+    /// As frame · point, for a block.
     void (*move)(const Frame& a_from_b, std::size_t count, const kerf_vec3* in_b, const Coordinates& in_a) noexcept;
-    /// As `locate_fixed` of frame · point. Tells, where it is asked for, the box the points lie in, as they were given;
-    /// that of a NaN is anything.
+    /// As `locate_fixed` of frame · point. If `box` is not null, writes the bounding box of the points in their own
+    /// frame; the box is arbitrary if a coordinate is NaN.
     void (*place)(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
                   const Places& places, PointBox* box) noexcept;
     /// As `trilinear` [quanta].
     void (*values)(const FieldShape& field, std::size_t count, const ConstPlaces& places, float* values) noexcept;
-    /// The same in metres, those of uniform bricks ± `clamp` exactly.
+    /// As `trilinear` [m]; values of uniform bricks are exactly ± `clamp`.
     void (*metres)(const FieldShape& field, std::size_t count, const ConstPlaces& places, double quantum, double clamp,
                    double* values) noexcept;
     /// As `trilinear` of floats; `elsewhere` in bricks that begin at −1.
     void (*densities)(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places,
                       float elsewhere, float* values) noexcept;
-    /// The larger of two fields, with its gradient. Returns the least of them.
+    /// Writes the larger of two fields, with its gradient. Returns the least of the values.
     float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstPlaces& places,
                     const Slopes& larger) noexcept;
-    /// What a contact is told: distance, and where a surface is in reach its normal.
+    /// Writes the surface point of a contact query: the distance, and the normal where a surface is in reach.
     void (*answer)(const Surface& surface, std::size_t count, const ConstSlopes& slopes,
                    kerf_surface_point* answers) noexcept;
-    /// Row by row what columns hold.
+    /// Writes the columns as rows.
     void (*rows)(const SampleColumns& columns, std::size_t count, kerf_bone_sample* samples) noexcept;
     /// As minus `ToolSolid::distance` [m], points in the tool frame.
     void (*depths)(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool,
                    double* depths) noexcept;
-    /// A plane each that a convex solid does not cross: near a point nothing is deeper than
-    /// depth + gradient · (from the point) [m], [–].
+    /// Writes for each point a plane that a convex solid does not cross. Nearby, no point is deeper than
+    /// depth + gradient · (offset from the point) [m], [–].
     void (*tangents)(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* depths,
                      const Coordinates& gradients) noexcept;
-    /// The deepest of the same solid at several places, in single precision: where a point is deeper in one of them
-    /// than `walls.depth` has it, in which, and which way is in.
+    /// Finds the deepest of several poses of one solid, in single precision. Where a point is deeper in one of them
+    /// than `walls.depth`, it writes depth, index and inward direction.
     void (*deepest)(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids,
                     std::size_t count, const kerf_vec3* points, const Walls& walls) noexcept;
-    /// As `sample = max(sample, depth)` [quanta], rounded, where a sample is at most `band` [m] outside; `samples`: the
-    /// cell's first. Tells whether any was raised, and if so in which range they are then. `spare` [quanta], if it is
-    /// asked for: were the solid deeper by less everywhere, still none would be raised that was not; kernels need not
-    /// agree in it.
+    /// As `sample = max(sample, depth)` [quanta], rounded, where a sample is at most `band` [m] outside; `samples`
+    /// points to the cell's first. Returns whether any sample was raised, and if so writes the range of the cell's
+    /// samples. If `spare` is not null, it gets a depth [quanta]: if the solid were deeper everywhere by less, no other
+    /// sample would be raised. Kernels may differ in `spare`.
     bool (*raise)(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum,
                   std::int16_t* samples, std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept;
-    /// Which of the 27 samples of each of a cell's layers are within low … high: bit by bit.
+    /// Writes one bit for each of the 27 samples of each of a cell's layers: 1 if it is within low … high.
     void (*find)(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept;
-    /// The larger of two fields at samples 0 … 8 of a brick along y and z, −1 … 9 along x, to `samples[place]`. Bit x +
-    /// 1 of `inside[place >> 4]` says which of samples 0 … 8 of a row are negative.
+    /// Writes the larger of two fields at samples 0 … 8 of a brick along y and z, −1 … 9 along x, to `samples[slot]`.
+    /// Bit x + 1 of `inside[slot >> 4]` is 1 if sample x of the row, 0 … 8, is negative.
     void (*larger_rows)(const BrickAround& a, const BrickAround& b, std::int16_t* samples,
                         std::uint16_t* inside) noexcept;
-    /// The same at samples −1 and 9 along y and z, 0 … 8 along the other axes.
+    /// Writes the larger of two fields at samples −1 and 9 along y and z, 0 … 8 along the other axes.
     void (*larger_beside)(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept;
-    /// Where a field, linear along the grid's edge from each place along `axis`, is zero, and which way it rises there,
-    /// by central differences at both ends. Reads up to seven places behind the last and writes as many vertices, and
-    /// eight bytes more. Pre: one end negative, the other not.
+    /// Writes a vertex for each slot: the zero of the field on the grid's edge from that sample along `axis`, by linear
+    /// interpolation. The normal is the gradient there, from central differences at both ends. Reads up to seven slots
+    /// after the last, writes as many vertices, and eight bytes more. Pre: one end negative, the other not.
     void (*crossings)(const std::int16_t* samples, const std::uint16_t* places, std::size_t count, int axis,
                       const SampleFrame& frame, SurfaceVertex* vertices) noexcept;
 };
 
-/// For any machine.
+/// Returns the kernel for any machine.
 [[nodiscard]] const BlockKernel& portable_kernel() noexcept;
-/// Null where the machine or the compiler has no AVX2.
+/// Returns the AVX2 kernel; null if the machine or the compiler has no AVX2.
 [[nodiscard]] const BlockKernel* avx2_kernel() noexcept;
 
-/// What queries and stamps use: the fastest for this machine.   [any] nonblocking.
+/// Returns the kernel that queries and stamps use: the fastest for this machine.   [any] nonblocking.
 [[nodiscard]] const BlockKernel& block_kernel() noexcept;
-/// The same with another kernel from now on, in the whole process: for tests and benchmarks that compare two.   [main]
+/// Sets the kernel of the whole process, for tests and benchmarks that compare two kernels.   [main]
 void use_block_kernel(const BlockKernel& kernel) noexcept;
 
 }  // namespace kerf

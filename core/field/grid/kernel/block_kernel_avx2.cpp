@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four points at a time, in single precision eight, each with the operations of the portable kernel in its order.
-// Compiled with -mavx2 and entered only where the processor has it; without fused multiply-add, which would round
+// Four points at a time, eight in single precision, each with the operations of the portable kernel in the same order.
+// Compiled with -mavx2 and called only where the processor has AVX2. Without fused multiply-add, which would round
 // differently.
 #include <immintrin.h>
 
@@ -23,7 +23,7 @@ constexpr std::size_t lanes = 4;
 constexpr int brick_bits = 3, stored = 9;  // of core/field/grid/grid.h: 8 samples a brick and axis, 9 with the apron
 
 inline Four all(double v) noexcept { return _mm256_set1_pd(v); }
-/// a < b ? a : b, as the instruction has it for NaN too.
+/// a < b ? a : b, also for NaN, as the instruction defines it.
 inline Four least(Four a, Four b) noexcept { return _mm256_min_pd(a, b); }
 /// a > b ? a : b.
 inline Four most(Four a, Four b) noexcept { return _mm256_max_pd(a, b); }
@@ -54,7 +54,7 @@ void transform(const kerf_pose& a_from_b, std::size_t count, const ConstCoordina
     }
 }
 
-/// x, y and z of four points that follow one another.
+/// Loads x, y and z of four consecutive points.
 inline Four3 load_points(const double* p) noexcept {
     const auto two = [p](int low, int high) {
         return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p + low)), _mm_loadu_pd(p + high), 1);
@@ -63,7 +63,7 @@ inline Four3 load_points(const double* p) noexcept {
     return {_mm256_shuffle_pd(a, b, 0b1010), _mm256_shuffle_pd(a, c, 0b0101), _mm256_shuffle_pd(b, c, 0b1010)};
 }
 
-/// A frame's factors, each for four points.
+/// The factors of a frame, each for four points.
 struct FourFrame {
     Four3 x, y, z, origin;
 
@@ -74,7 +74,7 @@ struct FourFrame {
     }
 };
 
-/// A question's points, `step` at a time; where the last do not fill a step, with the last of them repeated.
+/// The points of a query, `step` at a time; the last step is filled up with copies of the last point.
 template <std::size_t step>
 class Steps {
 public:
@@ -127,7 +127,7 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
     const FourFrame frame(fixed_from_points);
     const Four3 low{all(grid.low[0]), all(grid.low[1]), all(grid.low[2])},
         high{all(grid.high[0]), all(grid.high[1]), all(grid.high[2])};
-    // A number that is NaN, too large or negative ends beyond the last one that is inside, taken as unsigned.
+    // As unsigned numbers, NaN, negative and too large coordinates all exceed the last one inside.
     const auto last = [&](int axis) { return all_ints(static_cast<std::int32_t>(grid.end[axis] - 1)); };
     const EightInts last_x = last(0), last_y = last(1), last_z = last(2);
     const EightInts behind = all_ints((1 << grid.bits) - 1), row = all_ints(grid.row), layer = all_ints(grid.layer),
@@ -150,7 +150,7 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
         Four3 g;
         if constexpr (is_turned)
             g = frame * p;
-        else  // the products with zero left out change nothing
+        else  // the products with zero change nothing
             g = {frame.x.x * p.x + frame.origin.x, frame.y.y * p.y + frame.origin.y, frame.z.z * p.z + frame.origin.z};
         if constexpr (is_bounded)
             g = {least(high.x, most(low.x, g.x)), least(high.y, most(low.y, g.y)), least(high.z, most(low.z, g.z))};
@@ -175,7 +175,7 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
         const EightInts oi = _mm256_and_si256(_mm256_srl_epi32(x, bits), within),
                         oj = _mm256_and_si256(_mm256_srl_epi32(y, bits), within),
                         ok = _mm256_and_si256(_mm256_srl_epi32(z, bits), within);
-        // (k · 9 + j) · 9 + i, the products and their sum in one step
+        // (k · 9 + j) · 9 + i: products and sum in one instruction
         const EightInts kj = _mm256_or_si256(ok, _mm256_slli_epi32(oj, 16));
         _mm256_storeu_si256(reinterpret_cast<EightInts*>(places.offset + n),
                             _mm256_add_epi32(_mm256_madd_epi16(kj, rows), oi));
@@ -202,7 +202,7 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
     const Frame& f = fixed_from_points;
     const bool is_turned = f.x.y != 0.0 || f.x.z != 0.0 || f.y.x != 0.0 || f.y.z != 0.0 || f.z.x != 0.0 || f.z.y != 0.0;
     const auto place_there = [&]<bool wants_box>() {
-        // Taken to the region, an infinite coordinate would not be one any more: there the products with zero count.
+        // Clamping to the region makes an infinite coordinate finite: then the products with zero matter.
         const auto there = grid.is_bounded ? place_in<true, true, wants_box>
                            : is_turned     ? place_in<false, true, wants_box>
                                            : place_in<false, false, wants_box>;
@@ -214,15 +214,15 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
         place_there.template operator()<false>();
 }
 
-/// Where the bricks of eight points begin among the samples. `are_uniform` and `are_all` ask the first by itself before
-/// all of them: most often it says no.
+/// The first samples of the bricks of eight points. `are_uniform` and `are_all` test the first brick alone before all
+/// of them: usually it fails already.
 struct Starts {
     std::int32_t of[wide];
 
     [[gnu::always_inline]] Starts(const std::int32_t* start, const ConstPlaces& places, std::size_t i) noexcept {
         for (std::size_t n = 0; n < wide; ++n) of[n] = start[places.brick[i + n]];
     }
-    /// Whether all of them begin before `first_stored`: at 0, or where one brick's samples end.
+    /// Returns whether all of them begin before `first_stored`: all bricks are uniform.
     [[nodiscard, gnu::always_inline]] bool are_uniform(std::int32_t first_stored) const noexcept {
         return of[0] < first_stored && any() < first_stored;
     }
@@ -233,7 +233,7 @@ struct Starts {
     [[nodiscard]] bool are_all_missing() const noexcept { return common() < 0; }
 
 private:
-    /// Each bit that one of them has, that all of them have.
+    /// Returns the bitwise or of all first samples, or their bitwise and.
     [[nodiscard, gnu::always_inline]] std::int32_t any() const noexcept {
         std::int32_t bits = 0;
         for (const std::int32_t each : of) bits |= each;
@@ -246,7 +246,7 @@ private:
     }
 };
 
-/// The low corners of eight cells. What is at their corners is loaded cell by cell: eight by a gather take longer.
+/// The low corners of eight cells. Samples at corners are loaded cell by cell: gathers of eight take longer.
 template <class Sample>
 class Cells {
 public:
@@ -261,7 +261,7 @@ private:
     const Sample* corner_[wide];
 };
 
-/// Two neighbours along x, for each of eight points: the lower one, and by how much the other is more.
+/// Two neighbours along x, for each of eight points: the lower one, and the difference to the upper one.
 struct Pairs {
     Eight low, rise;
 };
@@ -269,14 +269,14 @@ struct Pairs {
 struct Rows {
     Pairs first, second;
 };
-/// Of two samples a place. What they differ by is exact in whole numbers and in floats alike.
+/// Converts two samples per lane. Their difference is exact both as integer and as float.
 inline Pairs pairs_of(EightInts both) noexcept {
     const EightInts lower = all_ints(1), difference = all_ints(0x1ffff);  // (1, 0) and (−1, 1)
     return {_mm256_cvtepi32_ps(_mm256_madd_epi16(both, lower)),
             _mm256_cvtepi32_ps(_mm256_madd_epi16(both, difference))};
 }
-/// A load of sixteen samples has both rows: one in its low half, from the first sample on, the other, nine farther, in
-/// its high half from the second on.
+/// Loads both rows of each cell with one load of sixteen samples: one row begins at the first sample of the low half,
+/// the other, nine samples later, at the second of the high half.
 [[gnu::always_inline]] inline Rows load_rows(const Cells<std::int16_t>& cells, int offset) noexcept {
     const EightInts to_pairs = _mm256_setr_epi8(0, 1, 4, 5, 2, 3, 6, 7, -1, -1, -1, -1, -1, -1, -1, -1,  //
                                                 4, 5, 8, 9, 6, 7, 10, 11, -1, -1, -1, -1, -1, -1, -1, -1);
@@ -316,8 +316,8 @@ template <class Sample>
                 lerp(along_x(above.first), along_x(above.second), f.y), f.z);
 }
 
-/// The first sample of each brick; most often of one and the same. On its own, so that nothing of it is done before it
-/// is known which way to go.
+/// Returns the first sample of each brick, which usually is the same brick for all. Not inlined, so that none of its
+/// work is scheduled before the branch is known.
 [[gnu::noinline]] Eight uniform_values(const FieldShape& field, const ConstPlaces& places, std::size_t i) noexcept {
     const Starts starts(field.start, places, i);
     const auto first = [&](std::size_t n) { return static_cast<float>(field.samples[starts.of[n]]); };
@@ -333,11 +333,11 @@ template <class Sample>
 }
 
 void values(const FieldShape& shape, std::size_t count, const ConstPlaces& places, float* values) noexcept {
-    const FieldShape field = shape;  // a copy: what is stored through `values` cannot change it
+    const FieldShape field = shape;  // a copy: stores through `values` cannot change it
     for (std::size_t i = 0; i < count; i += wide) _mm256_storeu_ps(values + i, values_of(field, places, i));
 }
 
-/// [quanta] to [m], the ends of the range exactly.
+/// Converts [quanta] to [m]; exact at both ends of the range.
 struct Metres {
     Four low, high;
 
@@ -360,7 +360,7 @@ private:
 void metres(const FieldShape& shape, std::size_t count, const ConstPlaces& places, double quantum, double clamp,
             double* values) noexcept {
     const FieldShape field = shape;
-    // Values first, then what makes metres of them: in one pass it took a little longer.
+    // First all values, then their conversion to metres: one pass took slightly longer.
     constexpr std::size_t stretch = 64;
     alignas(32) float quanta[stretch];
     for (std::size_t first = 0; first < count; first += stretch) {
@@ -420,7 +420,7 @@ float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::siz
         const EightFractions f(places, i);
         const bool is_deep = Starts(bone.start, places, i).are_all(bone.lowest);
         EightSlopes found = slopes_of(cut, places, i, f);
-        if (is_deep) {  // as below, of what is nowhere larger and level everywhere
+        if (is_deep) {  // the result of the code below where the cut is never larger and is level
             const Eight is_cut = less(eight(-32767.0f), found.value);
             found = {found.value, _mm256_and_ps(found.x, is_cut), _mm256_and_ps(found.y, is_cut),
                      _mm256_and_ps(found.z, is_cut)};
@@ -442,7 +442,7 @@ float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::siz
     return least_of_all;
 }
 
-/// Four columns of four as rows.
+/// Transposes four columns of four into rows.
 struct FourRows {
     Four row[lanes];
 
@@ -456,12 +456,12 @@ struct FourRows {
     }
 };
 
-/// Four answers from their distances, normals and bodies, each coordinate for all four.
+/// Stores four answers from their distances, normals and bodies; each coordinate has all four answers.
 inline void put_answers(Four distance, __m128 x, __m128 y, __m128 z, Four is_near, kerf_surface_point* to) noexcept {
     static_assert(sizeof(kerf_surface_point) == 5 * sizeof(double) &&
                   offsetof(kerf_surface_point, body) == 4 * sizeof(double));
     const FourRows told(distance, _mm256_cvtps_pd(x), _mm256_cvtps_pd(y), _mm256_cvtps_pd(z));
-    // A body of −1 and behind it a zero
+    // Body −1, followed by a zero.
     const __m256i body = _mm256_andnot_si256(_mm256_castpd_si256(is_near), _mm256_set1_epi64x(0xffffffff));
     double* at = &to->distance;
     for (std::size_t n = 0; n < lanes; ++n) _mm256_storeu_pd(at + 5 * n, told.row[n]);
@@ -506,7 +506,7 @@ void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes
     }
 }
 
-/// Four rows from the columns' places `i` on.
+/// Stores four rows from element `i` of the columns on.
 inline void put_rows(const SampleColumns& from, std::size_t i, kerf_bone_sample* to) noexcept {
     static_assert(KERF_MAX_TISSUES == 4 && sizeof(kerf_bone_sample) == 11 * sizeof(double) &&
                   offsetof(kerf_bone_sample, body) == 10 * sizeof(double));
@@ -542,13 +542,13 @@ void rows(const SampleColumns& columns, std::size_t count, kerf_bone_sample* sam
     std::memcpy(samples + i, last, (count - i) * sizeof last[0]);
 }
 
-/// Squared distance to the flat disc of a rim.
+/// Returns the squared distance to the flat disc of a rim.
 inline Four to_cap2(Four r, Four z, const kerf_profile_point& rim) noexcept {
     const Four dr = most(r - all(rim.radius), _mm256_setzero_pd()), dz = z - all(rim.z);
     return dr * dr + dz * dz;
 }
 
-/// The outline's radius where the points stand.
+/// Returns the outline's radius at each z.
 inline Four wall_at(const OutlineShape& outline, Four z) noexcept {
     Four wall = all(outline.point[outline.count - 1].radius);
     for (std::size_t n = outline.count - 1; n > 0; --n) {
@@ -560,7 +560,7 @@ inline Four wall_at(const OutlineShape& outline, Four z) noexcept {
     return wall;
 }
 
-/// To the nearest point of the outline.
+/// Returns the squared distance to the nearest point of the outline.
 inline Four squared_distance(const OutlineShape& outline, Four r, Four z) noexcept {
     const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
     Four nearest2 = all(1e300);
@@ -581,7 +581,7 @@ inline Four squared_distance(const OutlineShape& outline, Four r, Four z) noexce
 inline Four magnitude(Four a) noexcept { return _mm256_andnot_pd(all(-0.0), a); }
 inline Four minus(Four a) noexcept { return _mm256_xor_pd(a, all(-0.0)); }
 
-/// `v` where `is_positive`, else −v. Pre: v ≥ 0.
+/// Returns `v` where `is_positive`, else −v. Pre: v ≥ 0.
 inline Four with_sign(Four v, Four is_positive) noexcept {
     return _mm256_xor_pd(v, _mm256_andnot_pd(is_positive, all(-0.0)));
 }
@@ -589,13 +589,13 @@ inline Four with_sign(Four v, Four is_positive) noexcept {
 inline Four to_face(const OutlineSegment& s, Four r, Four z) noexcept {
     return all(s.offset) - (all(s.normal_r) * r + all(s.normal_z) * z);
 }
-/// To the plane of the nearest face; no less than the depth in a convex solid.
+/// Returns the depth to the plane of the nearest face; in a convex solid an upper bound of the depth.
 inline Four depth_of_planes(const OutlineShape& outline, Four r, Four z) noexcept {
     Four depth = least(z - all(outline.point[outline.count - 1].z), all(outline.point[0].z) - z);
     for (std::size_t n = 0; n + 1 < outline.count; ++n) depth = least(to_face(outline.segment[n], r, z), depth);
     return depth;
 }
-/// The depth in a convex solid from that: the same inside and beside the face, less beyond its edges.
+/// Returns the depth in a convex solid from that: equal inside and next to the face, less beyond its edges.
 inline Four convex_depth(const OutlineShape& outline, Four r, Four z, Four depth) noexcept {
     const Four is_outside = less(depth, _mm256_setzero_pd());
     if (_mm256_movemask_pd(is_outside) == 0) return depth;
@@ -616,7 +616,7 @@ inline Four convex_depth(const OutlineShape& outline, Four r, Four z, Four depth
     const Four distance = _mm256_sqrt_pd(squared_distance(outline, r, z));
     return _mm256_blendv_pd(depth, _mm256_xor_pd(distance, all(-0.0)), is_beyond);
 }
-/// The depth in any solid.
+/// Returns the depth in any solid.
 inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
     if (outline.is_convex) return convex_depth(outline, r, z, depth_of_planes(outline, r, z));
     const Four is_between =
@@ -629,7 +629,7 @@ inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
     return deep;
 }
 
-/// A prism's: what its outline has in the plane, within two flat sides.
+/// Returns the depth in a prism: the depth in the plane of its outline, limited by two flat sides.
 inline Four prism_depth(const OutlineShape& outline, Four x, Four y, Four z) noexcept {
     const Four zero = _mm256_setzero_pd(), r = magnitude(x), side = magnitude(y) - all(outline.half_thickness);
     const Four flat = convex_depth(outline, r, z, depth_of_planes(outline, r, z));
@@ -731,7 +731,7 @@ inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
         deep = least(magnitude(z - eight(o.gap[n].middle)) - eight(o.gap[n].half), deep);
     return deep;
 }
-/// The depth in a convex solid from that.
+/// Returns the depth in a convex solid from the depth to the nearest plane.
 inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) noexcept {
     const Eight zero = _mm256_setzero_ps(), is_outside = less(depth, zero);
     Eight is_beside = _mm256_or_ps(_mm256_and_ps(same(eight(o.front_z) - z, depth), not_less(eight(o.front_radius), r)),
@@ -754,7 +754,7 @@ struct EightPoints {
 inline Eight radius_of(const SingleOutline& o, const EightPoints& p) noexcept {
     return o.half_thickness > 0.0f ? magnitude(p.x) : _mm256_sqrt_ps(p.x * p.x + p.y * p.y);
 }
-/// The same for either solid: `r` as `radius_of` has it, `y` across a prism.
+/// Returns the bound for a solid of revolution or a prism, with `r` from `radius_of` and `y` across a prism.
 inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight y, Eight z) noexcept {
     const Eight flat = depth_at_most(o, r, z);
     return o.half_thickness > 0.0f ? least(eight(o.half_thickness) - magnitude(y), flat) : flat;
@@ -852,13 +852,13 @@ void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points,
     }
 }
 
-/// To the nearest quantum, of two the even one, kept within ± 32767.
+/// Returns the nearest quantum, the even one of two, clamped to ± 32767.
 inline EightInts quantised(Eight depth, Eight per_quantum) noexcept {
     const Eight q = depth * per_quantum;
     return _mm256_cvtps_epi32(most(least(q, eight(32767.0f)), eight(-32767.0f)));
 }
 
-// The 27 samples of a cell's layer lie one after the other: in four steps, of which the last goes over five once more.
+// The 27 samples of a cell's layer are contiguous: four steps, of which the last repeats five samples.
 constexpr int steps_of_layer = 4, step_start[steps_of_layer] = {0, 8, 16, 19};
 struct LanePlaces {
     float x[steps_of_layer][wide], y[steps_of_layer][wide];
@@ -875,8 +875,8 @@ alignas(32) constexpr LanePlaces lane_places;
 
 bool raise(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
            std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept {
-    // In passes over the whole cell: a question whether any sample rises, asked at every step, would be guessed wrong
-    // too often.
+    // In passes over the whole cell: a branch at each step, on whether any sample rises, would be mispredicted too
+    // often.
     constexpr int steps = 3 * steps_of_layer;
     const Eight farthest = eight(-band), scale = eight(per_quantum), zero = _mm256_setzero_ps();
     const auto& along = cell.along;
@@ -939,7 +939,7 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
     }
     if (outline.is_convex && cell.has_edges && any(may_rise_outside))
         for (int n = 0; n < steps; ++n) {
-            // What does not rise by the planes does not rise, and inside there is nothing to put right.
+            // A sample that the planes do not raise does not rise, and inside there is nothing to correct.
             if (!any(_mm256_and_ps(rises(n), less(depth[n], zero)))) continue;
             depth[n] = depth_from(outline, radius[n], across[n], height[n], depth[n]);
             value[n] = quantised(depth[n], scale);
@@ -980,7 +980,7 @@ void find(const std::int16_t* samples, std::int16_t low, std::int16_t high, std:
     };
     for (int layer = 0; layer < 3; ++layer) {
         const std::int16_t* at = samples + layer * stored * stored;
-        // Sixteen of the 27, and from the twelfth on sixteen
+        // Samples 0 … 15 of the 27, and samples 11 … 26.
         const __m256i both = _mm256_packs_epi16(outside(at), outside(at + 11));
         const auto bits =
             static_cast<std::uint32_t>(~_mm256_movemask_epi8(_mm256_permute4x64_epi64(both, _MM_SHUFFLE(3, 1, 2, 0))));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference: stage by stage, in loops that a compiler takes for several points at a time.
+// The reference implementation, stage by stage, in loops that a compiler can vectorize over points.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -51,7 +51,7 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
             g = {kept(g.x, grid.low[0], grid.high[0]), kept(g.y, grid.low[1], grid.high[1]),
                  kept(g.z, grid.low[2], grid.high[2])};
         }
-        // Written so that NaN is outside.
+        // NaN compares false: outside.
         const bool is_inside = (g.x > -1.0) & (g.y > -1.0) & (g.z > -1.0) & (g.x < grid.end[0]) & (g.y < grid.end[1]) &
                                (g.z < grid.end[2]);
         const auto x = static_cast<std::int32_t>(is_inside ? g.x : 0.0),
@@ -80,7 +80,7 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
 /// The samples at the eight corners of each point's cell, x fastest.
 class Corners {
 public:
-    /// `first(i)`: the low corner of point i.
+    /// `first(i)` returns the low corner of point i.
     template <class First>
     Corners(std::size_t count, const First& first) noexcept {
         constexpr int y = stored_edge, z = stored_edge * stored_edge;
@@ -106,7 +106,7 @@ Corners corners_in(const FieldShape& field, std::size_t count, const ConstPlaces
                    [&](std::size_t i) { return field.samples + field.start[places.brick[i]] + places.offset[i]; });
 }
 
-/// Where nothing is stored, of whatever is stored first.
+/// In bricks without samples, the corners come from the first stored brick.
 Corners corners_in(const std::int32_t* start, const float* samples, std::size_t count,
                    const ConstPlaces& places) noexcept {
     return Corners(count,
@@ -128,7 +128,7 @@ void values(const FieldShape& field, std::size_t count, const ConstPlaces& place
     interpolate(corners_in(field, count, places), count, places, values);
 }
 
-/// [quanta] to [m], the ends of the range exactly.
+/// Converts [quanta] to [m]; exact at both ends of the range.
 inline double metres_of(float value, double quantum, double clamp) noexcept {
     return value >= 32767.0f ? clamp : (value <= -32767.0f ? -clamp : quantum * static_cast<double>(value));
 }
@@ -213,7 +213,7 @@ void rows(const SampleColumns& columns, std::size_t count, kerf_bone_sample* sam
     }
 }
 
-/// To the nearest point of the outline.
+/// Writes the squared distances to the nearest point of the outline.
 void squared_distances(const OutlineShape& outline, std::size_t count, const BlockValues& r, const double* __restrict z,
                        BlockValues& nearest2) noexcept {
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
@@ -242,7 +242,7 @@ void squared_distances(const OutlineShape& outline, std::size_t count, const Blo
     add_cap(back);
 }
 
-/// A convex solid's: see ToolSolid::distance.
+/// Writes the depths in a convex solid: see ToolSolid::distance.
 void convex_depths(const OutlineShape& outline, std::size_t count, const BlockValues& r, const double* __restrict z,
                    double* __restrict depths) noexcept {
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
@@ -280,7 +280,7 @@ void convex_depths(const OutlineShape& outline, std::size_t count, const BlockVa
     }
 }
 
-/// A prism's: what its outline has in the plane, within two flat sides.
+/// Writes the depths in a prism: the depth in the plane of its outline, limited by two flat sides.
 void prism_depths(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool,
                   double* __restrict depths) noexcept {
     BlockValues r{};
@@ -308,7 +308,7 @@ void depths(const OutlineShape& outline, std::size_t count, const ConstCoordinat
     if (outline.is_convex) return convex_depths(outline, count, r, z, depths);
     squared_distances(outline, count, r, z, nearest2);
 
-    // The outline's radius where the point stands, from the back so that the first segment that holds it stays.
+    // The outline's radius at the point's z. From the back, so that the first segment that contains it wins.
     for (std::size_t n = outline.count - 1; n > 0; --n) {
         const auto a = outline.point[n - 1], b = outline.point[n];
         if (a.radius == b.radius) {  // a cylinder: nothing to divide
@@ -372,7 +372,7 @@ void tangents(const OutlineShape& outline, std::size_t count, const ConstCoordin
         }
         return;
     }
-    for (std::size_t i = 0; i < count; ++i) {  // towards the axis; on it any way will do
+    for (std::size_t i = 0; i < count; ++i) {  // towards the axis; arbitrary on the axis
         const double inwards = -normal_r[i] / r[i];
         const bool is_off_axis = r[i] > 0.0;
         gx[i] = is_off_axis ? inwards * x[i] : normal_r[i];
@@ -386,7 +386,7 @@ inline float to_face(const OutlineFace& f, float r, float z) noexcept {
     return f.offset - (f.normal_r * r + f.normal_z * z);
 }
 
-/// To the nearest point of the outline, squared.
+/// Returns the squared distance to the nearest point of the outline.
 float squared_distance(const SingleOutline& o, float r, float z) noexcept {
     float nearest2 = 1e30f;
     for (std::size_t n = 0; n < o.count; ++n) {
@@ -403,7 +403,7 @@ float squared_distance(const SingleOutline& o, float r, float z) noexcept {
     if (o.front_radius > 0.0f) nearest2 = smaller(to_cap2(o.front_radius, o.front_z), nearest2);
     return smaller(to_cap2(o.back_radius, o.back_z), nearest2);
 }
-/// In a convex solid to the plane of the nearest face, in any other the depth itself.
+/// Returns the depth to the plane of the nearest face in a convex solid; the depth itself in any other.
 float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
     if (o.is_convex) {
         float depth = smaller(z - o.back_z, o.front_z - z);
@@ -421,7 +421,8 @@ float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
     for (std::size_t n = 0; n < o.gaps; ++n) depth = smaller(std::abs(z - o.gap[n].middle) - o.gap[n].half, depth);
     return depth;
 }
-/// The depth from that: in a convex solid less where a point is outside and beyond the edges of its nearest face.
+/// Returns the depth, given that plane depth: in a convex solid it is less outside, beyond the edges of the nearest
+/// face.
 float depth_from(const SingleOutline& o, float r, float z, float depth) noexcept {
     if (!o.is_convex || !(depth < 0.0f)) return depth;
     bool is_beside = (o.front_z - z == depth && o.front_radius >= r) || (z - o.back_z == depth && o.back_radius >= r);
@@ -439,7 +440,7 @@ struct SinglePoint {
 inline float radius_of(const SingleOutline& o, SinglePoint p) noexcept {
     return o.half_thickness > 0.0f ? std::abs(p.x) : std::sqrt(p.x * p.x + p.y * p.y);
 }
-/// The same for either solid, `r` as `radius_of` has it.
+/// Returns the bound for a solid of revolution or a prism, with `r` from `radius_of`.
 float depth_at_most(const SingleOutline& o, SinglePoint p, float r) noexcept {
     const float flat = depth_at_most(o, r, p.z);
     return o.half_thickness > 0.0f ? smaller(o.half_thickness - std::abs(p.y), flat) : flat;
@@ -457,13 +458,13 @@ SinglePoint moved(const SingleFrame& f, SinglePoint p) noexcept {
     };
     return {along(0), along(1), along(2)};
 }
-/// Pre: a rotation.
+/// Returns a direction of the solid in the frame of the points. Pre: a rotation.
 SinglePoint turned_back(const SingleFrame& f, SinglePoint d) noexcept {
     const auto along = [&](int n) { return (f.axis[n][0] * d.x + f.axis[n][1] * d.y) + f.axis[n][2] * d.z; };
     return {along(0), along(1), along(2)};
 }
 
-/// The way in from a point inside, in the frame of the solid.
+/// Returns the inward direction at a point inside, in the frame of the solid.
 SinglePoint way_in(const SingleOutline& o, SinglePoint p, float r) noexcept {
     float depth = smaller(p.z - o.back_z, o.front_z - p.z), in_r = 0.0f,
           in_z = o.front_z - p.z < p.z - o.back_z ? -1.0f : 1.0f;
@@ -517,7 +518,7 @@ void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points,
     }
 }
 
-/// To the nearest quantum, of two the even one, kept within ± 32767.
+/// Returns the nearest quantum, the even one of two, clamped to ± 32767.
 std::int32_t quantised(float depth, float per_quantum) noexcept {
     return static_cast<std::int32_t>(std::lrint(larger(smaller(depth * per_quantum, 32767.0f), -32767.0f)));
 }

@@ -8,13 +8,14 @@
 
 namespace kerf {
 
-/// The change of a field about a sample along x, y, z, from the sample before to the one after [quanta in two voxels].
+/// The change of a field at a sample along x, y, z, from the sample before to the sample after [quanta per two voxels].
 struct SampleSlope {
     int along[3];
 };
 
-/// The vertex on an edge of the grid, from sample `at` of a brick one step along `axis`, where the field goes from
-/// `low` to `high`, one negative, the other not. Where it rises in no way the normal runs along the edge, outwards.
+/// Returns the vertex on an edge of the grid, from sample `at` of a brick one step along `axis`. On the edge the field
+/// changes from `low` to `high`, one negative, the other not. Without a gradient, the normal points outwards along the
+/// edge.
 [[nodiscard]] inline SurfaceVertex crossing(int low, int high, const SampleSlope& about_low,
                                             const SampleSlope& about_high, int axis, const int (&at)[3],
                                             const SampleFrame& frame) noexcept {

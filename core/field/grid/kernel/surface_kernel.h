@@ -6,7 +6,7 @@
 
 #include "core/field/grid/kernel/block_kernel.h"
 
-/// The stages of a brick's surface, as `BlockKernel` has them: for any machine, and for AVX2.
+/// The stages of a brick's surface in `BlockKernel`: for any machine, and for AVX2.
 namespace kerf {
 
 namespace portable {

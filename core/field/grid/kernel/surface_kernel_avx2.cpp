@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A row of a brick, or eight vertices at a time, with the operations of the portable stages in their order. Compiled
-// and entered as block_kernel_avx2.cpp.
+// One row of a brick or eight vertices at a time, with the operations of the portable stages in the same order.
+// Compiled and dispatched as block_kernel_avx2.cpp.
 #include <immintrin.h>
 
 #include <cstddef>
@@ -27,7 +27,7 @@ using Eight = __m256;
 using EightInts = __m256i;
 
 inline EightInts shifted(EightInts places, int by) noexcept { return _mm256_add_epi32(places, _mm256_set1_epi32(by)); }
-/// The samples at eight places, and behind each of them the next one of its row.
+/// Loads the samples at eight slots; the upper half of each lane is the next sample of its row.
 inline EightInts pairs(const std::int16_t* samples, EightInts places, int by) noexcept {
     return _mm256_i32gather_epi32(reinterpret_cast<const int*>(samples + by), places, 2);
 }
@@ -35,7 +35,7 @@ inline EightInts first(EightInts two) noexcept { return _mm256_srai_epi32(_mm256
 inline EightInts second(EightInts two) noexcept { return _mm256_srai_epi32(two, 16); }
 inline Eight difference(EightInts a, EightInts b) noexcept { return _mm256_cvtepi32_ps(_mm256_sub_epi32(a, b)); }
 
-/// An edge's two samples, and how the field changes about each along x, y and z.
+/// The two samples of an edge, and the change of the field at each along x, y and z.
 struct EightEdges {
     EightInts low, high;
     Eight low_slope[3], high_slope[3];
@@ -57,7 +57,7 @@ inline EightEdges along_x(const std::int16_t* v, EightInts at) noexcept {
     return e;
 }
 
-/// Along y or z.
+/// Loads edges along y or z.
 template <int axis>
 inline EightEdges across(const std::int16_t* v, EightInts at) noexcept {
     constexpr int step = axis == 1 ? place_row : place_layer, other = axis == 1 ? place_layer : place_row;
@@ -74,7 +74,7 @@ inline EightEdges across(const std::int16_t* v, EightInts at) noexcept {
     return e;
 }
 
-/// Six numbers of each of eight vertices, and behind the last two that mean nothing.
+/// Stores six numbers of each of eight vertices, and two arbitrary numbers after the last.
 inline void store(const Eight (&row)[6], float* to) noexcept {
     const Eight nothing = _mm256_setzero_ps();
     const Eight a0 = _mm256_unpacklo_ps(row[0], row[1]), a1 = _mm256_unpackhi_ps(row[0], row[1]);
