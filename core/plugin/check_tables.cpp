@@ -59,7 +59,7 @@ std::string number_text(double value) {
     return text;
 }
 
-/// A value in its display unit, in which its author wrote it; SI where the unit is none.
+/// Returns a value in its display unit, as its author wrote it; in SI if the unit is unknown.
 std::string value_text(double value, const char* display_unit) {
     const std::optional<Unit> unit = parse_unit(display_unit);
     const std::string name = unit ? display_unit : "";
@@ -71,7 +71,7 @@ std::string got(const std::string& field, const std::string& value, const std::s
     return "`" + field + "` is " + value + ", expected " + expected + ". " + remedy;
 }
 
-// ---- one text, one count ------------------------------------------------------------------------------------------
+// ---- texts and counts ---------------------------------------------------------------------------------------------
 
 std::string fault_of_text(const std::string& field, const char* text, std::size_t most, bool may_be_empty) {
     if (text == nullptr)
@@ -122,7 +122,7 @@ std::string fault_of_size(const char* structure, std::uint32_t size, std::size_t
                "Write `sizeof(" + std::string(structure) + ")`, and build against this Kerf.");
 }
 
-/// The first id that two rows share.
+/// Reports the first id that two rows have in common.
 template <class Row>
 std::string fault_of_twins(const Row* rows, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i)
@@ -135,8 +135,7 @@ std::string fault_of_twins(const Row* rows, std::uint32_t count) {
     return {};
 }
 
-// ---- what parameters, drives and signals share
-// ------------------------------------------------------------------------
+// ---- units and ranges of parameters, drives and signals -----------------------------------------------------------
 
 std::string fault_of_unit(const char* display_unit, const kerf_dimension& dimension) {
     if (std::string fault = fault_of_text("display_unit", display_unit, max_id, true); !fault.empty()) return fault;
@@ -163,8 +162,7 @@ std::string fault_of_range(const Row& row) {
     return {};
 }
 
-// ---- one row of each table
-// ---------------------------------------------------------------------------------------------
+// ---- rows of the tables -------------------------------------------------------------------------------------------
 
 std::string fault_of_row(const kerf_param& row) {
     if (std::string fault = fault_of_help(row.help); !fault.empty()) return fault;
@@ -197,7 +195,7 @@ std::string fault_of_row(const kerf_event& row) {
     return fault_of_help(row.help);
 }
 
-/// A table whose rows have ids of their own: its count, each row, and that no id is there twice.
+/// Checks a table whose rows have ids: its count, each row, and that each id occurs once.
 template <class Row>
 std::string fault_of_table(const char* table, const char* one, const Row* rows, std::uint32_t count,
                            std::uint32_t most) {
@@ -238,7 +236,8 @@ std::string fault_of_features(const kerf_component& c) {
     return {};
 }
 
-/// Whether an event is told under its plugin's own name, so that nobody takes it for the core's or another plugin's.
+/// Returns whether an event's id begins with its plugin's name, so that it cannot collide with events of the core or of
+/// other plugins.
 bool is_own_name(std::string_view event, std::string_view plugin) noexcept {
     const auto is_under = [&](std::string_view name) {
         return event.size() > name.size() + 1 && event.starts_with(name) && event[name.size()] == '.';
@@ -256,8 +255,7 @@ std::string fault_of_event_names(const kerf_force& force, std::string_view plugi
     return {};
 }
 
-// ---- one component
-// -----------------------------------------------------------------------------------------------------
+// ---- components ---------------------------------------------------------------------------------------------------
 
 std::string fault_of_strategies(const kerf_tool& tool) {
     if (std::string fault = fault_of_count("strategy_count", tool.strategy_count, max_table_rows, tool.strategies);
@@ -314,7 +312,7 @@ std::string fault_of_needs(const kerf_force& force) {
     return {};
 }
 
-/// The tools that a law takes must be tools of its own plugin.
+/// Checks that the tools that a law takes are tools of its own plugin.
 std::string fault_of_own_tools(const kerf_force& force, const kerf_entry& entry) {
     if (std::string fault = fault_of_count("tool_count", force.tool_count, max_table_rows, force.tools); !fault.empty())
         return fault;
@@ -334,7 +332,7 @@ std::string fault_of_own_tools(const kerf_force& force, const kerf_entry& entry)
     return {};
 }
 
-/// What a tool names of its own plugin must be there. Other plugins may be installed or not.
+/// Checks that strategies of its own plugin that a tool names exist. Strategies of other plugins need not be installed.
 std::string fault_of_own_strategies(const kerf_tool& tool, const kerf_entry& entry) {
     const std::string own = std::string(entry.plugin_id) + ".";
     for (std::uint32_t i = 0; i < tool.strategy_count; ++i) {
@@ -387,7 +385,7 @@ std::string fault_of_remesher(const kerf_component& c) {
     return fault_of_text("kernel", remesher->kernel, max_sentence, true);
 }
 
-/// A kind as this host knows it; null: it does not.
+/// A kind of components that this host knows.
 struct KnownKind {
     const char* name;
     std::uint32_t version;
@@ -401,7 +399,7 @@ const KnownKind* known_kind(std::uint32_t kind) noexcept {
 std::string fault_of_component(const kerf_component& c, std::string_view plugin_id) {
     if (std::string fault = fault_of_size("kerf_component", c.size, sizeof c); !fault.empty()) return fault;
     const KnownKind* kind = known_kind(c.kind);
-    if (kind == nullptr) return {};  // this host leaves it out
+    if (kind == nullptr) return {};  // this host skips it
     if (c.version != kind->version)
         return got("version", std::to_string(c.version),
                    std::to_string(kind->version) + ", that of a " + kind->name + " of this Kerf",
@@ -452,7 +450,7 @@ std::string fault_of_entry_texts(const kerf_entry& entry) {
     return fault_of_text("toolchain", entry.toolchain, max_sentence, false);
 }
 
-/// Whether the entry is of this ABI; else nothing behind it may be read.
+/// Returns the fault of an entry that is not of this ABI. If there is one, nothing else in the entry may be read.
 std::string fault_of_layout(const kerf_entry& entry) {
     const auto differs = [](const std::string& what, std::uint64_t is, std::uint64_t wanted) {
         return what + " is " + std::to_string(is) + ", need " + std::to_string(wanted) +

@@ -33,8 +33,8 @@ struct Forceps {
     }
 };
 
-/// The still jaws touch. As they close, they hold what is at their tip. The core makes what is held no obstacle to
-/// them.
+/// Contact of the jaws at rest. When they close, they grip the body at their tip. The core excludes this body from
+/// their contact.
 struct Grasp {
     double contact_stiffness, bite;
 
@@ -68,7 +68,7 @@ struct Grasp {
     void resist(const Held<Forceps>&, const BoneQuery& bone, const State&, Channels& channels) const noexcept {
         constexpr std::size_t around = 6, rings = 4, tip_rings = 2;
         constexpr double behind[rings] = {jaw_radius, 4.0_mm, 15.0_mm, 35.0_mm};
-        std::array<Vec3, 1 + rings * around> points{};  // the first at the tip
+        std::array<Vec3, 1 + rings * around> points{};  // the first one at the tip
         for (std::size_t ring = 0; ring < rings; ++ring)
             for (std::size_t i = 0; i < around; ++i) {
                 const SinCos angle = sin_cos_exact(2.0 * pi * static_cast<double>(i) / around);

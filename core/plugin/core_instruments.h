@@ -5,8 +5,8 @@
 
 namespace kerf {
 
-/// What every Kerf has without a plugin, through the same tables: `kerf.core` with forceps, which hold what they close
-/// on.   [any]
+/// Returns the components that Kerf has without a plugin, in the same tables: `kerf.core` with forceps, which grip the
+/// body at their tip.   [any]
 [[nodiscard]] const kerf_entry& core_instruments() noexcept;
 
 }  // namespace kerf

@@ -43,7 +43,7 @@ std::string name_of_machine(std::uint16_t machine) {
     }
 }
 
-/// Opening a pipe could wait for ever, and a folder is no file.
+/// Refuses files of other kinds: opening a pipe could block for ever, and a folder is not a file.
 std::string refusal_of_kind(const std::string& path) {
     namespace fs = std::filesystem;
     std::error_code error;
@@ -100,7 +100,7 @@ std::string refusal_of_file(const std::string& path) {
                ". Let this user read it (`chmod a+r`), or remove it from the folder.";
     std::array<unsigned char, EI_NIDENT> ident{};
     file.read(reinterpret_cast<char*>(ident.data()), ident.size());
-    file.clear();  // a file may be shorter
+    file.clear();  // a file may be shorter than this
     if (std::memcmp(ident.data(), ELFMAG, SELFMAG) != 0)
         return "is not a shared library, so it is no Kerf plugin. Remove it from the folder, or build it again.";
     std::error_code error;

@@ -23,14 +23,14 @@ namespace kerf {
 
 namespace {
 
-/// A library of the dynamic linker's, with the entry it exports.
+/// An open library and the entry that it exports.
 struct Opened {
     void* handle = nullptr;
     const kerf_entry* entry = nullptr;
     std::string fault;
 };
 
-/// What the linker says, without the path that every message names anyhow.
+/// Returns the linker's error without the path, which every message names already.
 std::string linker_error(const std::string& path) {
     const char* reason = dlerror();
     std::string why = reason != nullptr ? reason : "unknown reason";
@@ -56,7 +56,7 @@ Opened open_library(const std::string& path) {
     return opened;
 }
 
-/// In the child: what its loading, its tables and its unloading come to.
+/// Runs in the child: loads a plugin, reads its tables and unloads it. Returns the fault, or an empty text.
 std::string try_here(const std::string& path, const TrialReport& report) {
     report.does("while it was loaded");
     Opened opened = open_library(path);
@@ -231,7 +231,7 @@ void PluginRegistry::take(const std::string& file, PluginLoad load) {
                       ". Remove one.");
     const kerf_entry& entry = load.plugin->entry();
     list(entry, file);
-    // Strategies run in another process. A library that has nothing else does not stay in this one.
+    // Strategies run in another process. A library with strategies alone is closed in this one.
     const auto* const end = entry.components + entry.component_count;
     if (std::any_of(entry.components, end,
                     [](const kerf_component& c) { return c.kind == KERF_KIND_TOOL || c.kind == KERF_KIND_FORCE; }))

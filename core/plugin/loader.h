@@ -11,13 +11,13 @@
 #include "core/plugin/check_tables.h"
 #include "core/plugin/component_info.h"
 
-/// Finds plugins, checks that they are of this ABI, and reports precisely why one is not.
+/// Finds and loads plugins, checks that they are of this ABI, and reports the reason of each refusal.
 namespace kerf {
 
 struct PluginLoad;
 class PluginHost;
 
-/// One loaded plugin; stays mapped as long as this lives.
+/// One loaded plugin; its library stays loaded as long as this object exists.
 class Plugin {
 public:
     ~Plugin();
@@ -39,26 +39,26 @@ private:
 struct PluginLoad {
     std::shared_ptr<Plugin> plugin;  ///< empty when refused
     std::string refusal;             ///< plugin, path, field, got, wanted, remedy
-    std::string plugin_id;           ///< as far as its entry could be read
+    std::string plugin_id;           ///< id of its entry; empty if it could not be read
 };
 
-/// Loads shared libraries, one answer for each path. What is no library of this machine, or is cut short, is refused by
-/// its headers. The others are loaded in a child process first (loading_trial.h), where their static constructors may
-/// crash, exit, throw or hang. Where this process has other threads there is no child, and `LoadingNote` alone names
-/// who ends the process.   [main]
+/// Loads shared libraries. Returns one result for each path. Files that are not libraries for this machine, or are cut
+/// short, are refused by their headers. The others are loaded in a child process first (loading_trial.h), in which
+/// their static constructors may crash, exit, throw or hang. If this process has several threads, there is no child;
+/// then `LoadingNote` alone names the plugin that ends the process.   [main]
 [[nodiscard]] std::vector<PluginLoad> load_plugins(const std::vector<std::string>& paths);
 [[nodiscard]] PluginLoad load_plugin(const std::string& path);
 
-/// Loads a library without that trial, for a process that may end with it.   [main]
+/// Loads a library without that trial, for a process that may end with the library.   [main]
 [[nodiscard]] PluginLoad load_tried_plugin(const std::string& path);
 
-/// Why a file was left out.
+/// The reason why a file was refused.
 struct PluginRefusal {
-    std::string path, plugin_id;  ///< the id as far as its entry could be read
+    std::string path, plugin_id;  ///< id of its entry; empty if it could not be read
     std::string why;              ///< without file and path
 };
 
-/// A plugin by what its entry says of it.
+/// A plugin as its entry describes it.
 struct PluginText {
     std::string id, version, licence;
 };
@@ -68,19 +68,19 @@ struct PluginText {
 class PluginRegistry {
 public:
     PluginRegistry();
-    /// Loads every `*.so` in the folders, in name order. Refusals and duplicate ids are reported, not fatal.
+    /// Loads every `*.so` in the folders, in the order of names. Refusals and duplicate ids are reported and not fatal.
     void scan(const std::vector<std::string>& folders);
 
     [[nodiscard]] const ComponentCatalog& catalog() const noexcept { return catalog_; }
     [[nodiscard]] const std::vector<std::string>& refusals() const noexcept { return refusals_; }
-    /// Those that stay loaded: they have tools or laws.
+    /// Returns the plugins that stay loaded: they have tools or laws.
     [[nodiscard]] const std::vector<std::shared_ptr<Plugin>>& plugins() const noexcept { return plugins_; }
-    /// What was left out of plugins that are used; for people.
+    /// Returns notes for people on components that were skipped.
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
-    /// Why the file that would be this plugin was refused: by its id, or by its file's name where the id could not be
+    /// Returns the refusal of the file of this plugin: found by its id, or by the file's name if the id could not be
     /// read. Null: no such file was refused.
     [[nodiscard]] const PluginRefusal* refusal_for(const std::string& plugin_id) const;
-    /// All plugins, the core's own first.
+    /// Returns all plugins, the core's own first.
     [[nodiscard]] const std::vector<PluginText>& listed() const noexcept { return listed_; }
     /// Returns a tool or a law, or null.
     [[nodiscard]] const kerf_component* find(const std::string& plugin, std::uint32_t kind,
@@ -94,10 +94,10 @@ private:
     std::vector<PluginText> listed_;
     ComponentCatalog catalog_;
     std::vector<std::string> refusals_, notes_;
-    std::vector<PluginRefusal> refused_;  ///< of each refusal
+    std::vector<PluginRefusal> refused_;  ///< one for each text in refusals_
 };
 
-/// The self-description of a component as plain values.   [any]
+/// Returns the self-description of a component as plain values.   [any]
 [[nodiscard]] ComponentInfo describe(const std::string& plugin_id, const kerf_component& component);
 
 }  // namespace kerf

@@ -7,10 +7,10 @@
 
 namespace kerf {
 
-/// While this lives, a crash, an abort or an `exit` names the plugin that is being loaded on stderr, and the process
-/// ends with 3. Loading runs a plugin's own code (static constructors), which nothing in this process can contain:
-/// the user must at least learn whose code it was. What ends the process without a signal and without `exit`, such as
-/// `_exit`, goes unnoticed.   [main] one at a time
+/// While this object exists, a crash, an abort or an `exit` prints to stderr the name of the plugin that is being
+/// loaded. The process then ends with 3. Loading runs a plugin's own code (static constructors), from which this
+/// process cannot protect itself. So the user must at least see the name of the plugin. An end of the process without a
+/// signal and without `exit`, such as `_exit`, is not noticed.   [main] one at a time
 class LoadingNote {
 public:
     explicit LoadingNote(const std::string& path);

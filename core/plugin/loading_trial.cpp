@@ -31,8 +31,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t max_message = 3000;  // [bytes]; with its head it fits into what a pipe takes whole
-constexpr rlim_t max_written = 1u << 20;   // [bytes] of one file, the child's own words included
+constexpr std::size_t max_message = 3000;  // [bytes]; with its head, a pipe takes it in one write
+constexpr rlim_t max_written = 1u << 20;   // [bytes] of one file, including the child's own messages
 
 #if defined(__SANITIZE_THREAD__)
 constexpr int own_threads = 2;  // the sanitizer has one
@@ -41,11 +41,12 @@ constexpr int own_threads = 1;
 #endif
 
 struct Head {
-    char what = 0;  ///< 'b' one begins, 'd' what it does, 'n' its id, 'r' its refusal, 't' it threw, 'e' all are done
+    /// 'b' a plugin begins, 'd' its activity, 'n' its id, 'r' its refusal, 't' it threw, 'e' all plugins are done
+    char what = 0;
     std::uint32_t size = 0;
 };
 
-/// A descriptor that is closed with its owner.
+/// Owns a file descriptor and closes it.
 class Descriptor {
 public:
     explicit Descriptor(int fd = -1) noexcept : fd_(fd) {}
@@ -65,7 +66,7 @@ private:
 
 // ---- in the child --------------------------------------------------------------------------------------------------
 
-int terminate_pipe = -1;  // a terminate handler sees nothing but globals
+int terminate_pipe = -1;  // a terminate handler can reach globals alone
 
 std::string words_of_exception() {
     try {
@@ -78,7 +79,7 @@ std::string words_of_exception() {
     return "";
 }
 
-/// Its own process group, so that what it starts ends with it; no core file; nothing on the terminal.
+/// Confines the child: its own process group, so that its children end with it; no core file; no terminal.
 void confine(int words) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -103,13 +104,13 @@ void TrialReport::send(char what, const std::string& text) const noexcept {
     }
 }
 
-/// Tries some plugins; the parent's half of it is `run`.
+/// Tries some plugins in a child process; `run` is the parent's part.
 class TrialChild {
 public:
     TrialChild(const std::vector<std::string>& paths, const TryOne& try_one, std::chrono::milliseconds limit)
         : paths_(paths), try_one_(try_one), limit_(limit) {}
 
-    /// One trial for each path that the child came to; the last of them ended it unless all are there.
+    /// Returns one trial for each path that the child began. If it did not finish all, the last trial ended it.
     [[nodiscard]] std::vector<Trial> run();
     [[nodiscard]] bool has_come_back() const noexcept { return has_come_back_; }
 
@@ -151,7 +152,7 @@ void TrialChild::work(int pipe, int words) const {
         }
     }
     report.send('e', "");
-    _exit(0);  // nothing of the parent's is flushed or destroyed here
+    _exit(0);  // the child must not flush or destroy objects of the parent
 }
 
 // ---- in the parent -------------------------------------------------------------------------------------------------
@@ -159,7 +160,7 @@ void TrialChild::work(int pipe, int words) const {
 bool TrialChild::take_message(int pipe) {
     Head head;
     std::string text(max_message, '\0');
-    // Messages are written whole, so one read finds all of a head and another all of its text.
+    // Messages are written in one piece, so one read returns a whole head and another its whole text.
     if (read(pipe, &head, sizeof head) != static_cast<ssize_t>(sizeof head) || head.size > max_message) return false;
     if (head.size > 0 && read(pipe, text.data(), head.size) != static_cast<ssize_t>(head.size)) return false;
     text.resize(head.size);
@@ -208,22 +209,22 @@ std::vector<Trial> TrialChild::run() {
     const Descriptor out(ends[0]);
     Descriptor in(ends[1]);
     const Descriptor words(memfd_create("kerf-trial", MFD_CLOEXEC));
-    std::fflush(nullptr);  // else an `exit` in the child writes it a second time
+    std::fflush(nullptr);  // else an `exit` in the child would write the buffers a second time
     const pid_t child = fork();
     if (child < 0) return {};
     if (child == 0) work(in.get(), words.get());
     in = Descriptor();
 
     const Ended ended = follow(child, out.get());
-    kill(-child, SIGKILL);  // what it started
+    kill(-child, SIGKILL);  // ends the child's own children
     if (!has_come_back_ && !trials_.empty()) trials_.back().refusal = ending(ended, words.get());
     return std::move(trials_);
 }
 
-/// Until the child is gone. The pipe alone does not tell: what the child started may hold it, and the child may close
-/// it.
+/// Reads messages until the child has ended. The end of the pipe does not show this: children of the child may keep it
+/// open, and the child may close it.
 TrialChild::Ended TrialChild::follow(pid_t child, int pipe) {
-    constexpr int slice = 20;  // [ms] until an end that the pipe does not tell is seen
+    constexpr int slice = 20;  // [ms] max delay until an end without a closed pipe is noticed
     Ended ended;
     bool is_open = true, is_gone = false;
     auto deadline = Clock::now() + limit_;
@@ -259,10 +260,10 @@ std::vector<Trial> try_in_child(const std::vector<std::string>& paths, const Try
     TrialChild all(paths, try_one, limit);
     std::vector<Trial> trials = all.run();
     if (all.has_come_back() || trials.empty()) {
-        trials.resize(paths.size());  // no child could be made: the caller's own loading says what is wrong
+        trials.resize(paths.size());  // no child could be started: the caller's own loading reports the fault
         return trials;
     }
-    // The first was alone already.
+    // The first plugin was alone in the child already.
     trials.resize(trials.size() == 1 ? 1 : 0);
     while (trials.size() < paths.size()) {
         const std::vector<std::string> alone{paths[trials.size()]};

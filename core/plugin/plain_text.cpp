@@ -10,11 +10,11 @@ namespace kerf {
 namespace {
 
 struct Character {
-    std::size_t size = 0;  ///< bytes; 0: no character of UTF-8
+    std::size_t size = 0;  ///< bytes; 0: not a UTF-8 character
     std::uint32_t code = 0;
 };
 
-/// The character at the front of `text`, which is not empty.
+/// Returns the first character of `text`, which is not empty.
 Character front_of(std::string_view text) noexcept {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     if (byte(0) < 0x80) return {1, byte(0)};

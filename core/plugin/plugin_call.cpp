@@ -14,7 +14,7 @@ namespace kerf {
 
 namespace {
 
-// Only the calling thread writes them; signal handlers and the watchdog read.
+// Written by the calling thread alone; read by signal handlers and the watchdog.
 std::atomic<std::uint32_t> call_now{0};
 std::atomic<const kerf_component*> component_now{nullptr};
 std::atomic<std::uint64_t> count_now{0};
@@ -39,7 +39,7 @@ public:
     CallNote& operator=(const CallNote&) = delete;
 };
 
-/// Within the call still, so that the handler knows which it was.
+/// Ends the program within the call, so that the handler can name it.
 [[noreturn]] void end_by_exception() noexcept {
     const ThrowHandler handler = throw_handler.load();
     if (handler == nullptr) std::terminate();
@@ -54,7 +54,7 @@ public:
     std::terminate();
 }
 
-// A list that only grows, so that a signal handler may walk it at any time.
+// An entry of a list that only grows, so that a signal handler may walk it at any time.
 struct Remembered {
     PluginName name;
     const kerf_entry* entry;

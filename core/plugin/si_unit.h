@@ -12,8 +12,8 @@ namespace kerf {
 /// back as a unit of factor 1.   [any]
 [[nodiscard]] std::string si_unit(const kerf_dimension& dimension);
 
-/// Returns the SI unit of what is shown in `display_unit`: "m" for "mm". A unit that `parse_unit` does not know is
-/// returned as it is: its numbers are not converted.   [any]
+/// Returns the SI unit of values in `display_unit`: "m" for "mm". A unit that `parse_unit` does not know is returned
+/// unchanged, as its values are not converted.   [any]
 [[nodiscard]] std::string si_unit_of(std::string_view display_unit);
 
 }  // namespace kerf

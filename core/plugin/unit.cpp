@@ -60,7 +60,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// The power at the end of "mm3", "mm^3" or "mm³": takes it off `factor`.
+/// Returns the power at the end of "mm3", "mm^3" or "mm³", and removes it from `factor`.
 int take_power(std::string_view& factor) {
     int power = 1;
     if (factor.size() < 2) return power;
@@ -90,7 +90,7 @@ std::optional<Unit> parse_unit(std::string_view text, std::span<const UnitSymbol
     std::array<int, 8> exponents{};
     bool is_divided = false;
     for (std::size_t count = 0;; ++count) {
-        // One factor, up to the next sign.
+        // Read one factor, up to the next operator.
         if (count == max_unit_factors) return std::nullopt;
         const std::size_t end = text.find_first_of("/* ");
         std::string_view factor = text.substr(0, end);
@@ -105,7 +105,7 @@ std::optional<Unit> parse_unit(std::string_view text, std::span<const UnitSymbol
         for (std::size_t i = 0; i < exponents.size(); ++i)
             exponents[i] += (is_divided ? -power : power) * symbol->dimension.exponent[i];
 
-        // The sign: a slash divides by the next factor alone.
+        // The operator: a slash divides by the next factor alone.
         if (end == std::string_view::npos) break;
         is_divided = text[end] == '/';
         text.remove_prefix(end + 1);
