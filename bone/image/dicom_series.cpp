@@ -90,18 +90,17 @@ const Group& chosen(const std::vector<Group>& groups, const std::string& name) {
     for (const Group* group : sorted) offers.push_back(offer_of(*group));
     const std::string series = counted(groups.size(), "series", "series");
     if (name.empty() && sorted.front()->headers.size() < 2)
-        throw Refusal{"E0661", "the folder holds " + series +
-                                   " of one slice each, and a volume needs at least 2: " + listed(offers, "series") +
-                                   ". Export the slices of a volume as one series; careless anonymising gives each "
-                                   "file a series UID (0020,000e) of its own."};
+        throw Refusal{"E0661", "the folder has " + series + " of one slice each: got " + listed(offers, "series") +
+                                   ", expected one series of at least 2. Export the slices of a volume as one series. "
+                                   "Some anonymisers write another series UID (0020,000e) into each file."};
     if (name.empty())
-        throw Refusal{"E0661", "the folder holds " + series + ": " + listed(offers, "series") +
-                                   ". Choose one: write `ct.series: " + sorted.front()->name + "`, or `--series " +
-                                   sorted.front()->name + "`."};
+        throw Refusal{"E0661", "the folder has " + series + ": got " + listed(offers, "series") +
+                                   ", expected one. Choose one: write `ct.series: " + sorted.front()->name +
+                                   "`, or `--series " + sorted.front()->name + "`."};
     for (const Group& group : groups)
         if (group.name == name) return group;
-    throw Refusal{"E0662", "the folder has no series `" + excerpt(name) +
-                               "`. Choose one that it holds: " + listed(offers, "series") + "."};
+    throw Refusal{"E0662", "the folder has no series `" + excerpt(name) + "`: expected one of " +
+                               listed(offers, "series") + ". Choose one of these."};
 }
 
 /// Some anonymisers give every slice its own frame of reference. Then the frame contains no information.
@@ -118,8 +117,8 @@ void check_alike(const std::vector<DicomSlice>& slices) {
     };
     const auto refuse = [&](std::size_t count, const std::string& what) {
         if (count > 0)
-            throw Refusal{"E0663", counted(count, "slice has", "slices have") + " another " + what +
-                                       " than the first. Export one volume at a time."};
+            throw Refusal{"E0663", counted(count, "slice differs", "slices differ") + " from the first one in " + what +
+                                       ", expected the same. Export one volume at a time."};
     };
     refuse(differing([&](const DicomSlice& s) { return s.columns != first.columns || s.rows != first.rows; }),
            "number of pixels");
@@ -175,8 +174,8 @@ void choose_acquisition(DicomSeries& series, const std::string& name, const std:
     if (!name.empty()) {
         const auto found = std::find_if(all.begin(), all.end(), [&](const Acquisition& a) { return a.name == name; });
         if (found == all.end())
-            throw Refusal{"E0677", "the series has no acquisition `" + excerpt(name) +
-                                       "`. Choose one that it holds: " + listed(offers, "acquisitions") + "."};
+            throw Refusal{"E0677", "the series has no acquisition `" + excerpt(name) + "`: expected one of " +
+                                       listed(offers, "acquisitions") + ". Choose one of these."};
         std::vector<DicomSlice> kept;
         for (const std::size_t n : found->slices) kept.push_back(series.slices[n]);
         series.slices = std::move(kept);
@@ -188,13 +187,14 @@ void choose_acquisition(DicomSeries& series, const std::string& name, const std:
     const Acquisition& largest = *std::max_element(
         all.begin(), all.end(), [](const auto& a, const auto& b) { return a.slices.size() < b.slices.size(); });
     if (do_overlap(all))
-        throw Refusal{"E0676", "the series holds " + std::to_string(all.size()) +
-                                   " acquisitions of the same part of the patient: " + listed(offers, "acquisitions") +
-                                   ". Choose one: write `ct.acquisition: " + largest.name + "`, or `--acquisition " +
-                                   largest.name + "`."};
-    const std::string message = "The slices are of " + std::to_string(all.size()) +
-                                " acquisitions one behind the other: " + listed(offers, "acquisitions") +
-                                ". They were joined; the patient may have moved between them.";
+        throw Refusal{"E0676", "the series has " + std::to_string(all.size()) +
+                                   " acquisitions of the same part of the patient: got " +
+                                   listed(offers, "acquisitions") +
+                                   ", expected one. Choose one: write `ct.acquisition: " + largest.name +
+                                   "`, or `--acquisition " + largest.name + "`."};
+    const std::string message = "The slices belong to " + std::to_string(all.size()) +
+                                " acquisitions of different parts of the patient: " + listed(offers, "acquisitions") +
+                                ". They were joined. The patient may have moved between them.";
     series.notes.push_back(message);
     // A scanner that stops after every slice, or every few slices, numbers each stop. That needs no warning.
     if (largest.slices.size() > 1) diagnostics.push_back(warning_about(folder, "W0673", message));
@@ -208,10 +208,10 @@ void check_places(const DicomSeries& series, bool may_resample) {
                series.stack.height(n) - series.stack.height(n - 1) > std::max(1e-6, 1e-3 * shape.distance))
             ++n;
         throw Refusal{"E0664", counted(shape.repeated, "slice lies", "slices lie") +
-                                   " in the plane of another one, the first at " + place_of(series.stack, n) +
+                                   " in the plane of another one: the first at " + place_of(series.stack, n) +
                                    " (instances " + std::to_string(series.slices[n - 1].instance) + " and " +
                                    std::to_string(series.slices[n].instance) +
-                                   "): nobody can tell which holds. Take the copies out, or export one phase."};
+                                   "), expected one slice for each plane. Remove the copies, or export one phase."};
     }
     if (!shape.gaps.empty() && !may_resample) {
         std::string where;
@@ -219,15 +219,15 @@ void check_places(const DicomSeries& series, bool may_resample) {
             where += (g > 0 ? ", " : "") + millimetres(shape.gaps[g].width) + " mm behind " +
                      place_of(series.stack, shape.gaps[g].behind);
         if (shape.gaps.size() > 3) where += " and " + std::to_string(shape.gaps.size() - 3) + " more";
-        throw Refusal{"E0665", "slices are missing: they lie " + millimetres(shape.distance) + " mm apart, but " +
-                                   counted(shape.gaps.size(), "gap is", "gaps are") + " wider: " + where +
-                                   ". Export them all; or, to fill gaps between their neighbours, write "
+        throw Refusal{"E0665", "slices are missing: got " + counted(shape.gaps.size(), "gap", "gaps") + ", " + where +
+                                   ", expected slices " + millimetres(shape.distance) +
+                                   " mm apart. Export all slices. To fill the gaps by interpolation, write "
                                    "`ct.resample: true` or `--allow-resample`."};
     }
     if (shape.is_crooked() && !may_resample)
-        throw Refusal{"E0666", "the slices do not lie one behind the other: they leave the line through all by up to " +
-                                   rounded(shape.crookedness, 1) +
-                                   " voxels. Export one volume; or, if their positions are right, write "
+        throw Refusal{"E0666", "the slices are shifted sideways: got up to " + rounded(shape.crookedness, 1) +
+                                   " voxels from the line through all, expected at most 0.1. Export one volume. If "
+                                   "the positions are right, write "
                                    "`ct.resample: true` or `--allow-resample`."};
 }
 
@@ -239,48 +239,50 @@ void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& dia
                            std::to_string(first.columns) + " × " + std::to_string(first.rows) + " pixels of " +
                            millimetres(first.between_columns) + " × " + millimetres(first.between_rows) + " mm, " +
                            millimetres(shape.distance) + " mm apart, sorted along their normal.");
-    const auto tell = [&](const char* code, const std::string& message) {
+    const auto warn = [&](const char* code, const std::string& message) {
         diagnostics.push_back(warning_about(folder, code, message));
         series.notes.push_back(message);
     };
     if (shape.is_tilted())
-        tell("W0671", "The slices slide by " + rounded(shape.shift, 1) + " voxels against each other (" +
+        warn("W0671", "The slices are shifted sideways by " + rounded(shape.shift, 1) + " voxels in total (" +
                           rounded(shape.tilt / degree, 1) +
-                          " deg, as with a tilted gantry). They were put straight by resampling.");
+                          " deg, as with a tilted gantry). Resampling straightened them.");
     if (!shape.is_even() || shape.is_crooked())
-        tell("W0672", "The slices lie " + millimetres(shape.least) + " to " + millimetres(shape.most) + " mm apart" +
+        warn("W0672", "The slices are not stacked evenly: got distances of " + millimetres(shape.least) + " to " +
+                          millimetres(shape.most) + " mm" +
                           (shape.gaps.empty() ? "" : ", with " + counted(shape.gaps.size(), "gap", "gaps")) +
-                          ". They were resampled every " + millimetres(shape.least) +
-                          " mm, linearly between neighbours.");
+                          ". They were resampled every " + millimetres(shape.least) + " mm, by linear interpolation.");
     const bool has_tilt = first.tilt && std::abs(*first.tilt) > 0.5 * degree;
     if (has_tilt && std::abs(std::abs(*first.tilt) - shape.tilt) > 0.5 * degree)
-        tell("W0673", "The header tells of a gantry tilt of " + rounded(*first.tilt / degree, 1) +
-                          " deg, the positions of the slices of " + rounded(shape.tilt / degree, 1) +
-                          " deg. The positions were believed.");
+        warn("W0673", "The gantry tilt contradicts the slice positions: got " + rounded(*first.tilt / degree, 1) +
+                          " deg in the header, " + rounded(shape.tilt / degree, 1) +
+                          " deg by the positions. The positions were used.");
     if (first.between_slices && *first.between_slices > 0.0 &&
         std::abs(*first.between_slices - shape.distance) > 0.05 * shape.distance)
-        tell("W0673", "The header tells of " + millimetres(*first.between_slices) +
-                          " mm between slices (0018,0088), their positions of " + millimetres(shape.distance) +
-                          " mm. The positions were believed.");
+        warn("W0673", "The slice distance (0018,0088) contradicts the slice positions: got " +
+                          millimetres(*first.between_slices) + " mm in the header, " + millimetres(shape.distance) +
+                          " mm by the positions. The positions were used.");
     if (first.modality == "CT" && !first.values.empty() && first.values != "HU")
-        tell("W0673", "The header tells that the values are `" + first.values +
-                          "` (0028,1054), not HU. Give a threshold in them, and `ct.intensity: grey`.");
+        warn("W0673", "The values are not HU: got `" + first.values +
+                          "` (0028,1054), expected HU. Give a threshold in these values, and `ct.intensity: grey`.");
     if (first.modality != "CT")
-        tell("W0673", "The series is no CT" + (first.modality.empty() ? "" : " but " + first.modality) +
-                          ": its values are no HU. Give a threshold in its own values, and `ct.intensity: grey`.");
+        warn("W0673", "The series is not a CT: got " + (first.modality.empty() ? "no modality" : first.modality) +
+                          ", expected CT. Its values are not HU. Give a threshold in its own values, and "
+                          "`ct.intensity: grey`.");
     if (has_frame_each(series.slices))
-        tell("W0673", "Every slice names a frame of reference of its own, as after careless anonymising. The positions "
-                      "were believed to be in one.");
+        warn("W0673",
+             "Each slice has its own frame of reference, as some anonymisers write it. The positions were used "
+             "as if they were in one frame.");
     const auto lossy =
         std::count_if(series.slices.begin(), series.slices.end(), [](const DicomSlice& s) { return s.is_lossy; });
     if (lossy > 0)
-        tell("W0673", counted(static_cast<std::size_t>(lossy), "slice was", "slices were") +
-                          " compressed with loss: borders may have moved.");
+        warn("W0673", counted(static_cast<std::size_t>(lossy), "slice was", "slices were") +
+                          " compressed with loss. Borders may have moved.");
     std::set<std::pair<double, double>> scales;
     for (const DicomSlice& s : series.slices) scales.insert({s.slope, s.intercept});
     if (scales.size() > 1)
         series.notes.push_back("The slices have " + std::to_string(scales.size()) +
-                               " different rescale slopes or intercepts; each was scaled by its own.");
+                               " different rescale slopes or intercepts. Each slice was scaled by its own.");
 }
 
 DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& choice, const std::string& folder,
@@ -295,14 +297,14 @@ DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& 
         if (header.kind == DicomHeader::Kind::damaged && ++damaged == 1) first_damaged = &header;
     }
     if (damaged > 0)
-        throw Refusal{"E0668", counted(damaged, "file is", "files are") +
-                                   " damaged; of the first: " + first_damaged->trouble + ". Copy the folder again."};
+        throw Refusal{"E0668", counted(damaged, "file is", "files are") + " damaged, the first one because " +
+                                   first_damaged->trouble + ". Copy the folder again."};
     if (slices.empty() && headers.empty())
         throw Refusal{"E0660", "the folder is empty. Name the folder with the DICOM files."};
     if (slices.empty())
         throw Refusal{"E0660", "none of the folder's " + counted(headers.size(), "file", "files") +
-                                   " is a DICOM slice: " + counted(no_dicom, "is no DICOM file", "are no DICOM files") +
-                                   ", " + counted(headers.size() - no_dicom, "holds no image", "hold no image") +
+                                   " is a DICOM slice: " + counted(no_dicom, "is not DICOM", "are not DICOM") + ", " +
+                                   counted(headers.size() - no_dicom, "has no image", "have no image") +
                                    ". Name the folder with the DICOM files."};
     const std::vector<Group> groups = groups_of(slices);
     const Group& group = chosen(groups, choice.name);
@@ -316,23 +318,23 @@ DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& 
     }
     if (unusable > 0)
         throw Refusal{"E0667", counted(unusable, "slice", "slices") + " of " + std::to_string(series.slices.size()) +
-                                   " cannot be used; of the first: " + first_unusable->trouble +
+                                   " cannot be used, the first one because " + first_unusable->trouble +
                                    ". Export the series as single-frame CT slices."};
     if (series.slices.size() < 2)
         throw Refusal{"E0669",
-                      "the series has one slice, a volume needs at least 2. Name the folder with all of them."};
+                      "the series has too few slices: got 1, expected at least 2. Name the folder with all of them."};
     check_alike(series.slices);
     choose_acquisition(series, choice.acquisition, folder, diagnostics);
     if (series.slices.size() < 2)
-        throw Refusal{"E0669", "the acquisition has one slice, a volume needs at least 2. Choose another one."};
+        throw Refusal{"E0669", "the acquisition has too few slices: got 1, expected at least 2. Choose another one."};
     series.stack = stack_of(series.slices);
     series.shape = shape_of(series.stack);
     check_places(series, choice.may_resample);
     if (straight_grid(series.stack, series.shape).size[0] == 0)
-        throw Refusal{"E0669", "the volume has more than 512 million voxels. Export a part of it."};
+        throw Refusal{"E0669", "the volume has too many voxels: expected at most 512 million. Export a part of it."};
     note_shape(series, folder, diagnostics);
     if (others > 0)
-        series.notes.push_back(counted(others, "other file", "other files") + " in the folder held no slice.");
+        series.notes.push_back(counted(others, "other file", "other files") + " in the folder had no slice.");
     return series;
 }
 

@@ -19,7 +19,7 @@
 namespace kerf {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "turn the other files' numbers round");
+static_assert(std::endian::native == std::endian::little, "swap the bytes of little-endian files");
 
 /// An error. `read_image()` turns it into a Diagnostic.
 struct Refusal {
@@ -46,8 +46,8 @@ void append(std::vector<float>& values, const std::vector<char>& bytes, std::siz
         std::memcpy(&stored, one, sizeof stored);
         if constexpr (sizeof(Stored) == 8 && std::is_integral_v<Stored>)
             if (!std::in_range<std::int32_t>(stored) && !std::in_range<std::uint32_t>(stored))
-                throw Refusal{"E0629", "a voxel is " + std::to_string(stored) +
-                                           ", whole numbers must be -2147483648 … 4294967295."};
+                throw Refusal{"E0629", "a voxel is out of range: got " + std::to_string(stored) +
+                                           ", expected -2147483648 … 4294967295."};
         values.push_back(static_cast<float>(header.slope * static_cast<double>(stored) + header.intercept));
     }
 }
@@ -86,7 +86,7 @@ std::vector<float> values_of(const ImageFile& header, const VoxelGrid& grid, con
                is_all = header.packing == ImageFile::Packing::gzip_file;
     PackedBytes bytes(header.data_file, is_all ? 0 : header.data_offset,
                       is_packed ? PackedBytes::Packing::deflated : PackedBytes::Packing::none);
-    const Refusal changed{"E0628", "the file is another one than when it was looked at: voxels are missing now."};
+    const Refusal changed{"E0628", "the file has changed since its header was checked: voxels are missing."};
     std::uint64_t at = 0;  // offset in the bytes of the voxels
     if (is_all && bytes.take(nullptr, header.data_offset) != header.data_offset) throw changed;
 
@@ -114,7 +114,8 @@ std::optional<VoxelImage> read_image(const std::string& file, Diagnostics& diagn
     if (!header) return std::nullopt;
     if (header->layers > 1) {
         diagnostics.push_back(
-            refused(file, "E0623", "there are " + std::to_string(header->layers) + " numbers per voxel, must be 1."));
+            refused(file, "E0623",
+                    "the voxels have too many numbers: got " + std::to_string(header->layers) + ", expected 1."));
         return std::nullopt;
     }
     return read_image(file, *header, {{0, 0, 0}, header->size}, 0, diagnostics);
@@ -130,7 +131,7 @@ std::optional<VoxelImage> read_image(const std::string& file, const ImageFile& h
         static_cast<VoxelGrid&>(image) = grid.part(range);
         image.values = values_of(header, grid, range, layer);
         if (!std::all_of(image.values.begin(), image.values.end(), [](float v) { return std::isfinite(v); }))
-            throw Refusal{"E0629", "a voxel is no finite number."};
+            throw Refusal{"E0629", "a voxel is not a finite number."};
         return image;
     } catch (const Refusal& refusal) {
         diagnostics.push_back(refused(file, refusal.code, refusal.message));

@@ -251,7 +251,7 @@ std::vector<Input> dicom_inputs() {
         {"DICOM, every second slice missing behind the middle", Way::scan, "scan", series([](Series& all) {
              for (int n : {14, 12, 10}) all.files.erase(all.files.begin() + n);
          }),
-         "E0665", "3 gaps are wider"},
+         "E0665", "got 3 gaps"},
         {"DICOM, a slice twice", Way::scan, "scan", series([](Series& all) {
              all.files.push_back(all.files[3]);
              all.files.back().text(tag::instance, "IS", "40");
@@ -273,7 +273,7 @@ std::vector<Input> dicom_inputs() {
          }),
          "loaded W0671", "11.3 deg"},
         {"DICOM, a tilt in the header alone", Way::scan, "scan",
-         each([](DicomWriter& f) { f.number(tag::gantry_tilt, {12}); }), "loaded W0673", "The positions were believed"},
+         each([](DicomWriter& f) { f.number(tag::gantry_tilt, {12}); }), "loaded W0673", "The positions were used"},
         {"DICOM, one slice beside the others", Way::scan, "scan", one([](DicomWriter& f) {
              f.number(tag::position, {-2, -14, -5});
          }),
@@ -295,7 +295,7 @@ std::vector<Input> dicom_inputs() {
         {"DICOM, a localizer in its own series, the volume chosen", Way::scan, "scan",
          series([](Series& all) { add_localizer(all, "1.2.3.8", "1"); }), "loaded", "", "series: 4"},
         {"DICOM, a localizer in the same series", Way::scan, "scan",
-         series([](Series& all) { add_localizer(all, "1.2.3.4", "4"); }), "E0663", "another"},
+         series([](Series& all) { add_localizer(all, "1.2.3.4", "4"); }), "E0663", "differ"},
         {"DICOM, one slice of another size", Way::scan, "scan",
          one([](DicomWriter& f) { f.word(tag::rows, 24).word(tag::columns, 20); }), "E0663", "number of pixels"},
         {"DICOM, one slice of another spacing", Way::scan, "scan", one([](DicomWriter& f) {
@@ -308,11 +308,11 @@ std::vector<Input> dicom_inputs() {
              for (std::size_t n = 0; n < all.files.size(); ++n)
                  all.files[n].uid(tag::frame_of_reference, "1.9." + std::to_string(n));
          }),
-         "loaded W0673", "frame of reference of its own"},
+         "loaded W0673", "its own frame of reference"},
         {"DICOM, one slice of another modality", Way::scan, "scan",
          one([](DicomWriter& f) { f.text(tag::modality, "CS", "MR"); }), "E0663", "modality"},
         {"DICOM, MR", Way::scan, "scan", each([](DicomWriter& f) { f.text(tag::modality, "CS", "MR"); }),
-         "loaded W0673", "no CT"},
+         "loaded W0673", "not a CT"},
         {"DICOM, compressed with loss once", Way::scan, "scan",
          each([](DicomWriter& f) { f.text(tag::lossy, "CS", "01"); }), "loaded W0673", "with loss"},
         {"DICOM, implicit", Way::scan, "scan", each([](DicomWriter& f) { f.syntax = "1.2.840.10008.1.2"; }), "loaded",

@@ -248,7 +248,7 @@ std::vector<Input> nifti_inputs() {
              n.of<float>(16);
              std::memcpy(n.data.data() + 400, &nan, 4);
          }),
-         "E0629", "no finite number"},
+         "E0629", "not a finite number"},
         {"NIfTI, four dimensions of which the last is 1", Way::scan, "a.nii", nifti([](Nifti& n) { n.word(40, 4); }),
          "loaded", ""},
         {"NIfTI, two points in time", Way::scan, "a.nii", nifti([](Nifti& n) {

@@ -261,16 +261,16 @@ TEST_F(Dicom, NamesSeriesThatShareANumber) {
 
 TEST_F(Dicom, RefusesSlicesThatDiffer) {
     const std::vector<std::pair<std::string, std::function<void(DicomWriter&)>>> changes{
-        {"another orientation",
+        {"in orientation",
          [](DicomWriter& f) {
              f.number(tag::orientation, {1, 0, 0, 0, 0, 1});
          }},
-        {"another pixel spacing",
+        {"in pixel spacing",
          [](DicomWriter& f) {
              f.number(tag::pixel_spacing, {0.6, 0.5});
          }},
-        {"another frame of reference", [](DicomWriter& f) { f.uid(tag::frame_of_reference, "1.9"); }},
-        {"another modality", [](DicomWriter& f) { f.text(tag::modality, "CS", "MR"); }},
+        {"in frame of reference", [](DicomWriter& f) { f.uid(tag::frame_of_reference, "1.9"); }},
+        {"in modality", [](DicomWriter& f) { f.text(tag::modality, "CS", "MR"); }},
     };
     for (const auto& [words, change] : changes) {
         SCOPED_TRACE(words);
@@ -572,7 +572,7 @@ TEST_F(Dicom, JoinsAcquisitionsOneBehindTheOtherAndSaysSo) {
         EXPECT_EQ(diagnostics.size(), stops_each_time ? 0u : 1u) << to_text(diagnostics);
         std::string all;
         for (const std::string& note : scan->notes()) all += note;
-        EXPECT_NE(all.find("acquisitions one behind the other"), std::string::npos) << all;
+        EXPECT_NE(all.find("acquisitions of different parts of the patient"), std::string::npos) << all;
         EXPECT_EQ(all.find("1007"), std::string::npos) << all;
     }
 }
@@ -602,7 +602,7 @@ TEST_F(Dicom, SaysWhyNoFileIsASlice) {
     std::ofstream(folder / "README.txt") << "for the reader";
     DicomWriter report = Series::straight().files[0];
     report.without(tag::pixel_data).write(folder / "report");
-    expect_refused("E0660", "1 is no DICOM file, 1 holds no image");
+    expect_refused("E0660", "1 is not DICOM, 1 has no image");
 }
 
 // ---- real ones
@@ -642,7 +642,7 @@ TEST_F(Dicom, RealUnevenSeriesKeepsItsSlicesWhereTheyWere) {
     EXPECT_FALSE(open_scan(data("dicom/uneven_vertex_harvard02"), {}, {}, diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0665");
-    EXPECT_NE(diagnostics[0].message.find("2 gaps are wider: 1.00 mm behind z -6.00 mm, 1.50 mm behind z -5.00 mm"),
+    EXPECT_NE(diagnostics[0].message.find("got 2 gaps, 1.00 mm behind z -6.00 mm, 1.50 mm behind z -5.00 mm"),
               std::string::npos)
         << diagnostics[0].message;
     diagnostics.clear();
