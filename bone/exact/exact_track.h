@@ -75,8 +75,7 @@ private:
     LocalCutting cutting_;
     StretchJoiner joiner_;               ///< next work of strategies for patches
     std::vector<CutRecord> waiting_;     ///< next work of strategies for whole meshes
-    std::vector<CutStretch> left_over_;  ///< stretches that no strategy for patches cut, for strategies for whole
-                                         ///< meshes
+    std::vector<CutStretch> left_over_;  ///< left by strategies for patches, for whole meshes
     SweptBefore swept_;
     std::size_t records_ = 0, stretches_ = 0;
     int refusals_ = 0, handed_over_ = 0;

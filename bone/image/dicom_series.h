@@ -18,7 +18,7 @@
 ///     E0663  slices that differ in size, orientation, spacing or frame of reference
 ///     E0664  two slices in the same plane
 ///     E0665  slices are missing
-///     E0666  slices do not lie one behind the other
+///     E0666  slices that are shifted sideways
 ///     E0667  a slice that cannot be used: its header is incomplete, or its pixels are not grey values
 ///     E0668  a damaged file
 ///     E0669  too few slices, or too many voxels
@@ -26,9 +26,8 @@
 ///     E0677  no acquisition of that name
 ///     W0671  a tilted gantry: resampling straightens the slices
 ///     W0672  uneven distances: resampled
-///     W0673  doubtful data: no CT, lossy compression, a written tilt or distance that the positions contradict,
-///     several
-///            acquisitions one behind the other
+///     W0673  doubtful data: not a CT, lossy compression, a tilt or distance in the header that contradicts the
+///            positions, several acquisitions of different parts of the patient
 namespace kerf {
 
 /// The slices of one volume, ready to be read.

@@ -42,8 +42,7 @@ struct ImageFile {
     Format format = Format::nifti;
     std::array<int, 3> size{};
     std::array<double, 12> lps_from_index{};  ///< 3×4, row by row [m], as in the header; may be sheared
-    int layers = 1;                           ///< numbers per voxel: above 1 for a segmentation with overlapping
-                                              ///< structures
+    int layers = 1;                           ///< numbers per voxel; above 1 if structures overlap
     Number number = Number::int16;            ///< stored type of a voxel in one layer
     bool is_big_endian = false;
     double slope = 1.0, intercept = 0.0;  ///< value = slope × stored + intercept

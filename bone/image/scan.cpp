@@ -158,9 +158,7 @@ std::optional<std::uint64_t> Scan::hash() const {
         for (const DicomSlice& slice : series_->slices) files.push_back(slice.file);
     else
         files.push_back(source_);
-    if (file_ && file_->data_file != source_)
-        files.push_back(file_->data_file);  // a header with its voxels in another
-                                            // file
+    if (file_ && file_->data_file != source_) files.push_back(file_->data_file);  // a header without voxels
     std::vector<std::uint64_t> hashes;
     for (const std::string& file : files)
         if (!hash_of_file(file, hashes.emplace_back())) return std::nullopt;

@@ -28,22 +28,18 @@ using DrilledShare = std::function<double(Vec3)>;
 
 /// A hole compared with its plan. Depths are along the planned axis from its entry.
 struct DrilledHole {
-    double entry_depth = 0.0;              ///< [m] one diameter behind the first whole circle, where the drill is
-                                           ///< guided
-    std::optional<double> entry_offset{};  ///< [m] of the hole's middle from the axis there; nothing if the hole ends
-                                           ///< before
+    double entry_depth = 0.0;              ///< [m] where the drill is guided: a diameter behind the first whole circle
+    std::optional<double> entry_offset{};  ///< [m] of the hole's middle from the axis there, if it is so deep
     double narrowest_depth = 0.0;  ///< [m] of the bone's waist around the planned axis; without a waist, the entry
     std::optional<double> narrowest_offset{};  ///< [m] of the hole's middle there; nothing if the hole ends before
     double waist_end = 0.0;                    ///< [m] where the bone behind the waist is 1.5 times as wide, the end of
                                                ///< a pedicle; without a waist, the end of the hole
     double end_depth = 0.0;                    ///< [m] of the last whole circle
     double end_offset = 0.0;                   ///< [m] of the hole's middle there
-    std::optional<double> angle{};             ///< [rad] between hole and axis; nothing for a hole shorter than two
-                                               ///< diameters
+    std::optional<double> angle{};             ///< [rad] between hole and axis; none below two diameters
     Vec3 at{}, direction{};                    ///< least-squares line through its middles, body frame; unit
     double drilled = 0.0;                      ///< [m³] in the window
-    double ideal = 0.0;                        ///< [m³] removed by the same drill on the planned axis, to the same
-                                               ///< depth
+    double ideal = 0.0;                        ///< [m³] of the same drill on the planned axis, to the same depth
 };
 
 /// Measures a hole on sections across the planned axis, half a millimetre apart. Nothing if no section has a whole

@@ -26,8 +26,7 @@ struct BorderShift {
     std::string axis;
     double step = 0.0;                   ///< [HU or grey] change of the threshold in both directions
     const char* unit = "HU";             ///< or "grey levels"
-    std::optional<double> lower, upper;  ///< [m] shift of the entry along the axis, positive into the bone; none: no
-                                         ///< entry
+    std::optional<double> lower, upper;  ///< [m] shift of the entry, positive into the bone; none: no entry
 };
 
 /// Findings and decisions of an import, for people and for the record. It has no paths, no names, and nothing of the

@@ -46,7 +46,7 @@ void drop_collapsed(SurfaceMesh& mesh, std::vector<std::string>& notes) {
         notes.push_back("Left out " + counted(gone, "face", "faces") + " with the same corner twice.");
 }
 
-/// Among faces with the same three vertices, opposite faces cancel. At most one face remains.
+/// Among faces with the same three vertices, opposite faces cancel. One face of the majority remains, if any.
 void drop_duplicates(SurfaceMesh& mesh, std::vector<std::string>& notes) {
     struct Entry {
         Triangle sorted;

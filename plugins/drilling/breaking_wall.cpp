@@ -10,8 +10,7 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr double of_one_wall = 0.7;                     // cosine between the normals of two far sides of one wall
-                                                        // [judgement]
+constexpr double of_one_wall = 0.7;                     // cosine between the normals of one wall [judgement]
 constexpr double all_broken = 1.25, none_broken = 1.5;  // times the load that broke [judgement]
 constexpr double worth_telling = 10.0;  // [N] a weaker break is a sliver between two holes, or a rim [judgement]
 constexpr double far_away = 4.0;        // times `within`, which is two radii [judgement]
@@ -121,8 +120,7 @@ PressedWall::PressedWall(std::span<const double> crushes, std::span<const std::u
         is_broken_ = is_broken_ || group.left < 1.0;
     }
 
-    std::array<double, WallAhead::most_pieces> gives;  // [–] fraction of its crushing force that each group resists
-                                                       // with
+    std::array<double, WallAhead::most_pieces> gives;  // [–] resisting fraction of each group
     for (std::size_t i = 0; i < count; ++i) {
         double bears = 0.0, together = 0.0, sharing = 0.0;
         for (std::size_t other = 0; other < count; ++other) {

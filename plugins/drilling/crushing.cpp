@@ -20,8 +20,7 @@ namespace {
 /// crushing force moves the tip by 0.7 w, and 95 % of it by 3 w.
 constexpr double onset = 1e-6;
 constexpr double deepest_spring = 0.1e-3;  // [m] [judgement]
-constexpr double let_go = 0.1;             // [–] of the force at which crushing began, or of the crushing force
-                                           // [judgement]
+constexpr double let_go = 0.1;             // [–] of the force at the beginning, or of the crushing force [judgement]
 constexpr double nowhere = 1e300;          // [m]
 constexpr double all_of_it = 0.95;         // [–] of the crushing force; the rest takes 3 w [judgement]
 

@@ -109,9 +109,9 @@ private:
 
 /// Returns whether bone yields under the full crushing force, not under less.   [haptic, nonblocking]
 [[nodiscard]] bool is_crushed(const Advance& advance) noexcept;
-/// Returns whether bone under crushing still supports the tip: with more than a tenth of `begun` [N], the force at
-/// which crushing began, or of the crushing force. Below that the tip is back on the contact spring, which such a force
-/// hardly compresses.   [haptic, nonblocking]
+/// Returns whether bone under crushing still supports the tip. It does with more than a tenth of the crushing force, or
+/// of `begun` [N], the force at which crushing began, whichever is smaller. Below that the tip is back on the contact
+/// spring, which such a force hardly compresses.   [haptic, nonblocking]
 [[nodiscard]] bool goes_on_crushing(const Advance& advance, double begun) noexcept;
 
 }  // namespace kerf::drilling

@@ -58,8 +58,7 @@ BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, co
     const auto count = static_cast<std::size_t>(places.count);
     const double moved = places.moved_in(track);
     const SinCos turned = sin_cos_exact(moved / thread.advance());
-    std::array<Vec3, 2 * most_pieces> place{};  // first in the middle of the crests' parts in bone, then next to the
-                                                // core
+    std::array<Vec3, 2 * most_pieces> place{};  // the middle of the crests in bone, then next to the core
     std::array<Bite, most_pieces> bites{};
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3& way = places.way[i];

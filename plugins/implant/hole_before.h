@@ -12,8 +12,9 @@ namespace kerf::implant {
 /// pressure on the core depends on the difference in width.
 class HoleBefore {
 public:
-    /// Measures the hole around the axis, a little ahead of the tip, at depths not measured before. Without a measured
-    /// wall the hole has the smallest width that can be resolved there. A withdrawn tool clears all measurements.
+    /// Measures the hole around the axis, a little ahead of the tip, at depths not measured before. Deep in bone, with
+    /// no wall in reach, the hole gets the smallest width that the field can resolve. A withdrawn tool clears all
+    /// measurements.
     /// @param along  [m] motion of the tip along the axis in this tick
     void measure(const ScrewThread& thread, const BoneQuery& bone, double along) noexcept;
     /// Returns the radius of the hole at `z` ≤ 0 of the tool [m]; 0 if no hole is known.

@@ -25,8 +25,7 @@ constexpr double bitten = 0.05;         // [rad] turn in bone after which a cres
 constexpr double turned_back = 0.3;     // [rad] behind the farthest turn, from which on a screw backs out
 constexpr double held_turns = 2.0;      // [–] turns of thread in bone from which on it can yield or strip [judgement]
 constexpr double left_bone = 0.2_mm;    // [m] travel without bone after which a thread has left it [judgement]
-constexpr double catching_up = 2.0;     // [–] rate, relative to the helix, at which crests that were pushed in still
-                                        // cut
+constexpr double catching_up = 2.0;     // [–] rate, relative to the helix, of crests that were pushed in
 constexpr double flute_scale = 10.0_mm;
 constexpr double tilt_arm = 10.0_mm;    // [m] lever of a channel that turns
 constexpr double same_width = 0.05_mm;  // [m] a groove narrower by no more than this needs no cutting
@@ -176,8 +175,7 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
     }
     if (thread.takes_chips_out) {
         const double radius = 0.5 * thread.outer;
-        if (radius > groove.tapped_radius + same_width) {  // it widens the groove of a narrower tap, up to its own
-                                                           // depth
+        if (radius > groove.tapped_radius + same_width) {  // it widens a narrower groove, up to its own depth
             groove.tapped_radius = radius;
             groove.tapped_to = groove.from;
         }

@@ -51,10 +51,9 @@ struct ScrewInsertion : ScrewParameters {
         double strength = 0.0, stiffness = 0.0;  ///< of the bone's thread [N], [N/m]
         double engaged = 0.0;                    ///< [m]
         double middle = 0.0, across = 0.0;       ///< [m], [N]: centre and limit of the sideways support
-        float left = 1.0f, front = 0.0f;    ///< [–] remaining fraction of its strength, bone fraction at its first
-                                            ///< crest
-        float spread = 0.0f;                ///< [m] along the shaft, of the sideways support
-        float leading = 0.0f, last = 0.0f;  ///< [m] of z, ends of the engaged part, towards tip and head
+        float left = 1.0f, front = 0.0f;         ///< [–] remaining strength, bone fraction at the first crest
+        float spread = 0.0f;                     ///< [m] along the shaft, of the sideways support
+        float leading = 0.0f, last = 0.0f;       ///< [m] of z, ends of the engaged part, towards tip and head
         std::int32_t body = -1;
     };
     struct Signals {

@@ -100,8 +100,7 @@ template <class Blade>
 /// Results of `resist` about the teeth, for the commit.
 struct CutInTick {
     SawNotes teeth;
-    std::optional<double> along_per_thrust;  ///< [–] force along the teeth; none: computed from a tooth's edge and chip
-                                             ///< law
+    std::optional<double> along_per_thrust;  ///< [–] force along the teeth; none: from the law of a tooth
 };
 
 /// Takes over the motion of a tick, except in the motor.   [haptic, nonblocking]

@@ -79,8 +79,7 @@ std::optional<SweptBurr> SweptBurr::make(std::span<const kerf_profile_point> out
     burr.turns_ = !(a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z);
     const double half_cosine = std::abs(a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z);
     const double angle = 2.0 * std::sqrt(std::max(0.0, 1.0 - half_cosine * half_cosine));  // [rad] or a little less
-    constexpr double most_of_a_piece = 0.01;  // [rad] the sweep of a piece is then convex to 0.1 um, with a tool of 10
-                                              // mm
+    constexpr double most_of_a_piece = 0.01;  // [rad] a sweep convex to 0.1 um, with a tool of 10 mm
     burr.pieces_ = static_cast<int>(std::clamp(std::ceil(angle / most_of_a_piece), 1.0, 64.0));
     burr.turns_little_ = angle < 4.0 * most_of_a_piece;
     burr.way_in_tool_ = rotate(conjugate(from.rotation), to.position - from.position);
