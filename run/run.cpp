@@ -277,7 +277,7 @@ std::vector<MeasureReading> Run::measured_bone() const {
     return measure_bone(*scene_, simulation_.present(), world_from_body_);
 }
 
-/// Leaves an implant in bone; its driver leaves it.
+/// Leaves the step's implant in bone as a body, and prepares the retraction of its driver.
 void Run::leave_implant(std::size_t step) {
     const std::size_t tool = scene_->tool_of_step[step];
     if (!scene_->tools[tool].outline.is_implant()) return;

@@ -66,7 +66,7 @@ double narrowest_bore(const ToolSolid& turning) {
     return 2.0 * radius;
 }
 
-/// Refuses a rehearsal that expects to pass but is not led as deep as the goals of its steps.
+/// Warns of a rehearsal that expects to pass but is not led as deep as the goals of its steps.
 void check_reach(const Procedure& procedure, std::size_t rehearsal, const Document& document, Report& report) {
     const Rehearsal& r = procedure.rehearsals[rehearsal];
     if (r.expect != "pass") return;

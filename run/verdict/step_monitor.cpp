@@ -42,7 +42,7 @@ AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const An
     frame.entry = axis.from + entry_along_axis * frame.along;
     for (const auto& point : anatomy.points)
         if (point.id == "midline") {
-            // Perpendicular to the axis, towards the midline.
+            // Perpendicular to the axis, towards the midline at the same depth.
             const Vec3 away = point.at - frame.entry;
             frame.medial = normalized(away - dot(away, frame.along) * frame.along);
         }
