@@ -13,8 +13,8 @@ namespace {
 
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 
-std::string place_text(const Body& body, Vec3 at) {
-    const PlaceOnBone place = place_on_bone(body, at);
+std::string position_text(const Body& body, Vec3 at) {
+    const PointOnBone place = locate_on_bone(body, at);
     if (!place.is_in_region) return "outside the region, not checked";
     const bool is_far = std::abs(place.distance) >= 0.99 * place.known;
     return std::string(is_far ? "more than " : "") + millimetres(std::abs(place.distance)) +
@@ -38,13 +38,14 @@ std::string anatomy_text(const Scene& scene) {
     const auto add = [&](const std::string& line) { text += line + "\n"; };
     for (const std::string& note : scene.import.notes) add(note);
     for (const LandmarkPoint& point : scene.anatomy.points)
-        add("Point " + point.id + ": " + place_text(scene.body, point.at) + ", known to " +
+        add("Point " + point.id + ": " + position_text(scene.body, point.at) + ", known to " +
             millimetres(point.tolerance) + ".");
     for (const LandmarkPlane& plane : scene.anatomy.planes)
-        add("Plane " + plane.id + ": its point " + place_text(scene.body, plane.at) + ", known to " +
+        add("Plane " + plane.id + ": its point " + position_text(scene.body, plane.at) + ", known to " +
             millimetres(plane.tolerance) + ".");
     for (const Zone& zone : scene.anatomy.zones)
-        add("Zone " + zone.id + ": " + rounded(100.0 * share_in_bone(scene.body, zone), 0) + " % of it lies in bone.");
+        add("Zone " + zone.id + ": " + rounded(100.0 * fraction_in_bone(scene.body, zone), 0) +
+            " % of it lies in bone.");
     for (const BorderShift& shift : scene.import.shifts) add(shift_text(shift));
     return text;
 }

@@ -34,7 +34,7 @@ std::string shown(double value, const std::string& unit) {
 
 /// Whether a user means a component: a strategy by the last words of its id, as a procedure does.
 bool names(const ComponentInfo& component, const std::string& wanted) {
-    return component.kind == KERF_KIND_REMESHER ? component.is_meant_by(wanted) : full_id(component) == wanted;
+    return component.kind == KERF_KIND_REMESHER ? component.matches_id(wanted) : full_id(component) == wanted;
 }
 
 std::string padded(std::string text, std::size_t width) {

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 const char* level_of(const Diagnostic& d) { return d.level == Diagnostic::Level::error ? "error" : "warning"; }
 
-Json to_json(const SourcePlace& place) {
+Json to_json(const SourcePosition& place) {
     return {{"file", shown(place.file)}, {"line", place.line}, {"column", place.column}, {"length", place.length}};
 }
 

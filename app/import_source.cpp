@@ -21,7 +21,7 @@ namespace kerf {
 namespace {
 
 constexpr int slab = 16;  // slices that are in memory at once
-constexpr int least_bin = -2048, most_bin = 4096;
+constexpr int min_bin = -2048, max_bin = 4096;
 
 void add_line(std::string& text, const char* head, const std::string& line) {
     text += head;
@@ -40,7 +40,7 @@ bool ends_in(const std::string& name, const char* ending) {
 
 /// How often each value is there, and what a file needs to know of them.
 struct Values {
-    std::vector<std::size_t> counts = std::vector<std::size_t>(most_bin - least_bin + 1, 0);
+    std::vector<std::size_t> counts = std::vector<std::size_t>(max_bin - min_bin + 1, 0);
     std::size_t all = 0;
     float least = HUGE_VALF, most = -HUGE_VALF;
     bool fits_short = true;
@@ -51,8 +51,7 @@ struct Values {
             most = std::max(most, v);
             fits_short = fits_short && v == std::round(v) && v >= -32768.0f && v <= 32767.0f;
             ++counts[static_cast<std::size_t>(
-                std::clamp(static_cast<int>(std::lround(std::clamp(v, -1e6f, 1e6f))), least_bin, most_bin) -
-                least_bin)];
+                std::clamp(static_cast<int>(std::lround(std::clamp(v, -1e6f, 1e6f))), min_bin, max_bin) - min_bin)];
         }
         all += values.size();
     }
@@ -60,8 +59,8 @@ struct Values {
         std::size_t seen = 0;
         for (std::size_t bin = 0; bin < counts.size(); ++bin)
             if ((seen += counts[bin]) >= static_cast<std::size_t>(share * static_cast<double>(all)))
-                return static_cast<int>(bin) + least_bin;
-        return most_bin;
+                return static_cast<int>(bin) + min_bin;
+        return max_bin;
     }
 };
 

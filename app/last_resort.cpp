@@ -24,7 +24,7 @@ namespace {
 constexpr const char* out_of_memory = "\nkerf: out of memory: a request for more was refused. Free some, raise the "
                                       "limit (`ulimit -v`), or take a coarser "
                                       "`accuracy.spacing`.\n";
-constexpr rlim_t least_stack = 512 * 1024;
+constexpr rlim_t min_stack = 512 * 1024;
 
 void write_plain(const char* text) {
     for (std::size_t left = std::strlen(text); left > 0;) {
@@ -76,14 +76,14 @@ void say_why_not_on_terminate() { std::set_terminate(&end); }
 
 bool is_stack_large_enough() {
     rlimit limit{};
-    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= least_stack)
+    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= min_stack)
         return true;
     // Up to the hard limit a process may raise its own.
     limit.rlim_cur =
         limit.rlim_max == RLIM_INFINITY || limit.rlim_max > 8 * 1024 * 1024 ? 8 * 1024 * 1024 : limit.rlim_max;
-    if (limit.rlim_cur >= least_stack && setrlimit(RLIMIT_STACK, &limit) == 0) return true;
+    if (limit.rlim_cur >= min_stack && setrlimit(RLIMIT_STACK, &limit) == 0) return true;
     std::fprintf(stderr, "kerf: the stack is limited to %lu kB, expected at least %lu kB. Write `ulimit -s 8192`.\n",
-                 static_cast<unsigned long>(limit.rlim_cur / 1024), static_cast<unsigned long>(least_stack / 1024));
+                 static_cast<unsigned long>(limit.rlim_cur / 1024), static_cast<unsigned long>(min_stack / 1024));
     return false;
 }
 

@@ -29,10 +29,10 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t most_findings = 20;  // of one kind, of one file
-constexpr std::uintmax_t most_bytes = 500'000'000;
-constexpr std::uint64_t most_unpacked = 4'000'000'000;
-constexpr std::size_t most_nested_text = 16'000'000;
+constexpr std::size_t max_findings = 20;  // of one kind, of one file
+constexpr std::uintmax_t max_bytes = 500'000'000;
+constexpr std::uint64_t max_unpacked = 4'000'000'000;
+constexpr std::size_t max_nested_text = 16'000'000;
 
 // ---- DICOM
 // ------------------------------------------------------------------------------------------------------------
@@ -126,7 +126,7 @@ void add_finding(PrivacyReport& report, const std::string& what, std::string val
     const auto kind = [&](const PrivacyFinding& f) { return f.what == what; };
     auto& all = report.findings;
     if (std::any_of(all.begin(), all.end(), same) ||
-        std::count_if(all.begin(), all.end(), kind) >= static_cast<std::ptrdiff_t>(most_findings))
+        std::count_if(all.begin(), all.end(), kind) >= static_cast<std::ptrdiff_t>(max_findings))
         return;
     all.push_back({what, std::move(value)});
 }
@@ -307,7 +307,7 @@ public:
         for (const char c : bytes) {
             const bool is_plain = c >= 0x20 && c < 0x7f;
             if (is_plain) run_ += c;
-            if (!is_plain || run_.size() >= most_in_row) keep_run(is_plain);
+            if (!is_plain || run_.size() >= max_in_row) keep_run(is_plain);
         }
     }
     void end() {
@@ -316,16 +316,16 @@ public:
     }
 
 private:
-    static constexpr std::size_t least_in_row = 8, most_in_row = 1 << 20, overlap = 1 << 12, most_kept = 4 << 20;
+    static constexpr std::size_t min_in_row = 8, max_in_row = 1 << 20, overlap = 1 << 12, max_kept = 4 << 20;
 
     /// What may go on in the next piece of a long row is looked at there again.
     void keep_run(bool goes_on) {
-        if (run_.size() >= least_in_row) kept_ += run_ + '\n';
+        if (run_.size() >= min_in_row) kept_ += run_ + '\n';
         if (goes_on)
             run_.erase(0, run_.size() - overlap);
         else
             run_.clear();
-        if (kept_.size() > most_kept) look();
+        if (kept_.size() > max_kept) look();
     }
     void look() {
         Looking(kept_, report_, where_).all();
@@ -342,7 +342,7 @@ void look_at_voxels(PackedBytes& bytes, PrivacyReport& report) {
     LookingAmongBytes looking(report, ", among the voxels");
     std::string buffer(1 << 18, '\0');
     std::uint64_t sum = 0;
-    while (sum < most_unpacked) {
+    while (sum < max_unpacked) {
         const std::uint64_t count = bytes.take(buffer.data(), buffer.size());
         looking.take(std::string_view(buffer).substr(0, count));
         sum += count;
@@ -351,7 +351,7 @@ void look_at_voxels(PackedBytes& bytes, PrivacyReport& report) {
     looking.end();
     if (bytes.is_damaged())
         report.unseen.push_back("The packed voxels are damaged, and were not looked at to their end.");
-    if (sum >= most_unpacked) report.unseen.push_back("Only the first 4 GB of the voxels were looked at.");
+    if (sum >= max_unpacked) report.unseen.push_back("Only the first 4 GB of the voxels were looked at.");
     report.unseen.push_back("Among the voxels only plain letters were looked for: not those of two bytes each, and not "
                             "what a picture of them shows.");
 }
@@ -414,7 +414,7 @@ void look_at_dicom(const std::string& file, PrivacyReport& report) {
             if (!plain.empty()) add_finding(report, tag_text(*known) + ", in a sequence", plain);
             return;
         }
-        is_all_kept = is_all_kept && texts.size() < most_nested_text;
+        is_all_kept = is_all_kept && texts.size() < max_nested_text;
         if (is_all_kept) texts += *value + '\n';
     };
     const DicomElements nested = read_dicom_elements(file, look_at);
@@ -613,7 +613,7 @@ PrivacyReport privacy_report(const std::string& file) {
                is_meta = ends_in(file, ".mha");
     std::ifstream in(file, std::ios::binary);
     const std::uintmax_t size = std::filesystem::file_size(file, error);
-    const std::uintmax_t wanted = is_stl ? 84 : is_nrrd || is_meta ? 65'536 : most_bytes;
+    const std::uintmax_t wanted = is_stl ? 84 : is_nrrd || is_meta ? 65'536 : max_bytes;
     std::string bytes(std::min(size, wanted), '\0');
     in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!in || error) {
@@ -638,7 +638,7 @@ PrivacyReport privacy_report(const std::string& file) {
         look_at_base64(bytes, report);
     else
         report.unseen.push_back("Behind an STL's first 84 bytes nothing was looked at.");
-    if (size > most_bytes && !is_stl && !is_nrrd && !is_meta)
+    if (size > max_bytes && !is_stl && !is_nrrd && !is_meta)
         report.unseen.push_back("Only the first 500 MB were looked at.");
     return report;
 }

@@ -79,7 +79,7 @@ std::optional<std::string> full_id_of(const std::string& wanted, const Component
     for (const ComponentInfo& component : catalog) {
         if (component.kind != KERF_KIND_REMESHER) continue;
         known.push_back(component.full_id());
-        if (component.is_meant_by(wanted)) meant.push_back(known.back());
+        if (component.matches_id(wanted)) meant.push_back(known.back());
     }
     if (meant.size() == 1) return meant.front();
     error = "the strategy `" + shown(wanted) + "` ";

@@ -15,7 +15,7 @@ namespace kerf {
 namespace {
 
 constexpr std::size_t unit = 16, page = 4096;
-constexpr std::size_t most_regions = 16;  // one, and those in which something was left
+constexpr std::size_t max_regions = 16;  // one, and those in which something was left
 constexpr std::uintptr_t first_place = 0x100000000000;
 
 /// Blocks up to a page are used again, the last freed one first; larger ones give their pages back and are not.
@@ -62,7 +62,7 @@ struct Region {
     }
 };
 
-Region regions[most_regions];
+Region regions[max_regions];
 thread_local Region* current = nullptr;  // null: between requests, on other threads, and where there is no room
 std::atomic_flag is_in_use = ATOMIC_FLAG_INIT;
 
@@ -130,7 +130,7 @@ void release(void* bytes) noexcept {
 }  // namespace
 
 void begin_request_memory() noexcept {
-    for (std::size_t n = 0; n < most_regions && current == nullptr; ++n) {
+    for (std::size_t n = 0; n < max_regions && current == nullptr; ++n) {
         Region& region = regions[n];
         if (region.begin == nullptr && !reserve(region, first_place + (n << 37))) return;
         if (region.blocks > 0) {  // something that a library made once: what is beyond it is not needed

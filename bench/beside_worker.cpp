@@ -193,7 +193,7 @@ private:
         });
         const auto uncut = saw.moment();
         while (!is_over_) {
-            saw.go_back(uncut);
+            saw.restore(uncut);
             for (const CutStretch& step : test::cut_across(0.0, -13.0_mm, 13.0_mm, 0.1_mm, 3.0_mm)) {
                 while (!may_cut && !is_over_) std::this_thread::sleep_for(std::chrono::microseconds(200));
                 if (is_over_) return;

@@ -40,7 +40,7 @@ struct Ours {
     Vec3 by{};
 
     void ask() const {
-        PlaceBlock places;
+        LocatedBlock places;
         BlockValues distance;
         const GridFrame grid(field.grid(), {}, frame_of({by, {1, 0, 0, 0}}));
         for (std::size_t first = 0; first < points.size(); first += block_capacity) {

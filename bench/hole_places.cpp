@@ -130,7 +130,7 @@ std::string bone_svg(const View& view) {
     const AxisFrame& frame = view.scene->frames.front();
     const Body& body = view.scene->body;
     const auto shade_at = [&](double beside, double depth) {
-        const BrickPlace place = locate(body, frame.entry + depth * frame.along + beside * view.aside);
+        const LocatedPoint place = locate(body, frame.entry + depth * frame.along + beside * view.aside);
         if (uncut_distance(body, place) >= 0.0) return 0;
         double weight[KERF_MAX_TISSUES], density = 0.0;
         material_weights(body, place, weight);

@@ -128,8 +128,8 @@ int main(int argc, char** argv) {
         if (!found.screw) throw std::runtime_error(std::string("no grade of ") + screws[i].name);
         const std::string grade = gertzbein_robbins(found.screw->least, found.screw->most);
         std::printf("%-16s %10.2f  %-18s %s\n", screws[i].name, found.screw->breach.worst() / 1.0_mm, grade.c_str(),
-                    found.screw->by_place.c_str());
-        svg += tile_svg(scene, frame, screws[i], grade + ", " + found.screw->by_place,
+                    found.screw->heary_grade.c_str());
+        svg += tile_svg(scene, frame, screws[i], grade + ", " + found.screw->heary_grade,
                         gap + static_cast<double>(i % across) * (tile + gap),
                         40.0 + static_cast<double>(i / across) * (tile + 32.0));
     }

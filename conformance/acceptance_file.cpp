@@ -20,7 +20,7 @@ namespace {
 constexpr const char* notice = "# For training and research; not for diagnosis, planning or deciding treatment";
 constexpr const char* magic = "# kerf acceptance 1";
 constexpr const char* columns = "tick,x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg,drive,fx_N,fy_N,fz_N,tx_Nmm,ty_Nmm,tz_Nmm";
-constexpr std::size_t pose_columns = 8, all_columns = 14, most_rows = 100000;
+constexpr std::size_t pose_columns = 8, all_columns = 14, max_rows = 100000;
 constexpr double mm = 1e-3, degree = pi / 180.0;
 const Quat down = quat_between({0, 0, 1}, {0, 0, -1});
 
@@ -117,7 +117,7 @@ std::optional<AcceptanceFile> parse_acceptance(std::istream& in, const std::stri
         if (!file.rows.empty() && row.tick <= file.rows.back().tick)
             return wrong(number, "tick " + std::to_string(row.tick) + " comes after tick " +
                                      std::to_string(file.rows.back().tick) + "; list the rows in time order");
-        if (file.rows.size() >= most_rows) return wrong(number, "there are more than 100000 rows");
+        if (file.rows.size() >= max_rows) return wrong(number, "there are more than 100000 rows");
         file.rows.push_back(row);
     }
     if (!has_magic) return wrong(1, std::string("it is no acceptance file. Write the line `") + magic + "`");

@@ -186,7 +186,7 @@ struct Most {
 };
 
 /// The largest counts of one `resist`, for the defaults and with each parameter at either end.
-Most most_of(Examination& exam) {
+Most max_of(Examination& exam) {
     Most most;
     const auto take = [](std::uint32_t now, const LawWalk& law, std::uint32_t& largest, std::string& at) {
         if (now > largest) largest = now, at = law.where();
@@ -231,15 +231,15 @@ void keeps_to(Examination& exam, const char* what, std::uint32_t declared, std::
 }
 
 void keeps_to_its_channels(Examination& exam) {
-    const Most most = most_of(exam);
+    const Most most = max_of(exam);
     keeps_to(exam, "channels", exam.subject->force->force->max_channels, most.channels, most.channels_at);
 }
 void keeps_to_its_points(Examination& exam) {
-    const Most most = most_of(exam);
+    const Most most = max_of(exam);
     keeps_to(exam, "points", exam.subject->force->force->max_points, most.points, most.points_at);
 }
 void keeps_to_its_queries(Examination& exam) {
-    const Most most = most_of(exam);
+    const Most most = max_of(exam);
     keeps_to(exam, "queries", exam.subject->force->force->max_queries, most.queries, most.queries_at);
 }
 

@@ -61,15 +61,15 @@ void touches_where_bone_is(Examination& exam) {
 }
 
 void rests_on_bone(Examination& exam) {
-    constexpr double push = 10.0, most_depth = 1.5e-3;  // [N], [m]
+    constexpr double push = 10.0, max_depth = 1.5e-3;  // [N], [m]
     ToolRig rig(*exam.subject, {.is_running = false});
     TickResult tick;
     for (int i = 0; i < 1500; ++i)
         if (is_fault(exam, tick = rig.push(push), rig)) return;
     const double depth = rig.depth();
-    if (depth > most_depth)
+    if (depth > max_depth)
         exam.fail("At rest, pushed with 10 N, its tip sinks " + number(1e3 * depth) + " mm into dense bone, expected " +
-                  number(1e3 * most_depth) + " mm at most. Add contact for a tool that does not cut.");
+                  number(1e3 * max_depth) + " mm at most. Add contact for a tool that does not cut.");
     else
         exam.note(number(1e3 * depth) + " mm deep under 10 N");
 }
@@ -106,7 +106,7 @@ public:
         last_ = now;
     }
     [[nodiscard]] double sum() const noexcept { return sum_; }
-    [[nodiscard]] double most_taken() const noexcept { return -stored_; }
+    [[nodiscard]] double max_taken() const noexcept { return -stored_; }
 
 private:
     const ToolRig& rig_;
@@ -117,7 +117,7 @@ private:
 
 void is_passive(Examination& exam) {
     constexpr double deep = 0.1e-3, step = 0.1e-6;  // [m] of a tick: what a step adds by its length is not the law's
-    constexpr double most_share = 0.05;             // [–] of what it stored
+    constexpr double max_share = 0.05;              // [–] of what it stored
     for (const double tilt : {0.0, 20.0 * pi / 180.0}) {
         ToolRig rig(*exam.subject, {.is_running = false});
         static_cast<void>(rig.lead(-0.1e-3, 0.0, tilt));
@@ -125,10 +125,10 @@ void is_passive(Examination& exam) {
         const int count = static_cast<int>(std::lround((deep + 0.1e-3) / step));
         for (int i = 1; i <= 2 * count; ++i)
             work.add(rig.lead(-0.1e-3 + step * (i <= count ? i : 2 * count - i), 0.0, tilt));
-        if (work.sum() > most_share * work.most_taken() + 1e-9)
+        if (work.sum() > max_share * work.max_taken() + 1e-9)
             return exam.fail("At rest, pressed 0.1 mm into bone and drawn back, it gives the hand " +
                              number(1e3 * work.sum()) + " mJ that it was never given, expected none; it stored " +
-                             number(1e3 * work.most_taken()) + " mJ at most.");
+                             number(1e3 * work.max_taken()) + " mJ at most.");
     }
 }
 
@@ -160,7 +160,7 @@ void gains_nothing(Examination& exam) {
     for (const TickResult& tick : rig.feed(-above, deep, feed_rate)) work.add(tick);
     const double in = work.sum();
     for (const TickResult& tick : rig.feed(deep, -above, 10.0 * feed_rate)) work.add(tick);
-    const double taken = work.most_taken();
+    const double taken = work.max_taken();
     if (in > 0.01 * taken + 1e-6)
         exam.fail("Fed straight into bone, it pulls itself in: it gives the hand " + number(1e3 * in) +
                   " mJ, expected none. Cutting costs work.");
@@ -181,7 +181,7 @@ void gains_nothing_sideways(Examination& exam) {
         Work work(rig, rig.simulation().world_from_tool());
         const int count = static_cast<int>(aside / step);
         for (int i = 1; i <= 2 * count; ++i) work.add(rig.lead(deep, side * step * (i <= count ? i : 2 * count - i)));
-        if (work.sum() > 0.01 * work.most_taken() + 1e-6)
+        if (work.sum() > 0.01 * work.max_taken() + 1e-6)
             return exam.fail("Led 1.5 mm sideways through bone and back, it gives the hand " +
                              number(1e3 * work.sum()) + " mJ, expected none. Cutting costs work.");
     }
@@ -206,7 +206,7 @@ void knows_no_ghosts(Examination& exam) {
 
 void hands_over(Examination& exam) {
     if (!has_drives(*exam.subject)) return exam.skip("the tool has no drive");
-    constexpr double most_step = 0.1;                                   // [–] of the push
+    constexpr double max_step = 0.1;                                    // [–] of the push
     const double push = std::min(30.0, fed(*exam.subject, {}).thrust);  // [N] so that it cuts at about 2 mm/s
     if (push < slight) return exam.skip("it makes no thrust in bone");
     ToolRig rig(*exam.subject, {});
@@ -224,7 +224,7 @@ void hands_over(Examination& exam) {
         return largest;
     };
     for (const double fraction : {0.0, 1.0})
-        if (const double step = largest_step(fraction); step > most_step * push)
+        if (const double step = largest_step(fraction); step > max_step * push)
             return exam.fail(std::string("Switched ") + (fraction > 0.0 ? "on" : "off") + " under a push of " +
                              number(push) + " N, its force steps by " + number(step) +
                              " N from one tick to the next. Let the cut fade while contact takes over "

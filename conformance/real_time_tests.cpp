@@ -98,7 +98,7 @@ double processor_seconds() noexcept {
 
 void is_fast_enough(Examination& exam) {
     constexpr int blocks = 20, calls = 20;
-    constexpr double most_over = 5.0;  // times the budget: beyond that, no machine is to blame
+    constexpr double max_over = 5.0;  // times the budget: beyond that, no machine is to blame
     const double budget = 1e-9 * exam.subject->force->force->budget_ns;
     LawWalk law(*exam.subject);
     if (!law.refusal().empty()) return exam.skip(law.refusal());
@@ -114,11 +114,11 @@ void is_fast_enough(Examination& exam) {
         const double begun = processor_seconds();
         for (int i = 0; i < calls; ++i) static_cast<void>(law.resist());
         least = std::min(least, (processor_seconds() - begun) / calls);
-        if (least > most_over * budget && block > 2) break;
+        if (least > max_over * budget && block > 2) break;
     }
     const std::string text =
         "One `resist` takes " + number(1e6 * least) + " µs in bone, the budget is " + number(1e6 * budget) + " µs";
-    if (least > most_over * budget)
+    if (least > max_over * budget)
         exam.fail(text + ". Query fewer points, or declare a budget that is true.");
     else if (least > budget)
         exam.warn(text + ". This machine may be slow; see `kerf check --only law.time` on another.");

@@ -341,8 +341,8 @@ public:
     [[nodiscard]] bool cut(const CutStretch& stretch, std::string& why) {
         if (!is_whole_) return patches_.cut(stretch, why);
         request_.cuts = {stretch};
-        constexpr std::uint64_t most_seeds = 5;  // as in a run
-        for (request_.nudge_seed = 0; request_.nudge_seed < most_seeds; ++request_.nudge_seed) {
+        constexpr std::uint64_t max_seeds = 5;  // as in a run
+        for (request_.nudge_seed = 0; request_.nudge_seed < max_seeds; ++request_.nudge_seed) {
             RemeshResult result = answer_to(request_);
             why = result.message;
             if (result.status == KERF_REMESH_UNCHANGED) return true;

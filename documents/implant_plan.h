@@ -38,7 +38,7 @@ struct Implant {
 };
 
 /// Least angle between `up` and the axis of a place at which x is still defined [rad].
-inline constexpr double least_angle_of_up = 0.02;
+inline constexpr double min_angle_of_up = 0.02;
 
 /// Returns the planned pose of an implant, LPS from its frame. Pre: `up` is at an angle to the unit vector `along`.
 /// @param entry   where the axis first meets bone, LPS [m]   [any] pure.

@@ -78,7 +78,7 @@ struct MeasureReading {
     std::string why_not{};          ///< part of a sentence, without a stop; empty with a value
 };
 
-inline constexpr std::size_t most_measures = 64;             ///< of one procedure; as many constructions
-inline constexpr std::size_t most_construction_points = 32;  ///< of one construction: each is moved for the uncertainty
+inline constexpr std::size_t max_measures = 64;             ///< of one procedure; as many constructions
+inline constexpr std::size_t max_construction_points = 32;  ///< of one construction: each is moved for the uncertainty
 
 }  // namespace kerf

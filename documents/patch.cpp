@@ -15,8 +15,8 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t most_parts = 16;  // of a path
-constexpr int most_changes = 1000;      // of a patch: each looks through what is there
+constexpr std::size_t max_parts = 16;  // of a path
+constexpr int max_changes = 1000;      // of a patch: each looks through what is there
 
 bool is_id_of(const Node& item, std::string_view id) {
     const Node* found = item.find("id");
@@ -84,17 +84,17 @@ private:
     /// `path` leads from `target`, which has this shape, to what `change` is for.
     void apply(Node& target, const ValueShape* shape, const Node& change, std::string_view path) {
         if (change.is_refused) return;
-        if (++changes_ > most_changes) {
-            if (changes_ == most_changes + 1)
+        if (++changes_ > max_changes) {
+            if (changes_ == max_changes + 1)
                 report_.error(Code::out_of_range, change.key_span,
-                              "The patch is too long: got more than " + std::to_string(most_changes) +
+                              "The patch is too long: got more than " + std::to_string(max_changes) +
                                   " changes. Write a procedure of its own.");
             return;
         }
-        if (static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) >= most_parts) {
+        if (static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) >= max_parts) {
             report_.error(
                 Code::nested_too_deep, change.key_span,
-                "The path is too long: got more than " + std::to_string(most_parts) + " parts. Name something nearer.");
+                "The path is too long: got more than " + std::to_string(max_parts) + " parts. Name something nearer.");
             return;
         }
         if (target.kind == Node::Kind::scalar || (target.kind == Node::Kind::list && !has_ids(target))) {
@@ -209,7 +209,7 @@ private:
 
     void merge_items(Node& list, const ValueShape* shape, const Node& change) {
         for (const Node& item : change.children) {
-            if (changes_ > most_changes) return;
+            if (changes_ > max_changes) return;
             const std::string& id = item.find("id")->text;
             const auto same = find_within(list, id);
             const ValueShape* of_item = shape_within(shape, id);
@@ -300,7 +300,7 @@ private:
             const auto width = static_cast<std::size_t>(std::count_if(
                 shown.begin(), shown.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
             shown.append(width < 58 ? 58 - width : 1, ' ');
-            const SourcePlace place = document_.place(node.span);
+            const SourcePosition place = document_.place(node.span);
             shown += "  # " + printable(place.file) + (node.span.source == 0 ? ":" + std::to_string(place.line) : "");
         }
         text_ += shown + "\n";

@@ -68,7 +68,7 @@ struct Goal {
     /// come out of the bone.
     std::string quantity{};
     Bound bound{};  ///< of "depth", "moved", "removed_volume", "signal" and "measure"
-    SourcePlace place{};
+    SourcePosition place{};
     NamedSignal signal{};   ///< for "signal"
     std::string measure{};  ///< for "measure": id of a Measure
 
@@ -91,7 +91,7 @@ struct Limit {
     std::string zone{};  ///< for "clearance"
     Bound bound{};
     std::string reason{};  ///< the sentence a trainee reads when it is broken
-    SourcePlace place{};
+    SourcePosition place{};
     std::string event{};              ///< for "damage"
     double diameter = 0.0;            ///< [m] for "breach": of the cylinder that is to lie in the hole
     std::string landmark{}, other{};  ///< for "axes_angle" two axes, for "tip_apex" a point and an axis
@@ -170,7 +170,7 @@ struct Waypoint {
     std::size_t step = 0;             ///< whose frame
     std::optional<double> speed{};    ///< [m/s] on the way there; none: the hand's feed or approach
     std::optional<double> push{};     ///< [N] on the way there; none: the hand's
-    double stop_aside = 0.0;          ///< [m] beside the way at which it is given up; 0: never
+    double skip_distance = 0.0;       ///< [m] beside the way at which it is given up; 0: never
     std::vector<HandInput> inputs{};  ///< asked for on arrival, in this order
     double turn = 0.0;                ///< [rad] by which the hand turns the tool about its z on the way there
     double turning = default_turning;     ///< [1/s] revolutions of that turn

@@ -43,7 +43,7 @@ std::vector<ImplantHole> read_holes(const Node& node, const std::string& name, R
     return holes;
 }
 
-ImplantPlace read_place(const Node& node, const std::string& name, Report& report) {
+ImplantPlace read_geometry(const Node& node, const std::string& name, Report& report) {
     MapReader map(node, shapes::implant_place, name, report);
     ImplantPlace place;
     place.axis = map.id("axis");
@@ -70,7 +70,7 @@ std::vector<Implant> read_implants(const Node& node, Report& report) {
         if (solid && solid->key == "mesh") implant.mesh = read_mesh(*solid, child.key + ".mesh", report);
         if (solid && solid->key == "parts") implant.solids.parts = read_parts(*solid, child.key + ".parts", report);
         if (const Node* holes = map.find("holes")) implant.holes = read_holes(*holes, child.key + ".holes", report);
-        if (const Node* place = map.find("place")) implant.place = read_place(*place, child.key + ".place", report);
+        if (const Node* place = map.find("place")) implant.place = read_geometry(*place, child.key + ".place", report);
         map.finish();
         implants.push_back(std::move(implant));
     }

@@ -58,10 +58,10 @@ public:
     std::vector<std::string> read_all(const Node& node, const std::string& name, std::size_t least) const {
         const std::vector<std::string> ids = read_ids(node, name, *report_);
         for (const Node& item : node.children) check(item, item.text);
-        if (ids.size() > most_construction_points)
+        if (ids.size() > max_construction_points)
             report_->error(Code::out_of_range, node.key_span,
                            name + " has too many points: got " + std::to_string(ids.size()) + ", expected at most " +
-                               std::to_string(most_construction_points) + ". Remove some.");
+                               std::to_string(max_construction_points) + ". Remove some.");
         if (!ids.empty() && ids.size() < least)
             report_->error(Code::degenerate, node.key_span,
                            name + " has too few points: got " + std::to_string(ids.size()) + ", expected at least " +
@@ -75,10 +75,10 @@ private:
 };
 
 bool has_room(const Node& node, const std::string& what, Report& report) {
-    if (node.children.size() <= most_measures) return true;
-    report.error(Code::out_of_range, node.children[most_measures].key_span,
+    if (node.children.size() <= max_measures) return true;
+    report.error(Code::out_of_range, node.children[max_measures].key_span,
                  "There are too many " + what + ": got " + std::to_string(node.children.size()) +
-                     ", expected at most " + std::to_string(most_measures) + ". Remove some.");
+                     ", expected at most " + std::to_string(max_measures) + ". Remove some.");
     return false;
 }
 

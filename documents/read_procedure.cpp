@@ -27,7 +27,7 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t most_variants = 32;
+constexpr std::size_t max_variants = 32;
 constexpr const char* midline = "midline";
 
 std::string quoted_id(const std::string& id) { return "`" + id + "`"; }
@@ -194,7 +194,7 @@ private:
         for (const ComponentInfo& component : catalog_) {
             if (component.kind != KERF_KIND_REMESHER) continue;
             known.push_back(component.full_id());
-            if (component.is_meant_by(word)) meant.push_back(&component);
+            if (component.matches_id(word)) meant.push_back(&component);
         }
         if (meant.size() == 1) {
             instrument.remeshing = meant.front()->full_id();
@@ -346,7 +346,7 @@ private:
                                         [&](const ParameterInfo& p) { return p.id == node.key; });
         if (found == parameters.end()) return false;
         const QuantityNeed need{found->dimension, found->display_unit, found->min, found->max};
-        SourcePlace where;
+        SourcePosition where;
         where.file = component.plugin + "/" + component.id;
         Reason declared{std::move(where),
                         found->id + " is declared from " + quantity_text(need.min, need.unit) + " to " +
@@ -715,7 +715,7 @@ std::vector<std::string> read_allowed(const Node& node, const Instrument& instru
 }
 
 /// What spoils the tool fails the step, unless the step allows it.
-void add_damage_limits(const Instrument& instrument, SourcePlace place, Step& step) {
+void add_damage_limits(const Instrument& instrument, SourcePosition place, Step& step) {
     for (const EventInfo& event : instrument.damages) {
         if (contains(step.allowed, event.id)) continue;
         Limit& limit = step.limits.emplace_back();
@@ -965,7 +965,7 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
     if (waypoint.find("push")) at.push = waypoint.quantity("push");
     if (const Node* stop = waypoint.find("stop")) {
         MapReader map(*stop, shapes::stop, "waypoint.stop", report);
-        at.stop_aside = map.quantity("aside");
+        at.skip_distance = map.quantity("aside");
         map.finish();
     }
     if (const Node* turn = waypoint.find("turn")) {
@@ -1033,12 +1033,12 @@ public:
             else
                 ++own;
         std::vector<Waypoint> waypoints;
-        if (followed_ >= most_followed) return waypoints;  // reported already
+        if (followed_ >= max_followed) return waypoints;  // reported already
         const std::vector<const Node*> nodes = waypoint_nodes(document_, &path);
         followed_ += nodes.size() - own;
-        if (followed_ >= most_followed) {
+        if (followed_ >= max_followed) {
             report_.error(Code::out_of_range, path.key_span,
-                          "The rehearsals follow too many waypoints: got " + std::to_string(most_followed) +
+                          "The rehearsals follow too many waypoints: got " + std::to_string(max_followed) +
                               " or more up to here, expected fewer. Write shorter paths, or follow them less often.");
             return waypoints;
         }
@@ -1136,10 +1136,10 @@ void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Rep
 std::vector<Variant> read_variants(const Node& node, Report& report) {
     std::vector<Variant> variants;
     if (!is_kind(node, Node::Kind::map, "variants", report)) return variants;
-    if (node.children.size() > most_variants)  // each is read and checked like a procedure
-        report.error(Code::out_of_range, node.children[most_variants].key_span,
+    if (node.children.size() > max_variants)  // each is read and checked like a procedure
+        report.error(Code::out_of_range, node.children[max_variants].key_span,
                      "There are too many variants: got " + std::to_string(node.children.size()) +
-                         ", expected at most " + std::to_string(most_variants) +
+                         ", expected at most " + std::to_string(max_variants) +
                          ". Move some into a procedure of their own.");
     for (const Node& child : node.children) {
         Node key;
@@ -1297,25 +1297,25 @@ const T& find_by_id(const std::vector<T>& things, const std::string& id) {
 void check_lies_in(const LandmarkAxis& axis, const LandmarkPlane& plane, TextSpan span, const Anatomy& anatomy,
                    Report& report) {
     using namespace literals;
-    constexpr double most_angle = 3.0_deg;
+    constexpr double max_angle = 3.0_deg;
     const double angle = std::asin(std::clamp(std::abs(dot(normalized(axis.to - axis.from), plane.normal)), 0.0, 1.0));
     const double off = std::abs(dot(0.5 * (axis.from + axis.to) - plane.at, plane.normal)),
-                 most_off = axis.tolerance + plane.tolerance;
+                 max_off = axis.tolerance + plane.tolerance;
     const auto rounded = [](double value, double step, const char* unit) {
         return quantity_text(std::round(value / step) * step, unit);
     };
     const Reason here = in_anatomy(anatomy, {"landmarks", "axes", axis.id}, "the axis is here.");
-    if (angle > most_angle)
+    if (angle > max_angle)
         report.error(Code::axis_off_plane, span,
                      "The axis " + quoted_id(axis.id) + " leaves the plane " + quoted_id(plane.id) +
                          ": got an angle of " + rounded(angle, 0.1_deg, "deg") +
                          ", expected at most 3 deg, or the blade binds. Turn one of the two.",
                      {}, here);
-    else if (off > most_off + 1e-9)
+    else if (off > max_off + 1e-9)
         report.error(Code::axis_off_plane, span,
                      "The axis " + quoted_id(axis.id) + " is not in the plane " + quoted_id(plane.id) +
                          ": got a distance of " + rounded(off, 0.1_mm, "mm") + ", expected at most " +
-                         rounded(most_off, 0.1_mm, "mm") + ", the sum of their tolerances. Move one of the two.",
+                         rounded(max_off, 0.1_mm, "mm") + ", the sum of their tolerances. Move one of the two.",
                      {}, here);
 }
 
@@ -1385,7 +1385,7 @@ void check_planned_implants(const Procedure& procedure, const Anatomy& anatomy, 
         const std::string& id = implant.place->axis;
         if (contains(axes, id)) {
             const LandmarkAxis& axis = find_by_id(anatomy.axes, id);
-            if (length(cross(normalized(axis.to - axis.from), implant.place->up)) >= std::sin(least_angle_of_up))
+            if (length(cross(normalized(axis.to - axis.from), implant.place->up)) >= std::sin(min_angle_of_up))
                 continue;
             const Node* up = place->find("up");
             report.error(Code::degenerate, up ? up->span : name->span,

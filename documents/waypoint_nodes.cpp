@@ -17,7 +17,7 @@ std::vector<const Node*> waypoint_nodes(const Document& document, const Node* pa
         const Node* there = paths != nullptr ? paths->find(name->text) : nullptr;
         if (there == nullptr || there->kind != Node::Kind::list) continue;
         for (const Node& waypoint : there->children) {
-            if (followed >= most_followed) break;
+            if (followed >= max_followed) break;
             if (waypoint.find("follow") != nullptr) continue;
             nodes.push_back(&waypoint);
             ++followed;

@@ -10,11 +10,11 @@
 namespace kerf {
 
 /// The most waypoints that all rehearsals together may take from `paths`: a small document must not become a large one.
-inline constexpr std::size_t most_followed = 10'000;
+inline constexpr std::size_t max_followed = 10'000;
 
 /// Returns the nodes of the waypoints of a rehearsal's `path`, in the order of `Rehearsal::path`. An item that follows
 /// a path gives the waypoints of that path, or none if there is no such path. Empty without a list. After
-/// `most_followed` waypoints of other paths it adds no more of them. The nodes belong to the document.   [main]
+/// `max_followed` waypoints of other paths it adds no more of them. The nodes belong to the document.   [main]
 [[nodiscard]] std::vector<const Node*> waypoint_nodes(const Document& document, const Node* path);
 
 /// Returns the same for a rehearsal by its index; empty if the document has no such rehearsal.   [main]

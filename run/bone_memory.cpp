@@ -34,10 +34,10 @@ double bone_memory(const Anatomy& anatomy, double spacing) {
 void check_bone_memory(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
     if (anatomy.ct || anatomy.mesh) return;
     const double needed = bone_memory(anatomy, procedure.spacing);
-    if (needed <= most_bone_memory) return;
+    if (needed <= max_bone_memory) return;
 
     double spacing = procedure.spacing;
-    while (bone_memory(anatomy, spacing) > 0.9 * most_bone_memory /* the estimate is a few per cent off */)
+    while (bone_memory(anatomy, spacing) > 0.9 * max_bone_memory /* the estimate is a few per cent off */)
         spacing *= 1.05;
     const double rounded = std::ceil(spacing * 1e5) * 1e-5;  // to 0.01 mm
 
@@ -50,7 +50,7 @@ void check_bone_memory(const Procedure& procedure, const Anatomy& anatomy, Diagn
         .error(Code::too_fine, node != nullptr ? node->span : TextSpan{},
                "At a spacing of " + quantity_text(procedure.spacing, "mm") + " this bone takes about " +
                    quantity_text(std::ceil(needed / gigabyte), "") + " GB of memory, must be at most " +
-                   quantity_text(most_bone_memory / gigabyte, "") + " GB.",
+                   quantity_text(max_bone_memory / gigabyte, "") + " GB.",
                quantity_text(rounded, "mm"));
 }
 

@@ -14,7 +14,7 @@ namespace kerf {
 /// Infinite if a grid cannot count the bricks.   [any] pure, takes milliseconds.
 [[nodiscard]] double bone_memory(const Anatomy& anatomy, double spacing);
 
-/// Refuses a spacing at which the phantom would need more than `most_bone_memory`, and suggests a coarser one. Bone of
+/// Refuses a spacing at which the phantom would need more than `max_bone_memory`, and suggests a coarser one. Bone of
 /// a scan or a surface is checked during import (bone/import/make_body.h): its border is unknown before it is read.
 /// [main]
 void check_bone_memory(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics);

@@ -134,7 +134,7 @@ void name_refused_plugins(const PluginRegistry& plugins, Diagnostics& diagnostic
         std::string id = d.source_line.substr(first, static_cast<std::size_t>(d.place.length));
         std::erase_if(id, [](char c) { return c == '"' || c == '\''; });
         if (const PluginRefusal* refusal = plugins.refusal_for(id); refusal != nullptr)
-            d.reason = Reason{SourcePlace{refusal->path, 0, 0, 1}, refusal->why, {}};
+            d.reason = Reason{SourcePosition{refusal->path, 0, 0, 1}, refusal->why, {}};
     }
 }
 

@@ -27,7 +27,7 @@ BoneAround::BoneAround(const Simulation& simulation) {
 double BoneAround::distance(Vec3 point_in_world) const noexcept {
     double nearest = HUGE_VAL;
     for (const Part& part : parts_) {
-        const BrickPlace place = locate(*part.bone, part.bone_from_world * point_in_world);
+        const LocatedPoint place = locate(*part.bone, part.bone_from_world * point_in_world);
         const double there = uncut_distance(*part.bone, place);
         nearest = std::min(nearest, part.cut != nullptr ? std::max(there, part.cut->at(place)) : there);
     }
@@ -69,12 +69,12 @@ struct PlateSamples {
 };
 
 PlateSamples samples_of(const Body& plate, const Pose& world_from_plate, const BoneAround& bone) {
-    constexpr double most_points = 4e5;
+    constexpr double max_points = 4e5;
     const Grid& grid = plate.grid();
     const Vec3 size = grid.spacing * Vec3{static_cast<double>(grid.samples(0)), static_cast<double>(grid.samples(1)),
                                           static_cast<double>(grid.samples(2))};
     PlateSamples samples{grid.spacing, {}};
-    while (size.x * size.y * size.z > most_points * samples.step * samples.step * samples.step) samples.step *= 1.25;
+    while (size.x * size.y * size.z > max_points * samples.step * samples.step * samples.step) samples.step *= 1.25;
     const auto count = [&](double extent) { return static_cast<int>(extent / samples.step); };
     for (int k = 0; k <= count(size.z); ++k)
         for (int j = 0; j <= count(size.y); ++j)
@@ -130,11 +130,11 @@ std::vector<PlatePoint> some_of(const std::vector<PlatePoint>& points, std::size
 }  // namespace
 
 PlateFit fit_of(const Body& plate, const Pose& world_from_plate, const BoneAround& bone) {
-    constexpr std::size_t most_searches = 3000;
+    constexpr std::size_t max_searches = 3000;
     const PlateSamples samples = samples_of(plate, world_from_plate, bone);
     const double known = 0.99 * bone.clamp();
     const auto inside = [&](double distance) { return std::clamp(0.5 - distance / samples.step, 0.0, 1.0); };
-    PlateFit fit{.gap = farthest_gap, .share = 0.0, .deepest = 0.0};
+    PlateFit fit{.gap = farthest_gap, .fraction_in_bone = 0.0, .deepest = 0.0};
     double metal = 0.0, in_bone = 0.0;
     for (const PlatePoint& point : samples.points) {
         metal += inside(point.to_metal);
@@ -142,16 +142,16 @@ PlateFit fit_of(const Body& plate, const Pose& world_from_plate, const BoneAroun
         if (point.to_bone < known) fit.gap = std::min(fit.gap, std::max(0.0, point.to_metal + point.to_bone));
         fit.deepest = std::max(fit.deepest, -point.to_bone - std::max(0.0, point.to_metal));
     }
-    fit.share = metal > 0.0 ? in_bone / metal : 0.0;
+    fit.fraction_in_bone = metal > 0.0 ? in_bone / metal : 0.0;
 
     const std::vector<Vec3> offsets = offsets_within(farthest_gap, std::min(1e-3, bone.clamp()));
     if (fit.gap >= known)  // beyond the clamp of the bone's field
-        for (const PlatePoint& point : some_of(samples.points, most_searches, [&](const PlatePoint& p) {
+        for (const PlatePoint& point : some_of(samples.points, max_searches, [&](const PlatePoint& p) {
                  return std::abs(p.to_metal) < 0.5 * samples.step;
              }))
             fit.gap = std::max(0.0, to_surface(point.at, bone, offsets, fit.gap - point.to_metal) + point.to_metal);
     for (const PlatePoint& point :
-         some_of(samples.points, most_searches, [&](const PlatePoint& p) { return p.to_bone <= -known; }))
+         some_of(samples.points, max_searches, [&](const PlatePoint& p) { return p.to_bone <= -known; }))
         fit.deepest =
             std::max(fit.deepest, to_surface(point.at, bone, offsets, farthest_gap) - std::max(0.0, point.to_metal));
     return fit;
@@ -161,10 +161,12 @@ namespace {
 
 /// Rounds to 0.1 mm.
 std::string in_tenths(double length) { return quantity_text(std::round(length / 0.1e-3) * 0.1e-3, "mm"); }
-std::string in_percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+std::string in_percent(double fraction_in_bone) { return std::to_string(std::lround(100.0 * fraction_in_bone)) + " %"; }
 
 bool is_off_bone(const PlateFit& fit) { return fit.gap > max_plate_gap; }
-bool is_in_bone(const PlateFit& fit) { return fit.share > max_plate_share || fit.deepest > max_plate_depth; }
+bool is_in_bone(const PlateFit& fit) {
+    return fit.fraction_in_bone > max_plate_fraction || fit.deepest > max_plate_depth;
+}
 
 std::string gap_text(const PlateFit& fit) {
     return "its surface is " + in_tenths(fit.gap) + (fit.gap < farthest_gap ? "" : " or more") +
@@ -172,7 +174,8 @@ std::string gap_text(const PlateFit& fit) {
 }
 std::string depth_text(const PlateFit& fit) {
     std::string text;
-    if (fit.share > max_plate_share) text = in_percent(fit.share) + " of its volume is in bone, must be at most 15 %";
+    if (fit.fraction_in_bone > max_plate_fraction)
+        text = in_percent(fit.fraction_in_bone) + " of its volume is in bone, must be at most 15 %";
     if (fit.deepest > max_plate_depth)
         text += (text.empty() ? "it is " : "; it is ") + in_tenths(fit.deepest) +
                 (fit.deepest < farthest_gap ? "" : " or more") + " deep, must be at most 3 mm";

@@ -47,14 +47,14 @@ private:
 
 /// Fit of a metal solid on bone.
 struct PlateFit {
-    double gap = 0.0;      ///< [m] between its surface and the nearest bone; at most `farthest_gap`
-    double share = 0.0;    ///< [–] fraction of its volume that is in bone
-    double deepest = 0.0;  ///< [m] maximum depth of its metal below the surface of bone
+    double gap = 0.0;               ///< [m] between its surface and the nearest bone; at most `farthest_gap`
+    double fraction_in_bone = 0.0;  ///< [–] fraction of its volume that is in bone
+    double deepest = 0.0;           ///< [m] maximum depth of its metal below the surface of bone
 };
-inline constexpr double farthest_gap = 10e-3;    ///< [m] largest measured gap
-inline constexpr double max_plate_gap = 3e-3;    ///< [m]
-inline constexpr double max_plate_share = 0.15;  ///< [–]
-inline constexpr double max_plate_depth = 3e-3;  ///< [m]
+inline constexpr double farthest_gap = 10e-3;       ///< [m] largest measured gap
+inline constexpr double max_plate_gap = 3e-3;       ///< [m]
+inline constexpr double max_plate_fraction = 0.15;  ///< [–]
+inline constexpr double max_plate_depth = 3e-3;     ///< [m]
 
 /// Measures the fit of a plate, to within half the spacing of its field.   [main]
 [[nodiscard]] PlateFit fit_of(const Body& plate, const Pose& world_from_plate, const BoneAround& bone);

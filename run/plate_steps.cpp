@@ -32,7 +32,7 @@ void follow_plates(const Scene& scene, const Simulation& simulation, StepMonitor
     for (const StepHole& hole : scene.holes) {
         const auto pose = pose_in_scene(scene.implants[hole.implant], simulation);
         if (!pose) {
-            monitor.aim(hole.step, scene.frames[hole.step]);
+            monitor.set_frame(hole.step, scene.frames[hole.step]);
             continue;
         }
         const LiveBody& owner = *simulation.bodies()[monitor.owners().step[hole.step]];
@@ -40,7 +40,7 @@ void follow_plates(const Scene& scene, const Simulation& simulation, StepMonitor
             inverse(owner.world_from_body),
             frame_of(hole, *pose, bone, scene.anatomy, plane_of(scene.procedure.steps[hole.step], scene.anatomy)));
         frame.inwards = into_surface(*owner.bone, frame.entry);
-        monitor.aim(hole.step, frame);
+        monitor.set_frame(hole.step, frame);
     }
 }
 

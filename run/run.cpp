@@ -9,7 +9,7 @@
 
 #include "bone/exact/exact_follower.h"
 #include "core/field/cut/removed_volume.h"
-#include "run/belongings.h"
+#include "run/body_ownership.h"
 #include "run/exact/exact_files.h"
 #include "run/exact/exact_strategies.h"
 #include "run/plate_steps.h"
@@ -22,8 +22,9 @@ namespace kerf {
 
 namespace {
 
-constexpr int volume_interval = 50;  // ticks between counts of the removed volume
-constexpr double crumb = 10e-9;      // [m³] smaller pieces do not become bodies: they are washed away
+constexpr std::uint32_t max_moved_periods = 1000;  // of a pause; in a longer one the hand waits
+constexpr int volume_interval = 50;                // ticks between counts of the removed volume
+constexpr double crumb = 10e-9;                    // [m³] smaller pieces do not become bodies: they are washed away
 
 /// Removes −0, which SQLite does not store, so that a replay starts with the same bits.
 Pose without_negative_zeros(const Pose& p) {
@@ -117,11 +118,11 @@ Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehears
       world_from_body_(1, identity_pose()) {
     if (files_ != nullptr) observers_.insert(observers_.begin(), files_.get());
     outcome_.summary = std::move(summary);
-    simulation_.look_for_pieces(crumb, belongings_of(*scene_));
+    simulation_.find_pieces(crumb, body_ownership_of(*scene_));
     if (scene_->fragment) simulation_.begin_with(*scene_->fragment, scene_->world_from_fragment);
     pass_owners_on();
     for (std::size_t step = 0; step < scene_->procedure.steps.size(); ++step)
-        if (scene_->tool(step).outline.is_implant()) monitor_.stays(step);
+        if (scene_->tool(step).outline.is_implant()) monitor_.ends_with_release(step);
     if (is_replay()) simulation_.replay_adoptions(request_.adoptions);
     before_.begin(simulation_.present());
     if (request_.strategies != nullptr && request_.strategies->are_any())
@@ -136,7 +137,16 @@ Run::~Run() = default;
 bool Run::step() {
     take_tool_of_step();
     take_hand_inputs(hand_inputs_.take(simulation_.ticks(), hand_.leg(), hand_.is_regripping()));
-    return tick(is_replay() ? recorded_sample() : DeviceSample{hand_.reported()});
+    return tick(is_replay() ? recorded_reading() : DeviceSample{hand_.reported()});
+}
+
+bool Run::step_after(std::uint32_t missed) {
+    simulated_hand::SensedTool felt_before = sensed_tool();
+    felt_before.has_event = false;  // the hand felt it when the last tick ended
+    for (std::uint32_t i = 0; i < std::min(missed, max_moved_periods); ++i) hand_.step(result_.command, felt_before);
+    take_tool_of_step();
+    take_hand_inputs(hand_inputs_.take(simulation_.ticks(), hand_.leg(), hand_.is_regripping()));
+    return tick({hand_.reported(), missed});
 }
 
 bool Run::step(const DeviceSample& sample) {
@@ -146,7 +156,7 @@ bool Run::step(const DeviceSample& sample) {
     return tick(sample);
 }
 
-DeviceSample Run::recorded_sample() {
+DeviceSample Run::recorded_reading() {
     DeviceSample sample{request_.replay[simulation_.ticks()]};
     const auto& missed = request_.missed;
     for (; next_missed_ < missed.size() && missed[next_missed_].first <= simulation_.ticks(); ++next_missed_)
@@ -162,7 +172,7 @@ bool Run::tick(const DeviceSample& reported) {
     }
     const DeviceSample sample{handle, reported.missed};
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
-    if (!is_replay() && !is_led_) hand_.step(result_.command, felt());
+    if (!is_replay() && !is_led_) hand_.step(result_.command, sensed_tool());
 
     if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
     take_separations(simulation_.ticks() - 1);
@@ -171,11 +181,11 @@ bool Run::tick(const DeviceSample& reported) {
     const std::size_t step = monitor_.current();
     observe(handle, now);
     if (monitor_.current() != step) judge_step(step, now);
-    if (monitor_.asks_for_measures()) monitor_.show_measures(measured_bone());
+    if (monitor_.needs_measures()) monitor_.show_measures(measured_bone());
     for (std::size_t i = 0; i < result_.event_count; ++i) {
-        add_event(result_.events[i], detail_of(result_.events[i], simulation_));
+        add_event(result_.events[i], event_detail(result_.events[i], simulation_));
         monitor_.report(result_.events[i], now);
-        add_news();
+        add_monitor_events();
     }
     const auto end = end_after_tick();
     if (end) end_ = *end;
@@ -183,7 +193,7 @@ bool Run::tick(const DeviceSample& reported) {
 }
 
 /// Returns the tool state that the simulated hand senses after the last tick.
-simulated_hand::Felt Run::felt() const {
+simulated_hand::SensedTool Run::sensed_tool() const {
     const std::string& awaited = hand_.awaited_event();
     const auto events = std::span(result_.events).first(result_.event_count);
     return {.world_from_tool = result_.world_from_tool,
@@ -245,7 +255,7 @@ void Run::observe(const Pose& handle, double now) {
                      simulation_.outline().cutting);
     row_ = row_of(result_, *scene_, simulation_, monitor_, signals_, handle, tissue, removed_);
     add_tick(hash_, row_);
-    add_news();
+    add_monitor_events();
 }
 
 /// Measures and judges the step that ended in this tick.
@@ -253,11 +263,11 @@ void Run::judge_step(std::size_t step, double now) {
     removed_ = simulation_.present().removed();
     monitor_.judge_cut(step, wall_of(*scene_, simulation_, before_, monitor_, step), removed_ - removed_before_step_,
                        now);
-    add_news();
+    add_monitor_events();
     if (auto hole = scene_->tool(step).outline.is_implant() ? screw_of(*scene_, simulation_, monitor_, step)
                                                             : hole_of(*scene_, simulation_, before_, monitor_, step)) {
         monitor_.judge_hole(step, std::move(*hole), now);
-        add_news();
+        add_monitor_events();
     }
     if (!scene_->procedure.measures.empty()) {
         std::vector<MeasureReading> measures = measured_bone();
@@ -265,7 +275,7 @@ void Run::judge_step(std::size_t step, double now) {
             if (!measures[m].value)
                 add_event("measure.failed", scene_->procedure.measures[m].id + ": " + measures[m].why_not);
         monitor_.judge_measures(step, std::move(measures), now);
-        add_news();
+        add_monitor_events();
     }
     leave_implant(step);
     removed_before_step_ = removed_;
@@ -277,7 +287,7 @@ std::vector<MeasureReading> Run::measured_bone() const {
     return measure_bone(*scene_, simulation_.present(), world_from_body_);
 }
 
-/// Leaves the step's implant in bone as a body, and prepares the retraction of its driver.
+/// Leaves an implant in bone; its driver leaves it.
 void Run::leave_implant(std::size_t step) {
     const std::size_t tool = scene_->tool_of_step[step];
     if (!scene_->tools[tool].outline.is_implant()) return;
@@ -328,12 +338,12 @@ void Run::add_event_at(std::uint64_t tick, const std::string& id, const std::str
     for (RunObserver* observer : observers_) observer->on_event(kept);
 }
 
-void Run::add_news() {
-    for (const auto& [id, detail] : monitor_.news()) add_event(id, detail);
+void Run::add_monitor_events() {
+    for (const auto& [id, detail] : monitor_.new_events()) add_event(id, detail);
 }
 
 /// Passes on the owners after an undo, redo or separation has changed the bodies.
-void Run::pass_owners_on() { monitor_.belong(simulation_.owners()); }
+void Run::pass_owners_on() { monitor_.set_owners(simulation_.owners()); }
 
 /// Records separations. The tick is the one after which the loop took over the parts.
 void Run::take_separations(std::uint64_t tick) {
@@ -394,7 +404,7 @@ void Run::finish_exact_surface() {
 }
 
 /// Marks a step as not done if it follows a hole of an implant that was refused or forgotten.
-void Run::miss_implants() {
+void Run::mark_missed_implants() {
     RunSummary& summary = outcome_.summary;
     for (const StepState& state : monitor_.steps()) {
         const auto named = hole_of_step(scene_->procedure, *state.step);
@@ -421,7 +431,7 @@ void Run::measure() {
                                                simulation_.present().removed_of_material(m));
     summary.hash = hash_.value();
     judge(monitor_, end_, summary.duration, scene_->procedure.time_limit, summary);
-    miss_implants();
+    mark_missed_implants();
     if (end_ == RunEnd::fault) summary.reasons.front() += " " + text_of(simulation_.law_fault());
     outcome_.over_budget = simulation_.laws_over_budget();
     summary.metrics = metrics_of(monitor_, *scene_);

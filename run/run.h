@@ -37,6 +37,9 @@ public:
 
     /// Runs one tick with the simulated hand, or with the recorded one. Returns whether the run continues.
     bool step();
+    /// Runs one tick of a rehearsal on a clock that has missed this number of periods since the last tick. The
+    /// simulated hand moves on during them, under the last command. Pre: not a replay.
+    bool step_after(std::uint32_t missed);
     /// Runs one tick with a device that reported this sample [world frame]; send it `last().command`. Ignores the
     /// rehearsal's path and the inputs at its waypoints. Missed ticks are recorded and replayed; `time` counts the
     /// ticks that ran.
@@ -51,6 +54,8 @@ public:
     /// Returns the exact surface made so far; null if no instrument leaves one.
     [[nodiscard]] ExactFollower* exact() noexcept { return exact_.get(); }
 
+    /// Adds the figures of a clock to the summary.
+    void set_clock(ClockRow clock) { outcome_.summary.clock = std::move(clock); }
     /// Judges the run and writes its results. Pre: called once.
     [[nodiscard]] RunOutcome finish();
 
@@ -64,14 +69,14 @@ private:
     void add_event(const std::string& id, const std::string& detail) {
         add_event_at(simulation_.ticks() - 1, id, detail);
     }
-    void add_news();
+    void add_monitor_events();
     void pass_owners_on();
     void take_separations(std::uint64_t tick);
     void pass_cuts_on();
     void report_progress(double fraction, const std::string& what);
     void lead();
-    [[nodiscard]] DeviceSample recorded_sample();
-    [[nodiscard]] simulated_hand::Felt felt() const;
+    [[nodiscard]] DeviceSample recorded_reading();
+    [[nodiscard]] simulated_hand::SensedTool sensed_tool() const;
     [[nodiscard]] bool tick(const DeviceSample& reported);
     void take_tool_of_step();
     void take_hand_inputs(const std::vector<HandInput>& inputs);
@@ -80,7 +85,7 @@ private:
     [[nodiscard]] std::vector<MeasureReading> measured_bone() const;
     void leave_implant(std::size_t step);
     [[nodiscard]] std::optional<RunEnd> end_after_tick();
-    void miss_implants();
+    void mark_missed_implants();
     void measure();
     void finish_exact_surface();
 
@@ -97,7 +102,7 @@ private:
     HandInputs hand_inputs_;
     std::vector<HandInput> requested_;  ///< since the last tick
     StepMonitor monitor_;
-    CutBefore before_;
+    EarlierCut before_;
     ContentHash hash_;
     TickResult result_;
     TickRow row_;                  ///< of the last tick

@@ -19,7 +19,7 @@ namespace kerf {
 
 namespace {
 
-constexpr std::size_t most_tools = 8;
+constexpr std::size_t max_tools = 8;
 
 /// Returns the span of a value of item `index` in `list`; of the item without such a value, of the document without
 /// such an item.
@@ -97,16 +97,16 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
     check_device(procedure, document, report);
     std::set<std::string> tools;
     for (std::size_t i = 0; i < procedure.steps.size(); ++i)
-        if (tools.insert(procedure.steps[i].instrument).second && tools.size() == most_tools + 1)
+        if (tools.insert(procedure.steps[i].instrument).second && tools.size() == max_tools + 1)
             report.error(Code::too_many_tools, span_in(document, "steps", i, "instrument"),
                          "The steps use too many instruments: got " + std::to_string(tools.size()) +
-                             ", expected at most " + std::to_string(most_tools) +
+                             ", expected at most " + std::to_string(max_tools) +
                              ". Use one of the others, or split the procedure in two.");
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const auto& path = procedure.rehearsals[i].path;
         if (path.empty()) continue;  // reported while it was read
         if (path.size() < 2)
-            report.error(Code::no_way, span_in(document, "rehearsals", i, "path"),
+            report.error(Code::path_too_short, span_in(document, "rehearsals", i, "path"),
                          "The rehearsal's path is too short: got " + std::to_string(path.size()) +
                              " waypoint, expected at least 2, a start and an end. Add one.");
         else if (path.front().depth >= 0.0)
@@ -285,12 +285,12 @@ void check_felt(const Procedure& procedure, std::size_t step, const std::vector<
                 ", or take a device with less friction.");
 }
 
-void check_time(const Procedure& procedure, std::size_t rehearsal, double least_time, Diagnostics& diagnostics) {
+void check_time(const Procedure& procedure, std::size_t rehearsal, double min_time, Diagnostics& diagnostics) {
     const Rehearsal& r = procedure.rehearsals[rehearsal];
-    if (r.expect != "pass" || least_time <= procedure.time_limit) return;
+    if (r.expect != "pass" || min_time <= procedure.time_limit) return;
     const auto document = document_of(procedure);
     const Node* limit = document->root.find("time_limit");
-    const std::string needed = quantity_text(std::ceil(least_time), "s");
+    const std::string needed = quantity_text(std::ceil(min_time), "s");
     Report(*document, diagnostics)
         .warning(Code::short_of_time,
                  limit != nullptr ? limit->span : span_in(*document, "rehearsals", rehearsal, "path"),

@@ -58,7 +58,7 @@ void check_force_scale(const Procedure& procedure, const DeviceRecord& device, d
                        Diagnostics& diagnostics);
 
 /// Warns of a rehearsal that expects to pass but whose path takes longer [s] than the run's limit.   [main]
-void check_time(const Procedure& procedure, std::size_t rehearsal, double least_time, Diagnostics& diagnostics);
+void check_time(const Procedure& procedure, std::size_t rehearsal, double min_time, Diagnostics& diagnostics);
 
 /// Refuses a blade that is thicker or wider than the region in which bone can be cut.   [main]
 void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting,

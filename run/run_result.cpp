@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/plugin/unit.h"
+#include "text/distinguishing_digits.h"
 #include "text/quantity.h"
-#include "text/telling_digits.h"
 
 namespace kerf {
 
@@ -27,10 +27,10 @@ std::string with_decimals(double value, int decimals) {
     return {text, end};
 }
 
-std::string millimetres(double metres, int decimals = 1) { return with_decimals(metres * 1e3, decimals) + " mm"; }
+std::string mm_text(double metres, int decimals = 1) { return with_decimals(metres * 1e3, decimals) + " mm"; }
 
 /// Returns a value in its unit with this many significant digits.
-std::string rounded(double value, const std::string& unit, int digits = 4) {
+std::string with_significant_digits(double value, const std::string& unit, int digits = 4) {
     const double per_unit = parse_unit(unit).value_or(Unit{}).factor;
     char text[40];
     const auto end = std::to_chars(text, text + sizeof text, value / per_unit, std::chars_format::general, digits).ptr;
@@ -38,19 +38,19 @@ std::string rounded(double value, const std::string& unit, int digits = 4) {
 }
 
 /// Returns a value in its unit, without trailing zeros.
-std::string trimmed(double value, const std::string& unit, int decimals) {
+std::string with_decimals_and_unit(double value, const std::string& unit, int decimals) {
     const double step = std::pow(10.0, -decimals) * parse_unit(unit).value_or(Unit{}).factor;
     return quantity_text(std::round(value / step) * step, unit);
 }
 
-constexpr int most_digits = 12;
+constexpr int max_digits = 12;
 
 /// Returns the number of digits at which the text of `value` differs from each end of `bound`, unless they are equal.
 template <class TextOf>
-int digits_beside(double value, const Bound& bound, int digits, const TextOf& text_of) {
+int distinguishing_digits_of(double value, const Bound& bound, int digits, const TextOf& text_of) {
     int most = digits;
     for (const auto& end : {bound.at_least, bound.at_most})
-        if (end) most = std::max(most, telling_digits(value, *end, digits, most_digits, text_of));
+        if (end) most = std::max(most, distinguishing_digits(value, *end, digits, max_digits, text_of));
     return most;
 }
 
@@ -74,20 +74,23 @@ std::string unit_of(const std::string& measure, const std::vector<Measure>& meas
 /// Returns the value that broke a limit, as a sentence.
 std::string how_far(const LimitState& limit, const std::vector<Measure>& measures) {
     const std::string& quantity = limit.limit->quantity;
-    const auto told = [&](const char* what, int digits, const auto& text_of) {
-        return what + text_of(limit.worst, digits_beside(limit.worst, limit.limit->bound, digits, text_of)) + ".";
+    const auto sentence = [&](const char* what, int digits, const auto& text_of) {
+        return what + text_of(limit.worst, distinguishing_digits_of(limit.worst, limit.limit->bound, digits, text_of)) +
+               ".";
     };
     const auto with_digits = [&](const char* what, const std::string& unit) {
-        return told(what, 4, [&](double value, int digits) { return rounded(value, unit, digits); });
+        return sentence(what, 4,
+                        [&](double value, int digits) { return with_significant_digits(value, unit, digits); });
     };
     const auto with_steps = [&](const char* what, const std::string& unit, int decimals) {
-        return told(what, decimals, [&](double value, int more) { return trimmed(value, unit, more); });
+        return sentence(what, decimals,
+                        [&](double value, int more) { return with_decimals_and_unit(value, unit, more); });
     };
-    const auto length = [&](const char* what) { return told(what, 1, millimetres); };
+    const auto length = [&](const char* what) { return sentence(what, 1, mm_text); };
 
     if (quantity == "clearance")
         return limit.worst < 0.0
-                   ? told(" Deepest: ", 1, [](double value, int decimals) { return millimetres(-value, decimals); })
+                   ? sentence(" Deepest: ", 1, [](double value, int decimals) { return mm_text(-value, decimals); })
                    : "";
     if (quantity == "depth") return length(" Depth: ");
     if (quantity == "thrust") return with_steps(" Thrust: ", "N", 0);
@@ -116,7 +119,7 @@ std::string how_far(const LimitState& limit, const std::vector<Measure>& measure
 /// Returns "`name` 59.98 mm, must be at least 60.00 mm".
 template <class TextOf>
 std::string missed_bound(const std::string& name, double value, const Bound& bound, int digits, const TextOf& text_of) {
-    const int enough = digits_beside(value, bound, digits, text_of);
+    const int enough = distinguishing_digits_of(value, bound, digits, text_of);
     return name + text_of(value, enough) + bounds_text(bound, [&](double end) { return text_of(end, enough); });
 }
 
@@ -136,30 +139,33 @@ std::string what_was_missed(const Goal& goal, const StepState& state, const std:
     if (goal.quantity == "separated") return "the bone did not come apart";
     if (goal.quantity == "held") return "the piece was never held";
     if (goal.quantity == "moved")
-        return missed_bound("the piece was moved ", state.moved, {goal.bound.at_least, {}}, 1, millimetres);
+        return missed_bound("the piece was moved ", state.moved, {goal.bound.at_least, {}}, 1, mm_text);
     if (goal.quantity == "removed_volume")
         return missed_bound("removed ", state.removed, goal.bound, 4,
-                            [](double value, int digits) { return rounded(value, "mm3", digits); });
+                            [](double value, int digits) { return with_significant_digits(value, "mm3", digits); });
     if (goal.quantity == "signal") {
         const auto signal = std::find_if(state.signals.begin(), state.signals.end(),
                                          [&](const SignalState& s) { return s.signal->id == goal.signal.id; });
         const std::string name = "the signal `" + goal.signal.id + "`";
         if (signal == state.signals.end() || !signal->is_seen) return name + " was never reported";
-        const auto text_of = [&](double value, int digits) { return rounded(value, goal.signal.unit, digits); };
-        const int enough = std::max(digits_beside(signal->least, goal.bound, 4, text_of),
-                                    digits_beside(signal->greatest, goal.bound, 4, text_of));
+        const auto text_of = [&](double value, int digits) {
+            return with_significant_digits(value, goal.signal.unit, digits);
+        };
+        const int enough = std::max(distinguishing_digits_of(signal->least, goal.bound, 4, text_of),
+                                    distinguishing_digits_of(signal->greatest, goal.bound, 4, text_of));
         return name + " was between " + text_of(signal->least, enough) + " and " + text_of(signal->greatest, enough) +
                bounds_text(goal.bound, [&](double end) { return text_of(end, enough); });
     }
     if (goal.quantity == "measure") {
         for (std::size_t m = 0; m < measures.size() && m < state.measures.size(); ++m)
             if (measures[m].id == goal.measure && state.measures[m].value)
-                return missed_bound(
-                    "`" + goal.measure + "` ", *state.measures[m].value, goal.bound, 1,
-                    [&](double value, int decimals) { return trimmed(value, measures[m].unit(), decimals); });
+                return missed_bound("`" + goal.measure + "` ", *state.measures[m].value, goal.bound, 1,
+                                    [&](double value, int decimals) {
+                                        return with_decimals_and_unit(value, measures[m].unit(), decimals);
+                                    });
         return why_unmeasured(goal.measure, state, measures);
     }
-    return missed_bound("depth ", std::max(0.0, state.deepest), goal.bound, 1, millimetres);
+    return missed_bound("depth ", std::max(0.0, state.deepest), goal.bound, 1, mm_text);
 }
 
 }  // namespace

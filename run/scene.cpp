@@ -16,8 +16,8 @@
 #include "documents/fracture.h"
 #include "documents/read_procedure.h"
 #include "documents/yaml/document.h"
-#include "run/implant_body.h"
 #include "run/run_checks.h"
+#include "run/staying_implant_body.h"
 #include "run/thread_checks.h"
 #include "run/verdict/measure_bone.h"
 
@@ -92,7 +92,7 @@ std::vector<double> forces_along(const Scene& scene, std::size_t step) {
     const AxisFrame& frame = scene.frames[step];
     constexpr double apart = 0.5e-3, marrow = 100.0;  // [m]; [kg/m³] up to which no force is expected
     for (double at = 0.5 * apart; at < depth; at += apart) {
-        const BrickPlace place = locate(scene.body, frame.entry + at * frame.along);
+        const LocatedPoint place = locate(scene.body, frame.entry + at * frame.along);
         if (uncut_distance(scene.body, place) >= 0.0) continue;
         double weight[KERF_MAX_TISSUES];
         material_weights(scene.body, place, weight);
@@ -106,13 +106,13 @@ std::vector<double> forces_along(const Scene& scene, std::size_t step) {
 }
 
 /// Returns a lower bound of the time that a hand needs for its legs [s].
-double least_time_of(const HandPlan& plan) {
+double min_time_of(const HandPlan& plan) {
     double time = 0.0;
     Vec3 from = plan.start.position;
     for (const simulated_hand::Leg& leg : plan.intent.legs) {
         if (leg.can_end_early()) continue;
         time += std::max(length(leg.target.position - from) / leg.speed, std::abs(leg.turn) / leg.turning) +
-                leg.least_regripping();
+                leg.min_regrip_time();
         from = leg.target.position;
     }
     return time;
@@ -229,7 +229,8 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         const Instrument& instrument = instrument_of(scene, tool);
         scene.staying.emplace_back();
         if (instrument.is_inserted && scene.tools[tool].outline.is_implant())
-            scene.staying.back() = implant_body(scene.tools[tool].outline, instrument.id, scene.procedure.spacing);
+            scene.staying.back() =
+                staying_implant_body(scene.tools[tool].outline, instrument.id, scene.procedure.spacing);
     }
     for (const Implant& implant : scene.procedure.implants) {
         auto metal = plate_body(implant, scene.procedure, diagnostics, import);
@@ -254,7 +255,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
             scene.frames.push_back(axis_frame(axis, found.entry, scene.anatomy, plane_of(step, scene.anatomy)));
         }
         scene.frames.back().inwards = into_surface(scene.body, scene.frames.back().entry);
-        scene.share_in_bone.push_back(found.share);
+        scene.fraction_in_bone.push_back(found.share);
         scene.guides.push_back(guide_of(scene.procedure, step, scene.frames.back()));
         const std::size_t index = scene.frames.size() - 1;
         if (found.entry >= 0.0)
@@ -280,7 +281,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     measure_before_cuts(scene, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
     for (std::size_t r = 0; r < scene.procedure.rehearsals.size(); ++r)
-        check_time(scene.procedure, r, least_time_of(plan_of(scene.procedure.rehearsals[r], scene)), diagnostics);
+        check_time(scene.procedure, r, min_time_of(plan_of(scene.procedure.rehearsals[r], scene)), diagnostics);
     return scene;
 }
 
@@ -313,7 +314,7 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
         simulated_hand::Leg leg{.target = pose_at(to),
                                 .speed = to.speed.value_or(is_into_bone ? rehearsal.feed : rehearsal.approach),
                                 .push = to.push.value_or(rehearsal.push) * scene.gains.force_scale,
-                                .stop_aside = to.stop_aside};
+                                .skip_distance = to.skip_distance};
         if (to.turn != 0.0) {  // the plan advances as the thread pulls the tool in
             leg.turn = to.turn;
             leg.turning = 2.0 * std::numbers::pi * to.turning;

@@ -30,8 +30,8 @@ struct Scene {
     std::optional<Body> fragment{};              ///< of a fractured bone: the other part, body 1
     Pose world_from_fragment = identity_pose();  ///< before the first tick
     std::vector<AxisFrame> frames;               ///< one per step, in the whole bone
-    std::vector<double> share_in_bone;  ///< [–] for each step: fraction of its axis beyond the entry that is in bone
-    std::vector<Tool> tools;            ///< the tools of the steps
+    std::vector<double> fraction_in_bone;  ///< [–] for each step: fraction of its axis beyond the entry that is in bone
+    std::vector<Tool> tools;               ///< the tools of the steps
     std::vector<std::size_t> tool_of_step;  ///< for each step: index into `tools`
     [[nodiscard]] const Tool& tool(std::size_t step) const noexcept { return tools[tool_of_step[step]]; }
     std::vector<std::optional<Guide>> guides;  ///< one per step: the sleeve that guides its instrument

@@ -95,7 +95,7 @@ void SessionFiles::on_cut(const CutRecord& cut) {
 }
 
 std::optional<RunEnd> SessionFiles::end() {
-    return recorder_->wait_for_room() ? std::nullopt : std::optional(RunEnd::unrecorded);
+    return recorder_->wait_for_capacity() ? std::nullopt : std::optional(RunEnd::unrecorded);
 }
 
 std::string SessionFiles::on_exact_surface(const ExactSurface& made) {

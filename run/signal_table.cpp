@@ -21,7 +21,7 @@ SignalTable::SignalTable(const std::vector<Tool>& tools) {
             columns.push_back({s.id, s.help, unit, parse_unit(unit).value_or(Unit{}).factor});
         }
     }
-    if (columns.size() > most_signal_columns) columns.resize(most_signal_columns);
+    if (columns.size() > max_signal_columns) columns.resize(max_signal_columns);
 }
 
 void SignalTable::fill(const Simulation& simulation, TickRow& row) const {

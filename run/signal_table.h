@@ -11,7 +11,7 @@ namespace kerf {
 
 /// The signals of all tools in one table. Tools with the same law use the same columns.
 struct SignalTable {
-    std::vector<SignalColumn> columns;  ///< at most `most_signal_columns`
+    std::vector<SignalColumn> columns;  ///< at most `max_signal_columns`
     std::vector<std::size_t> first;     ///< for each tool: its first column
 
     explicit SignalTable(const std::vector<Tool>& tools);

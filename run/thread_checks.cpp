@@ -47,7 +47,7 @@ double tip_core(const ToolOutline& tool) noexcept {
 }
 
 /// Returns the depth of the step's goal; −∞ without one.
-double asked_depth(const Step& step) noexcept {
+double goal_depth(const Step& step) noexcept {
     double depth = -HUGE_VAL;
     for (const Goal& goal : step.goals)
         if (goal.quantity == "depth") depth = std::max(depth, goal.bound.at_least.value_or(depth));
@@ -86,7 +86,7 @@ void check_releases(const Procedure& procedure, const std::vector<const ToolOutl
 }
 
 /// The widest radii of holes and taps made along a step's axis before it [m].
-struct Before {
+struct EarlierBores {
     double hole = 0.0, tap = 0.0;
 };
 /// Returns the largest cutting radius within `behind` [m] of the tip: the radius of the hole at that height above its
@@ -111,14 +111,14 @@ double point_of(const ToolOutline& tool) noexcept { return tool.cutting_count > 
 
 /// Returns the hole and the tap before a step. An opening of the cortex alone is no hole for the thread. So the width
 /// counts at half the thread's depth.
-Before before_step(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step) {
-    Before found;
+EarlierBores before_step(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step) {
+    EarlierBores found;
     for (std::size_t b = 0; b < step; ++b) {
         const ToolOutline& tool = *tools[b];
         if (procedure.steps[b].axis != procedure.steps[step].axis || tool.cutting_count == 0) continue;
         if (tool.has_thread() && !tool.is_implant()) found.tap = std::max(found.tap, tool.thread_radius);
         if (tool.has_thread() || tool.cutting.is_prism()) continue;
-        const double depth = asked_depth(procedure.steps[b]), half = 0.5 * asked_depth(procedure.steps[step]);
+        const double depth = goal_depth(procedure.steps[b]), half = 0.5 * goal_depth(procedure.steps[step]);
         if (depth == -HUGE_VAL || half == -HUGE_VAL)
             found.hole = std::max(found.hole, tool.cutting.largest_radius());
         else if (depth >= half)
@@ -152,7 +152,7 @@ void check_threads(const Procedure& procedure, const std::vector<const ToolOutli
         if (!tool.has_thread()) continue;
         StepReport report(procedure, s, diagnostics);
         check_lead(procedure, tools, s, report);
-        const Before before = before_step(procedure, tools, s);
+        const EarlierBores before = before_step(procedure, tools, s);
         const double thread = tool.thread_radius, tip = tip_core(tool);
         constexpr double hair = 0.05e-3;  // [m]
         const std::string wide =
@@ -170,7 +170,7 @@ void check_threads(const Procedure& procedure, const std::vector<const ToolOutli
                              ", and the hole along `" + step.axis + "` is " + in_mm(2.0 * before.hole) +
                              " wide. Take a wider drill, or a screw with a core of at most " +
                              in_mm(2.0 * before.hole) + ".");
-        if (const double asked = asked_depth(step); tool.is_implant() && asked > seat_of(tool))
+        if (const double asked = goal_depth(step); tool.is_implant() && asked > seat_of(tool))
             report.error(Code::seats_too_soon, "goals",
                          "The goal is a depth of at least " + in_mm(asked) + ", and the head of `" + step.instrument +
                              "` seats at " + in_mm(seat_of(tool)) + ". Take a longer one, or ask for no more.");
@@ -180,7 +180,7 @@ void check_threads(const Procedure& procedure, const std::vector<const ToolOutli
 namespace {
 
 /// Returns whether the axis reaches its entry through a hole of the bone, with bone around it.
-bool comes_through_a_hole(const AxisFrame& frame, double radius, const Body& body) {
+bool enters_through_hole(const AxisFrame& frame, double radius, const Body& body) {
     constexpr int around = 16;
     constexpr double before = 2e-3;  // [m]
     const Quat turn = quat_between({0, 0, 1}, frame.along);
@@ -201,7 +201,7 @@ void check_screw_in_bone(const Procedure& procedure, const std::vector<const Too
     const Step& asked = procedure.steps[step];
     if (!tool.has_thread()) return;
     StepReport report(procedure, step, diagnostics);
-    const bool is_in_a_hole = comes_through_a_hole(frame, tool.thread_radius, body);
+    const bool is_in_a_hole = enters_through_hole(frame, tool.thread_radius, body);
     if (before_step(procedure, tools, step).hole <= 0.0 && !is_in_a_hole)
         report.error(Code::no_hole, "instrument",
                      "`" + asked.instrument + "` has a thread, and no step before `" + asked.id +
@@ -217,7 +217,7 @@ void check_screw_in_bone(const Procedure& procedure, const std::vector<const Too
         if (uncut_distance(body, locate(body, frame.entry + depth * frame.along)) < 0.0) last = depth;
     // [m] accepted protrusion of a tip that is planned to leave the far side [judgement].
     constexpr double proud = 15e-3;
-    if (last + spacing >= seat || (asked_depth(asked) > last && seat <= asked_depth(asked) + proud)) return;
+    if (last + spacing >= seat || (goal_depth(asked) > last && seat <= goal_depth(asked) + proud)) return;
     report.error(Code::screw_too_long, "instrument",
                  "`" + asked.instrument + "` is " + in_mm(seat) + " long, and along `" + asked.axis +
                      "` the bone ends after " + in_mm(last) +

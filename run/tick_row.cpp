@@ -30,7 +30,7 @@ std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 ti
     for (const auto& live : simulation.bodies()) {
         if (!live->is_present || !live->is_cuttable) continue;
         const Body& bone = *live->bone;
-        const BrickPlace place = locate(bone, inverse(live->world_from_body) * ahead);
+        const LocatedPoint place = locate(bone, inverse(live->world_from_body) * ahead);
         if (std::max(bone.surface.at(place), simulation.exact(live->id).at(place)) > 0.0) continue;
         double weight[KERF_MAX_TISSUES];
         material_weights(bone, place, weight);
@@ -40,12 +40,12 @@ std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 ti
 }
 
 TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation, const StepMonitor& monitor,
-               const SignalTable& signals, const Pose& handle, std::int32_t tissue, double removed) {
+               const SignalTable& signals, const Pose& world_from_handle, std::int32_t tissue, double removed) {
     TickRow row;
     row.tick = simulation.ticks() - 1;
     row.time = static_cast<double>(row.tick) * Simulation::dt;
     row.step = monitor.current() < scene.procedure.steps.size() ? static_cast<std::int32_t>(monitor.current()) : -1;
-    row.device_from_handle = handle;
+    row.device_from_handle = world_from_handle;
     row.world_from_tool = result.world_from_tool;
     row.modelled = result.bone_on_tool;
     row.coupled = result.coupled_on_hand;
@@ -64,7 +64,7 @@ TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& s
     return row;
 }
 
-std::string detail_of(const std::string& event, const Simulation& simulation) {
+std::string event_detail(const std::string& event, const Simulation& simulation) {
     if (event == "haptics.quarantined") return text_of(simulation.law_fault());
     if (event != "haptics.unresisted") return "";
     const auto in_mm = [](double v) { return quantity_text(std::round(v * 1e4) * 1e-4, "mm"); };

@@ -23,10 +23,10 @@ namespace kerf {
 /// @param handle    pose that the device reported, world frame
 /// @param removed   [m³] total so far
 [[nodiscard]] TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation,
-                             const StepMonitor& monitor, const SignalTable& signals, const Pose& handle,
+                             const StepMonitor& monitor, const SignalTable& signals, const Pose& world_from_handle,
                              std::int32_t tissue, double removed);
 
 /// Returns details of an event of the host, as text.   [main]
-[[nodiscard]] std::string detail_of(const std::string& event, const Simulation& simulation);
+[[nodiscard]] std::string event_detail(const std::string& event, const Simulation& simulation);
 
 }  // namespace kerf

@@ -35,7 +35,7 @@ bool is_session(const fs::path& file) {
 /// Returns all files that a run writes, the session last: it identifies the others as a run's until they are removed.
 std::vector<std::string> files_of_a_run() {
     std::vector<std::string> whole{"summary.json", "report.html", "bone.stl", "bone-exact.stl", "remesh.json"}, all;
-    for (std::size_t body = 1; body < most_bodies; ++body)
+    for (std::size_t body = 1; body < max_bodies; ++body)
         for (const char* of : {"bone-", "implant-", "bone-exact-"}) whole.push_back(of + std::to_string(body) + ".stl");
     for (const std::string& name : whole) all.insert(all.end(), {name, name + ".part"});
     for (const char* suffix : {".part-journal", ".part", "-journal", "-shm", "-wal", ""})
@@ -51,10 +51,10 @@ bool is_trace_of_a_run(const fs::path& folder) {
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         if (entry->symlink_status(error).type() != fs::file_type::regular || error) return false;
-        const bool is_beside = name == "session.db.part" || name == "session.db.part-journal" ||
-                               name == "session.db-journal" || name == "session.db-wal" || name == "session.db-shm";
+        const bool is_auxiliary = name == "session.db.part" || name == "session.db.part-journal" ||
+                                  name == "session.db-journal" || name == "session.db-wal" || name == "session.db-shm";
         const bool is_empty_session = name == "session.db" && entry->file_size(error) == 0;
-        if (!is_beside && !is_empty_session) return false;
+        if (!is_auxiliary && !is_empty_session) return false;
     }
     return !error;
 }

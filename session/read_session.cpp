@@ -20,9 +20,9 @@ namespace {
 
 /// Returns whether a pose has a unit quaternion and a position within 100 m. False for NaN.
 bool is_plausible(const Pose& pose) {
-    constexpr double room = 100.0;  // [m]
+    constexpr double max_distance = 100.0;  // [m]
     const auto& [w, x, y, z] = pose.rotation;
-    return length(pose.position) < room && std::abs(w * w + x * x + y * y + z * z - 1.0) < 1e-6;
+    return length(pose.position) < max_distance && std::abs(w * w + x * x + y * y + z * z - 1.0) < 1e-6;
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ void add_value(ContentHash& hash, const SessionQuery& row, int column) {
     hash.add(static_cast<std::uint8_t>(type));
     if (type == SQLITE_INTEGER) hash.add(row.integer(column));
     if (type == SQLITE_FLOAT) hash.add(row.number(column));
-    if (type == SQLITE_TEXT || type == SQLITE_BLOB) add_text(hash, row.bytes_in_place(column));
+    if (type == SQLITE_TEXT || type == SQLITE_BLOB) add_text(hash, row.bytes_view(column));
 }
 
 /// Adds the statements of tables, indices and triggers. Returns the names of the tables that a run makes.

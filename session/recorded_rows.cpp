@@ -45,15 +45,15 @@ std::string plain_sql(const std::string& table, const std::vector<std::string>& 
 }  // namespace
 
 RecordedRows::RecordedRows(sqlite3* database, const Table& table, const std::vector<std::string>& wanted)
-    : table_(table), places_(table.columns.size()), plain_(database, plain_sql(table.name, wanted)) {
+    : table_(table), index_in_unpacked_(table.columns.size()), plain_(database, plain_sql(table.name, wanted)) {
     std::vector<std::string> names = wanted;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto column = find_column(table_, names[i]);
-        if (!column || places_[*column]) {  // two signals with the same column name
+        if (!column || index_in_unpacked_[*column]) {  // two signals with the same column name
             fail("its table `" + table_.name + "` has no column of its own for `" + names[i] + "`");
             return;
         }
-        places_[*column] = i;
+        index_in_unpacked_[*column] = i;
         unpacked_.push_back(*column);
         const std::string& like = table_.columns[*column].like;
         if (!like.empty() && std::find(names.begin(), names.end(), like) == names.end()) names.push_back(like);
@@ -82,7 +82,7 @@ bool RecordedRows::next() {
 /// Loads the next block: one row per column, in the order of the table.
 bool RecordedRows::load_block() {
     const std::string name = "block " + std::to_string(block_) + " of its table `" + table_.name + "`";
-    for (std::size_t column = 0; column < places_.size(); ++column) {
+    for (std::size_t column = 0; column < index_in_unpacked_.size(); ++column) {
         if (!blocks_->next()) {
             if (blocks_->has_failed()) return fail("its table `blocks` cannot be read");
             return column == 0 ? false : fail(name + " is cut short");
@@ -95,7 +95,7 @@ bool RecordedRows::load_block() {
             return fail(name + " has " + std::to_string(rows) + " rows, and a block has 1 to " +
                         std::to_string(max_block_rows));
         rows_ = static_cast<std::size_t>(rows);
-        if (!places_[column]) continue;
+        if (!index_in_unpacked_[column]) continue;
         if (!unpack_column(column)) return fail(name + " has a damaged column `" + table_.columns[column].name + "`");
     }
     ++block_;
@@ -105,9 +105,11 @@ bool RecordedRows::load_block() {
 
 /// Unpacks one column. Pre: the query is at its row.
 bool RecordedRows::unpack_column(std::size_t column) {
-    const std::string_view bytes = blocks_->bytes_in_place(4);
+    const std::string_view bytes = blocks_->bytes_view(4);
     const int differences = static_cast<int>(std::clamp<std::int64_t>(blocks_->integer(3), -1, 1000));
-    const auto cells = [&](std::size_t of) { return std::span(cells_).subspan(*places_[of] * max_block_rows, rows_); };
+    const auto cells = [&](std::size_t of) {
+        return std::span(cells_).subspan(*index_in_unpacked_[of] * max_block_rows, rows_);
+    };
     Guess guess{{}, table_.columns[column].factor};
     if (const auto like = find_column(table_, table_.columns[column].like)) guess.like = cells(*like);
     return unpacker_.unpack({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, differences,
@@ -137,7 +139,7 @@ std::int64_t RecordedRows::integer(std::size_t column) const {
 std::vector<Table> recorded_tables(sqlite3* database) {
     std::vector<SignalColumn> signals;
     SessionQuery ids(database, "SELECT id, display_unit FROM signals ORDER BY position");
-    while (signals.size() < most_signal_columns && ids.next()) signals.push_back({ids.text(0), {}, ids.text(1), 1.0});
+    while (signals.size() < max_signal_columns && ids.next()) signals.push_back({ids.text(0), {}, ids.text(1), 1.0});
     SessionQuery scale(database, "SELECT value FROM session WHERE key = 'condition.force_scale'");
     const PlainNumbers point;
     return session_tables(signals, scale.next() ? std::strtod(scale.text(0).c_str(), nullptr) : 1.0);

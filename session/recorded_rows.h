@@ -38,7 +38,8 @@ private:
 
     const Table table_;
     std::vector<std::size_t> unpacked_;  ///< indices of table columns: the wanted ones, then their predictors
-    std::vector<std::optional<std::size_t>> places_;  ///< for each column of the table: its index in `unpacked_`
+    std::vector<std::optional<std::size_t>>
+        index_in_unpacked_;  ///< for each column of the table: its index in `unpacked_`
     std::string fault_;
 
     std::optional<SessionQuery> blocks_;

@@ -178,7 +178,7 @@ void Recorder::Impl::set(const char* table, std::string_view key, std::string_vi
 }
 
 void Recorder::Impl::create(const SessionHeader& header) {
-    signal_count = std::min<std::size_t>(header.signals.size(), most_signal_columns);
+    signal_count = std::min<std::size_t>(header.signals.size(), max_signal_columns);
     tables = session_tables(header.signals, header.conditions.force_scale);
 
     database.run("PRAGMA auto_vacuum=INCREMENTAL");  // before the first table: pages of compressed rows are freed
@@ -524,7 +524,7 @@ SavedRecord Recorder::save_what_is_open(const char* event_id, const char* detail
     impl->is_abandoned.store(true, std::memory_order_release);
     impl->is_stopping.store(true, std::memory_order_release);  // the writer checks it every 10 ms
     constexpr timespec pause{0, 10'000'000};
-    for (int looks = 0; looks < 200; ++looks) {
+    for (int attempts = 0; attempts < 200; ++attempts) {
         if (impl->is_saved.load(std::memory_order_acquire)) return {impl->path.c_str(), true};
         nanosleep(&pause, nullptr);
     }
@@ -555,7 +555,7 @@ Recorder::Created Recorder::create(const std::string& path, const SessionHeader&
     if (database.open(part)) impl->create(header);
     if (!database.is_good()) return failed(refusal());
     database.close();
-    if (std::string why = put_in_place(part, path); !why.empty()) return failed(why);
+    if (std::string why = rename_into_position(part, path); !why.empty()) return failed(why);
     if (database.open(path)) impl->open_to_write();
     if (database.is_good()) impl->start();
     if (!database.is_good()) {
@@ -582,7 +582,7 @@ void Recorder::push_event(const EventRow& event) noexcept {
     if (!impl_->events.push(slot)) impl_->lost_events.fetch_add(1, std::memory_order_relaxed);
 }
 
-bool Recorder::wait_for_room() {
+bool Recorder::wait_for_capacity() {
     const auto is_filled = [](const auto& ring, std::size_t parts) { return ring.size() > ring.capacity() / parts; };
     const auto any_filled = [&](std::size_t parts) {
         return is_filled(impl_->ticks, parts) || is_filled(impl_->cuts, parts) || is_filled(impl_->events, parts);

@@ -59,7 +59,7 @@ struct SessionHeader {
     std::vector<std::pair<std::string, std::string>> versions;
     SessionEnvelope envelope;
     SessionConditions conditions;
-    std::vector<SignalColumn> signals;  ///< in the order of TickRow::signals; at most most_signal_columns
+    std::vector<SignalColumn> signals;  ///< in the order of TickRow::signals; at most max_signal_columns
     std::vector<std::string> tissues;
 };
 
@@ -110,7 +110,7 @@ public:
 
     /// Waits in lock-step until the queues have capacity for the next few thousand rows. Returns at once if they are
     /// less than half full. Returns false if the file cannot be written any more.   [the pushing thread, may block]
-    bool wait_for_room();
+    bool wait_for_capacity();
 
     [[nodiscard]] RecorderLosses losses() const noexcept;
 

@@ -17,7 +17,7 @@
 namespace kerf {
 
 /// Maximum number of recorded signals, over all tools of a run. Further signals are left out.
-inline constexpr std::size_t most_signal_columns = 2 * KERF_MAX_SIGNALS;
+inline constexpr std::size_t max_signal_columns = 2 * KERF_MAX_SIGNALS;
 
 /// One tick. SI units. Forces act on the hand, in the world frame (LPS) and in bone newtons, unless noted otherwise.
 struct TickRow {
@@ -39,7 +39,7 @@ struct TickRow {
     double power_hand = 0.0;      ///< [W] from the hand into the tool (bone newtons)
     double power_drive = 0.0;     ///< [W] from the motor
     double removed = 0.0;         ///< [m³] total so far
-    double signals[most_signal_columns]{};
+    double signals[max_signal_columns]{};
 };
 
 struct EventRow {
@@ -119,6 +119,23 @@ struct ExactRow {
     std::vector<std::string> notes;     ///< for people
 };
 
+/// The clock of a run that was paced by time. Not part of the replay hash or of a replay.
+struct ClockRow {
+    struct Times {
+        double median = 0.0, p99 = 0.0, p999 = 0.0, worst = 0.0;  ///< [s]
+    };
+    double period = 0.0;  ///< [s]
+    std::uint64_t ticks = 0, late_ticks = 0, missed_periods = 0;
+    std::uint64_t pauses = 0;       ///< gaps in which the force faded
+    std::uint64_t over_period = 0;  ///< ticks that computed longer than a period
+    Times lateness, compute;
+    int priority = 0;  ///< of SCHED_FIFO; 0: normal class
+    bool is_memory_locked = false;
+    double load = 0.0;  ///< [–] mean load of one minute at the end
+    std::string kernel;
+    std::vector<std::string> refusals;  ///< of the system, for people
+};
+
 enum class Verdict { pass, fail, incomplete, invalid };
 const char* to_text(Verdict verdict) noexcept;
 
@@ -142,6 +159,7 @@ struct RunSummary {
     std::vector<SignalColumn> signals;
     std::vector<std::string> anatomy_notes;  ///< messages of the import, for people
     std::optional<ExactRow> exact{};         ///< if an instrument leaves an exact surface
+    std::optional<ClockRow> clock{};         ///< of a run on the clock
 };
 
 }  // namespace kerf

@@ -47,7 +47,7 @@ std::string in_uri(const std::string& path) {
 
 // Steps of SQLite's virtual machine. A tick takes fewer than 100 and has at least 20 bytes.
 constexpr int steps_at_once = 1000;
-constexpr std::int64_t least_steps = 1'000'000, steps_per_byte = 16;
+constexpr std::int64_t min_steps = 1'000'000, steps_per_byte = 16;
 
 }  // namespace
 
@@ -87,7 +87,7 @@ std::vector<unsigned char> SessionQuery::bytes(int column) const {
                             : std::vector<unsigned char>();
 }
 
-std::string_view SessionQuery::bytes_in_place(int column) const {
+std::string_view SessionQuery::bytes_view(int column) const {
     const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
     return bytes != nullptr
                ? std::string_view(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
@@ -123,7 +123,7 @@ std::string SessionFile::open(const std::string& path, const std::vector<std::st
     if (code != SQLITE_OK) return cannot;
     sqlite3_db_config(database_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
     if (of_wal > 0) sqlite3_exec(database_, "PRAGMA locking_mode=EXCLUSIVE", nullptr, nullptr, nullptr);
-    steps_left_ = least_steps + steps_per_byte * static_cast<std::int64_t>(bytes_);
+    steps_left_ = min_steps + steps_per_byte * static_cast<std::int64_t>(bytes_);
     sqlite3_progress_handler(database_, steps_at_once, &SessionFile::is_over, this);
 
     if (pragma(database_, "PRAGMA application_id") != session_application_id)

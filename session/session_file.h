@@ -30,7 +30,7 @@ public:
     [[nodiscard]] std::int64_t integer(int column) const;
     [[nodiscard]] std::string text(int column) const;
     [[nodiscard]] std::vector<unsigned char> bytes(int column) const;
-    [[nodiscard]] std::string_view bytes_in_place(int column) const;  ///< valid until the next row
+    [[nodiscard]] std::string_view bytes_view(int column) const;  ///< valid until the next row
 
 private:
     sqlite3_stmt* statement_ = nullptr;

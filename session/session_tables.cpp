@@ -103,7 +103,7 @@ std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
 std::vector<std::string> signal_column_names(const std::vector<SignalColumn>& signals) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < signals.size() && i < most_signal_columns; ++i) {
+    for (std::size_t i = 0; i < signals.size() && i < max_signal_columns; ++i) {
         std::string name = "signal_";
         for (const char c : signals[i].id) {
             const bool is_bare = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');

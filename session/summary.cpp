@@ -48,6 +48,30 @@ Json to_json(const MetricRow& metric) {
             {"status", metric.status}};
 }
 
+Json to_json(const ClockRow::Times& times) {
+    const auto in_us = [](double seconds) { return plain_number(std::round(seconds * 1e8) * 1e-2); };
+    return {{"median_us", in_us(times.median)},
+            {"p99_us", in_us(times.p99)},
+            {"p99_9_us", in_us(times.p999)},
+            {"worst_us", in_us(times.worst)}};
+}
+
+Json to_json(const ClockRow& clock) {
+    return {{"period_ms", plain_number(clock.period * 1e3)},
+            {"ticks", clock.ticks},
+            {"late_ticks", clock.late_ticks},
+            {"missed_periods", clock.missed_periods},
+            {"pauses", clock.pauses},
+            {"ticks_over_period", clock.over_period},
+            {"lateness", to_json(clock.lateness)},
+            {"compute", to_json(clock.compute)},
+            {"fifo_priority", clock.priority},
+            {"memory_locked", clock.is_memory_locked},
+            {"load", plain_number(clock.load)},
+            {"kernel", clock.kernel},
+            {"refusals", clock.refusals}};
+}
+
 }  // namespace
 
 const char* to_text(Verdict verdict) noexcept {
@@ -96,6 +120,7 @@ std::string summary_json(const RunSummary& summary) {
                   {"anatomy_notes", summary.anatomy_notes},
                   {"variant", summary.variant}};
     if (summary.exact) document["exact_surface"] = exact_summary(*summary.exact);
+    if (summary.clock) document["clock"] = to_json(*summary.clock);
     return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 

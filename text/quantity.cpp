@@ -163,7 +163,7 @@ bool is_readable_vector(std::string_view text, const QuantityNeed& need) {
 // ---- problems
 
 /// A text of one value or three that could not be read, with its requirements.
-struct Wrong {
+struct UnreadableText {
     std::string_view text;
     const std::string& name;
     const QuantityNeed& need;
@@ -186,7 +186,7 @@ struct Wrong {
 };
 
 /// Returns the problem with `write` as its correction, if that is readable; else with `advice`.
-QuantityProblem problem_of(Code code, const Wrong& wrong, std::string message, std::string write,
+QuantityProblem problem_of(Code code, const UnreadableText& wrong, std::string message, std::string write,
                            const std::string& advice) {
     if (!wrong.reads(write)) write.clear();
     if (write.empty()) message += advice;
@@ -221,7 +221,7 @@ std::string without_thousands(std::string_view text) {
     return joined.append(text.substr(at));
 }
 
-QuantityProblem not_a_number(const Wrong& wrong) {
+QuantityProblem not_a_number(const UnreadableText& wrong) {
     // "3,2 mm": the decimal comma is common in many countries.
     std::string with_point(wrong.text.substr(0, 40));
     std::replace(with_point.begin(), with_point.end(), ',', '.');
@@ -236,13 +236,14 @@ QuantityProblem not_a_number(const Wrong& wrong) {
 }
 
 /// Returns the problem of a unit, `unit_text`, that does not have the needed dimension.
-QuantityProblem unfit_unit(std::string_view unit_text, const std::vector<double>& numbers, const Wrong& wrong) {
+QuantityProblem unfit_unit(std::string_view unit_text, const std::vector<double>& numbers,
+                           const UnreadableText& wrong) {
     const QuantityNeed& need = wrong.need;
     if (unit_text.empty()) {
         // For a percentage, a plain 0.2 may mean 20 % or 0.2 %.
-        const bool may_be_share = need.unit == "%" && std::abs(numbers.front()) <= 1.0;
+        const bool may_be_fraction = need.unit == "%" && std::abs(numbers.front()) <= 1.0;
         return problem_of(Code::missing_unit, wrong, wrong.name + " has no unit: " + wrong.got() + ".",
-                          may_be_share ? "" : with_unit(std::string(wrong.text), need.unit),
+                          may_be_fraction ? "" : with_unit(std::string(wrong.text), need.unit),
                           " Write the unit behind the number.");
     }
     std::optional<Unit> unit = parse_unit(unit_text);
@@ -277,25 +278,25 @@ QuantityProblem unfit_unit(std::string_view unit_text, const std::vector<double>
 }
 
 /// The probably intended value of a value out of range, and the kind of mistake.
-struct Slip {
+struct LikelyMistake {
     double value = 0.0;
     std::string unit;
     const char* what = nullptr;
 };
 
-std::optional<Slip> likely_slip(double value, const std::string& unit, const QuantityNeed& need) {
+std::optional<LikelyMistake> likely_slip(double value, const std::string& unit, const QuantityNeed& need) {
     const auto fits = [&](double v) { return v >= need.min && v <= need.max; };
-    if (fits(-value)) return Slip{-value, unit, "the sign"};
+    if (fits(-value)) return LikelyMistake{-value, unit, "the sign"};
     const std::optional<Unit> written = parse_unit(unit), own = parse_unit(need.unit);
     if (written && own && unit != need.unit && written->factor != own->factor)
         if (const double other = value / written->factor * own->factor; fits(other))
-            return Slip{other, need.unit, "the unit"};
+            return LikelyMistake{other, need.unit, "the unit"};
     // A value just beyond a limit is no misplaced decimal point.
     const double farthest = std::max(std::abs(need.min), std::abs(need.max)), size = std::abs(value);
     const bool is_large = size > 1.5 * farthest, is_small = value > 0.0 && value < need.min / 1.5;
     for (double shift = 10.0; shift < 1001.0; shift *= 10.0) {
-        if (is_large && fits(value / shift)) return Slip{value / shift, unit, "the decimal point"};
-        if (is_small && fits(value * shift)) return Slip{value * shift, unit, "the decimal point"};
+        if (is_large && fits(value / shift)) return LikelyMistake{value / shift, unit, "the decimal point"};
+        if (is_small && fits(value * shift)) return LikelyMistake{value * shift, unit, "the decimal point"};
     }
     return std::nullopt;
 }
@@ -314,7 +315,7 @@ QuantityProblem out_of_range(double value, std::string_view unit, const std::str
         is_short(need.min, written_in) && is_short(need.max, written_in) ? written_in : need.unit;
     std::string message = name + " is out of range: got " + quantity_text(value, written_in) + ", expected " +
                           quantity_text(need.min, shown_in) + " … " + quantity_text(need.max, shown_in) + ".";
-    const std::optional<Slip> slip = likely_slip(value, written_in, need);
+    const std::optional<LikelyMistake> slip = likely_slip(value, written_in, need);
     // The value in another unit may round to just outside the range.
     const std::string write = slip ? quantity_text(slip->value, slip->unit) : "";
     if (!slip || !is_readable(write, need)) return {Code::out_of_range, message + " Write a value in this range.", {}};
@@ -332,13 +333,13 @@ std::string without_commas(std::string_view text, const QuantityNeed& need) {
     return has_comma && vector_of(meant, need) ? meant : std::string();
 }
 
-QuantityProblem not_three_numbers(const Wrong& wrong) {
+QuantityProblem not_three_numbers(const UnreadableText& wrong) {
     return problem_of(Code::not_three_numbers, wrong, wrong.name + " is not three numbers: " + wrong.got() + ".",
                       without_commas(wrong.text, wrong.need), " Write x, y and z.");
 }
 
 /// Returns the problem of a single value that cannot be read.
-QuantityProblem problem_of_value(const Wrong& wrong) {
+QuantityProblem problem_of_value(const UnreadableText& wrong) {
     std::string_view rest = wrong.text;
     const std::optional<double> number = take_fraction(rest);
     if (!number) return not_a_number(wrong);
@@ -367,7 +368,7 @@ QuantityProblem problem_of_value(const Wrong& wrong) {
 }
 
 /// Returns the problem of three numbers that cannot be read.
-QuantityProblem problem_of_vector(const Wrong& wrong) {
+QuantityProblem problem_of_vector(const UnreadableText& wrong) {
     std::string_view rest = wrong.text;
     const auto numbers = take_three(rest);
     if (!numbers) return not_three_numbers(wrong);
@@ -386,12 +387,14 @@ QuantityProblem problem_of_vector(const Wrong& wrong) {
 
 /// Returns the problem of a text, and names a look-alike character in it if there is one. That character may be the
 /// only problem.
-QuantityProblem explain(const Wrong& wrong) {
-    const auto problem = [&](const Wrong& of) { return of.is_vector ? problem_of_vector(of) : problem_of_value(of); };
+QuantityProblem explain(const UnreadableText& wrong) {
+    const auto problem = [&](const UnreadableText& of) {
+        return of.is_vector ? problem_of_vector(of) : problem_of_value(of);
+    };
     const std::optional<LookAlike> look_alike = find_look_alike(wrong.text);
     if (!look_alike) return problem(wrong);
     const std::string straight = straightened(wrong.text);
-    const Wrong straight_wrong{trimmed(straight), wrong.name, wrong.need, wrong.is_vector};
+    const UnreadableText straight_wrong{trimmed(straight), wrong.name, wrong.need, wrong.is_vector};
     const bool is_all = wrong.reads(straight);
     QuantityProblem found = is_all ? QuantityProblem{Code::not_a_number, {}, {}} : problem(straight_wrong);
     const std::string message = wrong.name + " cannot be read: " + wrong.got() + "; " + about(*look_alike) + ".";

@@ -116,7 +116,7 @@ enum class Code {
     unknown_device = 701,
     too_many_tools = 702,   ///< more instruments than a run can have
     impossible_tool = 703,  ///< the plugin refuses these parameters
-    no_way = 704,           ///< a rehearsal with fewer than two waypoints
+    path_too_short = 704,   ///< a rehearsal with fewer than two waypoints
     starts_in_bone = 705,
     narrow_kerf = 706,  ///< under two voxels
     blade_beyond_region = 707,

@@ -40,7 +40,7 @@ std::size_t bytes_of(std::string_view text, int characters) noexcept {
 }
 
 /// Returns the source line and a caret line below it. Tabs are kept, so that both lines have the same indentation.
-std::string underlined(const SourcePlace& place, const std::string& line) {
+std::string underlined(const SourcePosition& place, const std::string& line) {
     const std::size_t begin = bytes_of(line, std::max(0, place.column - 1));
     const std::string_view marked =
         std::string_view(line).substr(begin, bytes_of(std::string_view(line).substr(begin), std::max(1, place.length)));
@@ -56,7 +56,7 @@ std::string underlined(const SourcePlace& place, const std::string& line) {
 
 }  // namespace
 
-std::string to_text(const SourcePlace& place) {
+std::string to_text(const SourcePosition& place) {
     return place.line > 0 ? place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column)
                           : place.file;
 }

@@ -11,7 +11,7 @@
 namespace kerf {
 
 /// A position in a text file, counted from 1; line 0 means "the file as a whole".
-struct SourcePlace {
+struct SourcePosition {
     std::string file;
     int line = 0;
     int column = 0;
@@ -20,7 +20,7 @@ struct SourcePlace {
 
 /// The cause of a problem, if it is elsewhere: a limit that a plugin declares, the first of two equal keys.
 struct Reason {
-    SourcePlace place;        ///< its `file` may be a plugin's component
+    SourcePosition place;     ///< its `file` may be a plugin's component
     std::string message;      ///< one sentence
     std::string source_line;  ///< text of that line; may be empty
 };
@@ -30,7 +30,7 @@ struct Diagnostic {
     enum class Level { error, warning };
     Level level = Level::error;
     std::string code;  ///< "E0412"
-    SourcePlace place;
+    SourcePosition place;
     std::string message;      ///< one sentence: value found and value expected, with unit
     std::string write;        ///< text to write instead; may be empty
     std::string source_line;  ///< text of that line, for the caret; may be empty
@@ -52,7 +52,7 @@ using Diagnostics = std::vector<Diagnostic>;
 void because_of(const Reason& named, Diagnostics& diagnostics, std::size_t first);
 
 /// Returns `file:14:22`, or `file` for the file as a whole.
-std::string to_text(const SourcePlace& place);
+std::string to_text(const SourcePosition& place);
 
 bool has_error(const Diagnostics& diagnostics) noexcept;
 

@@ -140,12 +140,12 @@ std::string FileWriter::finish() {
         fail(error);
         return error_;
     }
-    error_ = put_in_place(temporary_, path_);  // still locked, so that no other process writes under that name
+    error_ = rename_into_position(temporary_, path_);  // still locked, so that no other process writes under that name
     close(std::exchange(file_, -1));
     return error_;
 }
 
-std::string put_in_place(const std::string& temporary, const std::string& path) {
+std::string rename_into_position(const std::string& temporary, const std::string& path) {
     if (std::rename(temporary.c_str(), path.c_str()) != 0) {
         const int error = errno;
         unlink(temporary.c_str());

@@ -38,7 +38,7 @@ private:
 
 /// Renames a file that is on disk, and syncs the new name to disk. Returns the error as text, empty on success.
 /// [main]
-[[nodiscard]] std::string put_in_place(const std::string& temporary, const std::string& path);
+[[nodiscard]] std::string rename_into_position(const std::string& temporary, const std::string& path);
 
 /// Syncs a file's bytes, or a folder's names, to disk. Returns 0, or errno. Returns 0 for file systems without sync.
 /// [main]

@@ -78,11 +78,11 @@ double depth_at(const Body& body, Vec3 p) { return body.surface.at(locate(body, 
 
 /// The first place [m along the way] where a distance is negative; none: `stretch.end`.
 template <class DistanceAt>
-double first_inside(const Stretch& stretch, double least_step, const DistanceAt& distance) {
+double first_inside(const Stretch& stretch, double min_step, const DistanceAt& distance) {
     for (double way = stretch.begin; way < stretch.end;) {
         const double d = distance(way);
         if (d < 0.0) return way;
-        way += std::max(0.9 * d, least_step);
+        way += std::max(0.9 * d, min_step);
     }
     return stretch.end;
 }

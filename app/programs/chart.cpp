@@ -45,7 +45,7 @@ ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, cons
     // First, while this process has one thread and little memory.
     const auto strategies = start_strategies(here.strategies(plugins));
     if (!strategies.empty())
-        request.strategies = [&](const std::string& id) -> AskStrategy {
+        request.strategies = [&](const std::string& id) -> StrategyCall {
             RemeshChild* child = strategies.at(id).get();
             constexpr std::chrono::minutes limit(5);
             return [child, limit](const RemeshRequest& one) { return child->remesh(one, limit); };

@@ -9,12 +9,12 @@ namespace {
 
 struct Asked {
     LipPoints lips;
-    std::array<kerf_bone_sample, most_lip_points> sample;
+    std::array<kerf_bone_sample, max_lip_points> sample;
 };
 
 void ask(const DentalImplant& law, const PaperBit& tool, const BoneQuery& bone, double angle, Asked& asked) noexcept {
     asked.lips = lip_points(tool.drill(), law.element_interval, angle);
-    std::array<Vec3, most_lip_points> place;
+    std::array<Vec3, max_lip_points> place;
     for (std::size_t i = 0; i < asked.lips.count; ++i) place[i] = asked.lips.point[i].place;
     bone.sample({place.data(), asked.lips.count}, {0, 0, 1}, {asked.sample.data(), asked.lips.count});
 }

@@ -20,12 +20,12 @@ SinCos turned(SinCos a, SinCos b) noexcept { return {a.sin * b.cos + a.cos * b.s
 /// 2.4: a tooth cuts if its tip is in a bone voxel.
 Sum teeth_in_bone_of(const Hsieh2006& law, const PaperSaw& tool, const BoneQuery& bone,
                      const Hsieh2006::State& last) noexcept {
-    const std::size_t count = std::min(static_cast<std::size_t>(tool.tooth_count), most_saw_teeth);
+    const std::size_t count = std::min(static_cast<std::size_t>(tool.tooth_count), max_saw_teeth);
     const double u = tool.oscillation, alpha = 0.5 * tool.swing * sin_cos_exact(last.phase).sin;
     const double l = tool.length, chip = chip_as_printed(law.tooth_width, tool.tooth_pitch, last.rate[2], u);
-    std::array<Vec3, most_saw_teeth> tip{};
-    std::array<SinCos, most_saw_teeth> theta;
-    std::array<kerf_bone_sample, most_saw_teeth> sample;
+    std::array<Vec3, max_saw_teeth> tip{};
+    std::array<SinCos, max_saw_teeth> theta;
+    std::array<kerf_bone_sample, max_saw_teeth> sample;
     for (std::size_t i = 0; i < count; ++i) {
         const double offset = (static_cast<double>(i) - 0.5 * static_cast<double>(count - 1)) * tool.tooth_pitch;
         const double along = l - tool.bend * offset * offset, r = std::sqrt(offset * offset + along * along);

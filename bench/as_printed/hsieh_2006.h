@@ -79,7 +79,7 @@ struct PaperSaw {
         return prism(kerf, kerf).to(0.0, half).to(-1.0_mm, half).cuts().to(-length, half).gripped_at(-length - 80.0_mm);
     }
 };
-inline constexpr std::size_t most_saw_teeth = 64;
+inline constexpr std::size_t max_saw_teeth = 64;
 
 /// β of the tooth `offset` = n p [m] from the saw's axis (2.2): tan⁻¹(l/(np − c(np)²)). As printed a right angle for
 /// the tooth in the middle (E03-2), where the text wants teeth at small angles. Places and forces therefore take the

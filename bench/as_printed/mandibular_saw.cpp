@@ -11,7 +11,7 @@ namespace kerf::as_printed {
 
 namespace {
 
-constexpr std::size_t most_points = 128;
+constexpr std::size_t max_points = 128;
 
 /// K⁻¹ v by Cramer's rule. No guard: as printed K may be singular.
 Vec3 solved(const Matrix3& k, Vec3 v) noexcept {
@@ -29,14 +29,14 @@ struct Sum {
 /// Each contact alone (E04-5), its impulse over the length of the tick (E04-6).
 Sum contacts_of(const MandibularSaw& law, const Held<PaperReciprocatingSaw>& tool, const BoneQuery& bone,
                 const MandibularSaw::State& last) noexcept {
-    const auto per_edge = std::min(static_cast<std::size_t>(law.points), most_points);
+    const auto per_edge = std::min(static_cast<std::size_t>(law.points), max_points);
     const double inverse = 1.0 / (law.mass * law.gyration * law.gyration);
     const double direction = sin_cos_exact(last.phase).cos < 0.0 ? -1.0 : 1.0;
     const Vec3 w{4.0 * (0.5 * tool.stroke) * tool.reciprocation * direction, 0.0, 0.0};  // 4AFD
     const Vec3 middle{0.0, 0.0, -0.5 * tool.height};
-    std::array<Vec3, most_points> point{};
-    std::array<kerf_bone_sample, most_points> sample;
-    std::array<kerf_surface_point, most_points> found;
+    std::array<Vec3, max_points> point{};
+    std::array<kerf_bone_sample, max_points> sample;
+    std::array<kerf_surface_point, max_points> found;
     Sum sum;
     for (const double z : {0.0, -tool.height}) {
         for (std::size_t i = 0; i < per_edge; ++i) {

@@ -32,7 +32,7 @@ LipPoints lip_points(const PaperDrill& drill, double interval, double angle) noe
     const double first = std::sqrt(r_c * r_c - b * b), last = std::sqrt(drill.radius * drill.radius - b * b);
     const double length = (last - first) / drill.p.sin;
     const int count = std::clamp(static_cast<int>(std::ceil(length / interval - 1e-9)), 1,
-                                 static_cast<int>(most_lip_points / lip_count));
+                                 static_cast<int>(max_lip_points / lip_count));
     const SinCos a = sin_cos_exact(angle);
     for (const double side : {1.0, -1.0})
         for (int i = 0; i < count; ++i) {

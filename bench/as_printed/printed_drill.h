@@ -77,9 +77,9 @@ struct LipPoint {
     double side;   ///< +1 on the first lip, −1 on the other
 };
 inline constexpr int lip_count = 2;
-inline constexpr std::size_t most_lip_points = 512;
+inline constexpr std::size_t max_lip_points = 512;
 struct LipPoints {
-    std::array<LipPoint, most_lip_points> point;
+    std::array<LipPoint, max_lip_points> point;
     std::size_t count = 0;
 };
 /// Both lips at equal steps of at most `interval` [m] along them, the first at `angle` [rad].

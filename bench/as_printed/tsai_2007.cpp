@@ -27,8 +27,8 @@ DrillingSums sums_of(const Tsai2007& law, const PaperBit& tool, const BoneQuery&
     const double pps = tool.spindle_speed, tilt = length(angular(last.rate));
 
     const LipPoints lips = lip_points(drill, law.element_interval, last.angle);
-    std::array<Vec3, most_lip_points> place;
-    std::array<kerf_bone_sample, most_lip_points> sample;
+    std::array<Vec3, max_lip_points> place;
+    std::array<kerf_bone_sample, max_lip_points> sample;
     for (std::size_t i = 0; i < lips.count; ++i) place[i] = lips.point[i].place;
     bone.sample({place.data(), lips.count}, {0, 0, 1}, {sample.data(), lips.count});
     DrillingSums sum;

@@ -87,8 +87,8 @@ void VolumetricDrilling::resist(const Held<PaperBit>& tool, const BoneQuery& bon
                                 Channels& channels) const noexcept {
     const PaperDrill drill = tool.drill();
     const LipPoints lips = lip_points(drill, element_interval, state.angle);
-    std::array<Vec3, most_lip_points> place;
-    std::array<kerf_bone_sample, most_lip_points> sample;
+    std::array<Vec3, max_lip_points> place;
+    std::array<kerf_bone_sample, max_lip_points> sample;
     for (std::size_t i = 0; i < lips.count; ++i) place[i] = lips.point[i].place;
     bone.sample({place.data(), lips.count}, {0, 0, 1}, {sample.data(), lips.count});
     const double t = chip_thickness(state.rate[2], tool.spindle_speed);

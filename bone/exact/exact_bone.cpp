@@ -37,7 +37,7 @@ std::unique_ptr<ExactTrack> ExactBone::new_track(const TaggedMesh& mesh, const C
 }
 
 void ExactBone::follow(const std::vector<ExactBody>& bodies, bool may_return) {
-    if (!go_on(bodies) && !go_back(bodies) && !come_apart(bodies)) {
+    if (!follow_same_bodies(bodies) && !restore(bodies) && !separate(bodies)) {
         tracks_.clear();
         crumbs_ = records_ = stretches_ = 0;
         crumb_volume_ = 0.0;
@@ -46,7 +46,7 @@ void ExactBone::follow(const std::vector<ExactBody>& bodies, bool may_return) {
     if (may_return) keep();
 }
 
-bool ExactBone::go_on(const std::vector<ExactBody>& bodies) {
+bool ExactBone::follow_same_bodies(const std::vector<ExactBody>& bodies) {
     if (bodies.size() != tracks_.size()) return false;
     std::vector<ExactTrack*> surfaces;
     for (const ExactBody& one : bodies) {
@@ -59,7 +59,7 @@ bool ExactBone::go_on(const std::vector<ExactBody>& bodies) {
     return true;
 }
 
-bool ExactBone::go_back(const std::vector<ExactBody>& bodies) {
+bool ExactBone::restore(const std::vector<ExactBody>& bodies) {
     const auto is_now = [&](const Kept& kept) {
         return kept.tracks.size() == bodies.size() &&
                std::all_of(bodies.begin(), bodies.end(), [&](const ExactBody& one) {
@@ -75,7 +75,7 @@ bool ExactBone::go_back(const std::vector<ExactBody>& bodies) {
         const auto same = std::find_if(tracks_.begin(), tracks_.end(),
                                        [&, b = body](const Track& t) { return t.surface != nullptr && t.body == b; });
         tracks.push_back({body, same != tracks_.end() ? std::move(same->surface) : new_track(uncut_, {})});
-        tracks.back().surface->go_back(moment);
+        tracks.back().surface->restore(moment);
     }
     tracks_ = std::move(tracks);
     crumbs_ = found->crumbs;
@@ -85,7 +85,7 @@ bool ExactBone::go_back(const std::vector<ExactBody>& bodies) {
     return true;
 }
 
-bool ExactBone::come_apart(const std::vector<ExactBody>& bodies) {
+bool ExactBone::separate(const std::vector<ExactBody>& bodies) {
     std::vector<std::vector<ExactBody>> became(tracks_.size());
     for (const ExactBody& one : bodies) {
         const auto find = [&](std::size_t body) {
@@ -94,7 +94,7 @@ bool ExactBone::come_apart(const std::vector<ExactBody>& bodies) {
             });
         };
         auto track = find(one.body);
-        if (track == tracks_.end()) track = find(one.came_off);
+        if (track == tracks_.end()) track = find(one.separated_from);
         if (track == tracks_.end()) return false;
         became[static_cast<std::size_t>(track - tracks_.begin())].push_back(one);
     }
@@ -120,19 +120,19 @@ void ExactBone::descend(std::unique_ptr<ExactTrack> track, const std::vector<Exa
     std::vector<TaggedMesh> meshes(groups.size());
     for (const MeshPart& part : parts_of(track->mesh())) {
         std::size_t nearest = 0;
-        double most = 0.0;
+        double largest = 0.0;
         bool is_in_the_field = false;
         for (std::size_t g = 0; g < groups.size(); ++g) {
             std::vector<const CutField*> cuts;
             for (const ExactBody& one : groups[g]) cuts.push_back(one.cut.get());
             const auto on = fraction_on(part, *bone_, cuts);
             is_in_the_field = is_in_the_field || on.has_value();
-            if (on.value_or(0.0) <= most) continue;
-            most = *on;
+            if (on.value_or(0.0) <= largest) continue;
+            largest = *on;
             nearest = g;
         }
         // A part beyond the field was never cut and belongs to the first body.
-        if (most > 0.0 || !is_in_the_field)
+        if (largest > 0.0 || !is_in_the_field)
             append(part.mesh, meshes[nearest]);
         else
             add_crumb(part);
@@ -140,7 +140,7 @@ void ExactBone::descend(std::unique_ptr<ExactTrack> track, const std::vector<Exa
     add_counts_of(*track);
     for (std::size_t g = 0; g < groups.size(); ++g) {
         auto child = new_track(meshes[g], common);
-        for (const LocalCutting::Stale& stale : track->stale()) child->give_up(stale.box, stale.why);
+        for (const LocalCutting::Stale& stale : track->stale()) child->mark_stale(stale.box, stale.why);
         descend(std::move(child), groups[g]);
     }
 }
@@ -148,7 +148,7 @@ void ExactBone::descend(std::unique_ptr<ExactTrack> track, const std::vector<Exa
 std::vector<TaggedMesh> ExactBone::finish(const std::vector<ExactBody>& bodies) {
     follow(bodies, false);
     std::vector<TaggedMesh> meshes(bodies.size());
-    std::vector<Late> late;
+    std::vector<ReassignedPart> late;
     for (const Track& track : tracks_) {
         track.surface->finish();
         const auto own = static_cast<std::size_t>(
@@ -168,7 +168,7 @@ std::vector<TaggedMesh> ExactBone::finish(const std::vector<ExactBody>& bodies) 
                                 other->history.common_with(track.surface->done())});
         }
     }
-    for (const Late& one : late) {
+    for (const ReassignedPart& one : late) {
         const auto track = new_track(one.mesh, one.done);
         track->follow(bodies[one.body].history);
         track->finish();
@@ -212,7 +212,7 @@ void ExactBone::keep() {
     Kept now{{}, crumbs_, records_, stretches_, crumb_volume_};
     for (const Track& track : tracks_) now.tracks.emplace_back(track.body, track.surface->moment());
     kept_.push_back(std::move(now));
-    if (kept_.size() > most_kept) kept_.pop_front();
+    if (kept_.size() > max_kept) kept_.pop_front();
 }
 
 std::size_t ExactBone::records() const noexcept {

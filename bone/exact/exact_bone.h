@@ -15,8 +15,8 @@ namespace kerf {
 
 /// A body of a bone in the field.
 struct ExactBody {
-    std::size_t body = 0;      ///< number in the scene
-    std::size_t came_off = 0;  ///< the body that it was part of before
+    std::size_t body = 0;            ///< number in the scene
+    std::size_t separated_from = 0;  ///< the body that it was part of before
     const Body* bone = nullptr;
     bool is_present = true;  ///< false: removed from the scene, without a surface
     CutHistory history{};
@@ -56,7 +56,7 @@ public:
     [[nodiscard]] std::vector<std::string> notes() const;
 
 private:
-    static constexpr std::size_t most_kept = 40;  ///< states that bone may return to
+    static constexpr std::size_t max_kept = 40;  ///< states that bone may return to
 
     struct Track {
         std::size_t body;
@@ -68,15 +68,15 @@ private:
         double crumb_volume;
     };
     /// A part of another body: it lacks the records of that body after `done`.
-    struct Late {
+    struct ReassignedPart {
         TaggedMesh mesh;
         std::size_t body;  ///< number among the bodies
         CutHistory done;
     };
 
-    [[nodiscard]] bool go_on(const std::vector<ExactBody>& bodies);
-    [[nodiscard]] bool go_back(const std::vector<ExactBody>& bodies);
-    [[nodiscard]] bool come_apart(const std::vector<ExactBody>& bodies);
+    [[nodiscard]] bool follow_same_bodies(const std::vector<ExactBody>& bodies);
+    [[nodiscard]] bool restore(const std::vector<ExactBody>& bodies);
+    [[nodiscard]] bool separate(const std::vector<ExactBody>& bodies);
     void descend(std::unique_ptr<ExactTrack> track, const std::vector<ExactBody>& bodies);
     void add_counts_of(const ExactTrack& track);
     [[nodiscard]] std::unique_ptr<ExactTrack> new_track(const TaggedMesh& mesh, const CutHistory& done) const;

@@ -83,7 +83,7 @@ ExactSurface ExactFollower::finish(const Simulation& simulation,
         if (report) report(fraction, doing);
         lock.lock();
     }
-    return std::move(made_);
+    return std::move(result_);
 }
 
 std::shared_ptr<const ExactView> ExactFollower::view() const {
@@ -126,7 +126,7 @@ bool ExactFollower::work_on(const ExactState& state, bool is_the_end) {
 void ExactFollower::finish_with(ExactSurface made) {
     {
         const std::lock_guard lock(mutex_);
-        made_ = std::move(made);
+        result_ = std::move(made);
         is_done_ = true;
     }
     changed_.notify_all();

@@ -73,7 +73,7 @@ private:
     bool has_end_ = false;      ///< the last state is the end of the run
     bool is_unwanted_ = false;  ///< the surface is no longer needed
     bool is_done_ = false;
-    ExactSurface made_;
+    ExactSurface result_;
 
     std::thread thread_;  // last member: it uses all of the above
 };

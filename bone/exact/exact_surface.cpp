@@ -50,10 +50,10 @@ ExactPiece piece_of(const ExactBody& body, TaggedMesh mesh) {
 
 /// Returns the largest tolerance of the strategies [m], less the request's own.
 double stated_tolerance(const ExactTools& tools) {
-    double most = tools.tolerance;
+    double largest = tools.tolerance;
     for (const auto& strategies : tools.strategies)
-        for (const ExactStrategy& one : strategies) most = std::max(most, one.child->tolerance());
-    return most - tools.tolerance;
+        for (const ExactStrategy& one : strategies) largest = std::max(largest, one.child->tolerance());
+    return largest - tools.tolerance;
 }
 
 double wall_area_of(const ExactPiece& piece) {
@@ -73,8 +73,8 @@ ExactState exact_state(const Simulation& simulation, bool with_cuts) {
         const bool is_known = body < live.size();
         if (is_known && !live[body]->is_cuttable) continue;
         const PresentPiece& piece = present.piece(body);
-        state.bodies.push_back({body, piece.came_off, piece.bone, !is_known || live[body]->is_present, piece.history,
-                                with_cuts ? std::make_shared<const CutField>(piece.cut) : nullptr});
+        state.bodies.push_back({body, piece.separated_from, piece.bone, !is_known || live[body]->is_present,
+                                piece.history, with_cuts ? std::make_shared<const CutField>(piece.cut) : nullptr});
     }
     return state;
 }

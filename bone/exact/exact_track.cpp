@@ -10,7 +10,7 @@
 namespace kerf {
 namespace {
 
-constexpr int most_refusals = 4;  // of one result
+constexpr int max_refusals = 4;  // of one result
 constexpr const char* interrupted = "interrupted";
 
 /// Returns the result of a strategy that no longer runs: it declines all later stretches.
@@ -52,15 +52,15 @@ bool has_whole(const std::vector<ExactStrategy>& strategies) {
     return std::any_of(strategies.begin(), strategies.end(), [](const ExactStrategy& one) { return one.is_whole(); });
 }
 
-void add_notes(const NotCutBy& of, const char* what, std::vector<std::string>& notes) {
+void add_notes(const FailuresByStrategy& of, const char* what, std::vector<std::string>& notes) {
     for (const auto& [id, not_cut] : of)
         notes.push_back("`" + id + "` " + what + " " + std::to_string(not_cut.count) +
                         (not_cut.count == 1 ? " request: " : " requests, the first: ") + not_cut.first + ".");
 }
 
-void add(const NotCutBy& more, NotCutBy& all) {
+void add(const FailuresByStrategy& more, FailuresByStrategy& all) {
     for (const auto& [id, not_cut] : more) {
-        NotCut& sum = all[id];
+        StrategyFailures& sum = all[id];
         if (sum.count == 0) sum.first = not_cut.first;
         sum.count += not_cut.count;
     }
@@ -97,8 +97,8 @@ void ExactTrack::follow(const CutHistory& history) {
             commit(joiner_.push(record));
         } else {
             commit(joiner_.end());
-            cutting_.give_up(swept_box(solid, {record.from, record.to, record.solid}),
-                             "its instrument leaves no exact surface");
+            cutting_.mark_stale(swept_box(solid, {record.from, record.to, record.solid}),
+                                "its instrument leaves no exact surface");
         }
     }
     done_ = history;
@@ -113,12 +113,13 @@ void ExactTrack::finish() {
     RemeshRequest all;
     all.base = mesh();
     if (std::string flaw = flaw_of_result(all, all.base); !flaw.empty())
-        cutting_.give_up(bounds_of(all.base.mesh), std::move(flaw));
+        cutting_.mark_stale(bounds_of(all.base.mesh), std::move(flaw));
 }
 
-void ExactTrack::give_up(const CutStretch& stretch, const std::string& why) {
+void ExactTrack::mark_stale(const CutStretch& stretch, const std::string& why) {
     const std::string& no_more = tools_->why_no_more[stretch.solid];
-    cutting_.give_up(swept_box(*tools_->solids[stretch.solid], stretch), no_more.empty() ? why : why + "; " + no_more);
+    cutting_.mark_stale(swept_box(*tools_->solids[stretch.solid], stretch),
+                        no_more.empty() ? why : why + "; " + no_more);
 }
 
 void ExactTrack::commit(const std::optional<CutStretch>& stretch) {
@@ -126,14 +127,14 @@ void ExactTrack::commit(const std::optional<CutStretch>& stretch) {
     swept_.add(*stretch);
     ++stretches_;
     is_checked_ = false;
-    if (tools_->are_cancelled()) return give_up(*stretch, interrupted);
+    if (tools_->are_cancelled()) return mark_stale(*stretch, interrupted);
     std::string why;
     if (cutting_.cut(*stretch, why)) return;
     // The order of cuts has no effect, so all of these can wait until the end.
     if (has_whole(tools_->strategies[stretch->solid]))
         left_over_.push_back(*stretch);
     else
-        give_up(*stretch, why);
+        mark_stale(*stretch, why);
 }
 
 RemeshRequest ExactTrack::whole_request() const {
@@ -159,7 +160,7 @@ void ExactTrack::commit_waiting() {
     if (cut_whole(std::move(request), records.front().solid, why)) return;
     is_checked_ = false;
     for (const CutStretch& stretch : stretches)
-        if (tools_->are_cancelled() || !cutting_.cut(stretch, why)) give_up(stretch, why);
+        if (tools_->are_cancelled() || !cutting_.cut(stretch, why)) mark_stale(stretch, why);
 }
 
 void ExactTrack::commit_left_over() {
@@ -175,7 +176,7 @@ void ExactTrack::commit_left_over() {
         const std::vector<CutStretch> stretches = request.cuts;
         handed_over_ += static_cast<int>(stretches.size());
         if (!cut_whole(std::move(request), solid, why))
-            for (const CutStretch& stretch : stretches) give_up(stretch, why);
+            for (const CutStretch& stretch : stretches) mark_stale(stretch, why);
     }
 }
 
@@ -201,7 +202,7 @@ std::optional<TaggedMesh> ExactTrack::cut_whole(const RemeshRequest& base, const
     RemeshChild& child = *strategy.child;
     tools_->report(0.0, "cutting " + std::to_string(request.base.mesh.triangles.size()) + " faces along " +
                             std::to_string(request.cuts.size()) + " straight stretches");
-    for (int n = 0; n <= most_refusals; ++n) {
+    for (int n = 0; n <= max_refusals; ++n) {
         if (tools_->are_cancelled()) {
             why = interrupted;
             break;
@@ -226,7 +227,7 @@ std::optional<TaggedMesh> ExactTrack::cut_whole(const RemeshRequest& base, const
 }
 
 std::vector<std::string> ExactTrack::notes() const {
-    NotCutBy refused = refused_, declined = declined_;
+    FailuresByStrategy refused = refused_, declined = declined_;
     add(cutting_.refused(), refused);
     add(cutting_.declined(), declined);
     std::vector<std::string> all;
@@ -239,8 +240,8 @@ ExactTrack::Moment ExactTrack::moment() {
     return {cutting_.moment(), done_, joiner_, waiting_, left_over_, swept_, records_, stretches_};
 }
 
-void ExactTrack::go_back(const Moment& moment) {
-    cutting_.go_back(moment.cutting);
+void ExactTrack::restore(const Moment& moment) {
+    cutting_.restore(moment.cutting);
     done_ = moment.done;
     joiner_ = moment.joiner;
     waiting_ = moment.waiting;
@@ -259,7 +260,7 @@ LocalCutting::Moment ExactTrack::shown() {
     if (!waiting_.empty()) now.stale.push_back({swept_by(waiting_, tools_->solids), at_the_end});
     for (const CutStretch& stretch : left_over_)
         now.stale.push_back({swept_box(*tools_->solids[stretch.solid], stretch), at_the_end});
-    go_back(before);
+    restore(before);
     return now;
 }
 

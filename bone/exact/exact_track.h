@@ -28,7 +28,7 @@ public:
     void finish();
 
     /// Marks a box as stale if a part of the surface lies in it.
-    void give_up(const Box& box, std::string why) { cutting_.give_up(box, std::move(why)); }
+    void mark_stale(const Box& box, std::string why) { cutting_.mark_stale(box, std::move(why)); }
 
     [[nodiscard]] const CutHistory& done() const noexcept { return done_; }
     [[nodiscard]] TaggedMesh mesh() const { return cutting_.surface().mesh(); }
@@ -52,7 +52,7 @@ public:
         std::size_t records = 0, stretches = 0;
     };
     [[nodiscard]] Moment moment();
-    void go_back(const Moment& moment);
+    void restore(const Moment& moment);
     /// Returns the surface with the waiting stretch cut into it, without changing this object.
     [[nodiscard]] LocalCutting::Moment shown();
 
@@ -67,7 +67,7 @@ private:
                                                       std::string& why);
     [[nodiscard]] RemeshRequest whole_request() const;
     /// Marks a stretch that no strategy has cut as stale.
-    void give_up(const CutStretch& stretch, const std::string& why);
+    void mark_stale(const CutStretch& stretch, const std::string& why);
 
     const ExactTools* tools_;
     double apart_;
@@ -79,8 +79,8 @@ private:
     SweptBefore swept_;
     std::size_t records_ = 0, stretches_ = 0;
     int refusals_ = 0, handed_over_ = 0;
-    bool is_checked_ = true;       ///< the whole surface, since the last patch
-    NotCutBy refused_, declined_;  ///< by strategies for whole meshes
+    bool is_checked_ = true;                 ///< the whole surface, since the last patch
+    FailuresByStrategy refused_, declined_;  ///< by strategies for whole meshes
 };
 
 }  // namespace kerf

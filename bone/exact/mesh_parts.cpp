@@ -17,7 +17,7 @@ bool touches(const Body& bone, const CutField& cut, Vec3 point) {
     const int i = static_cast<int>(std::floor(at.x)), j = static_cast<int>(std::floor(at.y)),
               k = static_cast<int>(std::floor(at.z));
     for (int n = 0; n < 8; ++n) {
-        const BrickPlace place =
+        const LocatedPoint place =
             locate(grid, grid.sample_position(i + (n & 1), j + (n >> 1 & 1), k + (n >> 2)) + Vec3{1e-9, 1e-9, 1e-9});
         if (place.is_inside && std::max(uncut_distance(bone, place), cut.at(place)) < 0.0) return true;
     }
@@ -70,7 +70,7 @@ std::optional<double> fraction_on(const MeshPart& part, const Body& bone, const 
 }
 
 std::vector<double> wall_areas_of(const TaggedMesh& mesh, const Body& bone) {
-    constexpr double most_rows = 64.0;
+    constexpr double max_rows = 64.0;
     std::vector<double> areas(bone.materials.size(), 0.0);
     for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
         if (mesh.tags[f] == KERF_FACE_SURFACE) continue;
@@ -78,7 +78,7 @@ std::vector<double> wall_areas_of(const TaggedMesh& mesh, const Body& bone) {
         const Vec3 ab = b - a, ac = c - a;
         // A wall's face may cross all tissues. So it is divided into small faces, in rows no wider than a voxel.
         const double longest = std::max({length(ab), length(ac), length(c - b)});
-        const int rows = static_cast<int>(std::clamp(std::ceil(longest / bone.grid().spacing), 1.0, most_rows));
+        const int rows = static_cast<int>(std::clamp(std::ceil(longest / bone.grid().spacing), 1.0, max_rows));
         const double area = 0.5 * length(cross(ab, ac)) / (static_cast<double>(rows) * rows);
         const auto add = [&](double row, double column) {
             double weight[KERF_MAX_TISSUES];

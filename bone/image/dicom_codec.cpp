@@ -19,8 +19,8 @@
 namespace kerf {
 namespace {
 
-constexpr rlim_t most_seconds = 10;                    // of processor time, for one slice
-constexpr rlim_t most_memory = 1024ull * 1024 * 1024;  // [bytes] beyond the memory of this process
+constexpr rlim_t max_seconds = 10;                    // of processor time, for one slice
+constexpr rlim_t max_memory = 1024ull * 1024 * 1024;  // [bytes] beyond the memory of this process
 
 std::size_t size_of(const DicomSlice& slice) {
     return static_cast<std::size_t>(slice.rows) * static_cast<std::size_t>(slice.columns) *
@@ -59,8 +59,8 @@ rlim_t mapped() {
     return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-void limit(int resource, rlim_t most) {
-    const rlimit both{most, most};
+void limit(int resource, rlim_t largest) {
+    const rlimit both{largest, largest};
     setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
@@ -68,7 +68,7 @@ void limit(int resource, rlim_t most) {
 [[noreturn]] void unpack_into(int pipe, rlim_t memory, const DicomSlice& slice,
                               const std::vector<std::string>& fragments) {
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, most_seconds);
+    limit(RLIMIT_CPU, max_seconds);
     limit(RLIMIT_AS, memory);
     if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) {  // discards messages of the codecs
         dup2(nowhere, STDOUT_FILENO);
@@ -103,7 +103,7 @@ bool can_unpack(const std::string& encoding) {
 
 std::vector<char> unpacked_pixels(const DicomSlice& slice, const std::vector<std::string>& fragments) {
     int ends[2];
-    const rlim_t memory = mapped() + most_memory;
+    const rlim_t memory = mapped() + max_memory;
     if (pipe(ends) != 0) return {};
     const pid_t child = fork();
     if (child < 0) {

@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::uint64_t preamble = 128;          // [bytes]
 constexpr std::uint32_t undefined = 0xffffffff;  // length of an element that ends with a mark
-constexpr int most_nested = 16;
-constexpr int most_elements = 100'000;
-constexpr std::uint32_t most_kept = 1024;  // [bytes] of a value that is stored for queries
+constexpr int max_nested = 16;
+constexpr int max_elements = 100'000;
+constexpr std::uint32_t max_kept = 1024;  // [bytes] of a value that is stored for queries
 constexpr std::uint32_t item = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd;
 constexpr const char *implicit_little = "1.2.840.10008.1.2", *explicit_little = "1.2.840.10008.1.2.1";
 constexpr std::uint32_t transfer_syntax = 0x00020010, pixel_data = 0x7fe00010;
@@ -59,7 +59,7 @@ public:
         in_.seekg(static_cast<std::streamoff>(at_));
         return bytes;
     }
-    /// Pre: `length` is at most `most_kept`.
+    /// Pre: `length` is at most `max_kept`.
     std::string keep(std::uint32_t length) {
         if (length > left()) skip(length);  // throws the reason
         std::string value(length, '\0');
@@ -145,8 +145,8 @@ public:
                 e.is_sequence || e.length == undefined || (nested_ && begins_with_item(e, encoding));
             if (is_sequence) ++found_.file.sequences;
             if (is_sequence && nested_)
-                look_into(e, encoding, 0);
-            else if (e.length <= most_kept)
+                visit_sequence(e, encoding, 0);
+            else if (e.length <= max_kept)
                 found_.values[e.tag] = bytes_.keep(e.length);
             else
                 skip(e, encoding, 0);
@@ -155,13 +155,13 @@ public:
 
 private:
     Element counted(Encoding encoding) {
-        if (++elements_ > most_elements) throw Fault{"it has more than 100000 elements"};
+        if (++elements_ > max_elements) throw Fault{"it has more than 100000 elements"};
         return next_element(bytes_, encoding);
     }
 
     void skip(const Element& e, Encoding encoding, int depth) {
         if (e.length != undefined) return bytes_.skip(e.length);
-        if (depth >= most_nested) throw Fault{"its sequences are nested more than 16 deep"};
+        if (depth >= max_nested) throw Fault{"its sequences are nested more than 16 deep"};
         if (e.is_unknown) encoding = {.is_big = false, .is_explicit = false};
         while (true) {
             const Element one = counted(encoding);
@@ -185,8 +185,8 @@ private:
     }
 
     /// Visits all elements of a sequence. A walk that skipped it would miss errors inside.
-    void look_into(const Element& e, Encoding encoding, int depth) {
-        if (depth >= most_nested) throw Fault{"its sequences are nested more than 16 deep"};
+    void visit_sequence(const Element& e, Encoding encoding, int depth) {
+        if (depth >= max_nested) throw Fault{"its sequences are nested more than 16 deep"};
         if (e.is_unknown) encoding = {.is_big = false, .is_explicit = false};
         const auto end_of = [&](const Element& one) {
             if (one.length == undefined) return bytes_.at() + bytes_.left();
@@ -205,8 +205,8 @@ private:
                 const bool is_voxels = inner.tag == pixel_data;  // of an icon: fragments are not items with elements
                 if (!is_voxels &&
                     (inner.is_sequence || inner.length == undefined || begins_with_item(inner, encoding))) {
-                    look_into(inner, encoding, depth + 1);
-                } else if (is_voxels || inner.length > most_kept) {
+                    visit_sequence(inner, encoding, depth + 1);
+                } else if (is_voxels || inner.length > max_kept) {
                     skip(inner, encoding, depth + 1);
                     nested_(inner.tag, nullptr);
                 } else {
@@ -252,7 +252,7 @@ std::string transfer_syntax_of(Bytes& bytes) {
     while (bytes.left() >= 8 && bits(bytes.peek<2>().data(), 2, false) == 2) {
         const Element e = next_element(bytes, {});
         if (e.length == undefined) throw Fault{"its first group has no length"};
-        if (e.tag == transfer_syntax && e.length <= most_kept)
+        if (e.tag == transfer_syntax && e.length <= max_kept)
             syntax = trimmed(bytes.keep(e.length));
         else
             bytes.skip(e.length);

@@ -19,10 +19,10 @@
 namespace kerf {
 namespace {
 
-constexpr int least_edge = 2, most_edge = 4096;                // [voxels]
-constexpr double least_spacing = 1e-6, most_spacing = 100e-3;  // [m]
-constexpr double most_scale = 1e9;                             // [–] with it 32-bit values still fit a float
-constexpr double straight = 1e-3;                              // [–] deviation from a unit vector
+constexpr int min_edge = 2, max_edge = 4096;                // [voxels]
+constexpr double min_spacing = 1e-6, max_spacing = 100e-3;  // [m]
+constexpr double max_scale = 1e9;                           // [–] with it 32-bit values still fit a float
+constexpr double straight = 1e-3;                           // [–] deviation from a unit vector
 
 /// Reason why a slice cannot be used.
 struct Trouble {
@@ -45,7 +45,7 @@ void check_encoding(const DicomElements& of) {
     if (is_plain == of.is_encapsulated) throw Trouble{"its pixels are not encoded as its header says"};
 }
 
-void read_place(const DicomElements& of, DicomSlice& slice) {
+void read_geometry(const DicomElements& of, DicomSlice& slice) {
     const auto at = of.numbers(0x0020, 0x0032), axes = of.numbers(0x0020, 0x0037), spacing = of.numbers(0x0028, 0x0030);
     if (at.size() != 3) throw Trouble{"it has no position (0020,0032)"};
     if (axes.size() != 6) throw Trouble{"it has no orientation (0020,0037)"};
@@ -60,7 +60,7 @@ void read_place(const DicomElements& of, DicomSlice& slice) {
         throw Trouble{"its orientation (0020,0037) is no pair of unit vectors at right angles"};
     if (length(slice.origin) > 100.0) throw Trouble{"its position is more than 100 m away"};
     for (const double s : {slice.between_rows, slice.between_columns})
-        if (!(s >= least_spacing && s <= most_spacing)) throw Trouble{"its pixel spacing is outside 0.001 mm … 100 mm"};
+        if (!(s >= min_spacing && s <= max_spacing)) throw Trouble{"its pixel spacing is outside 0.001 mm … 100 mm"};
     if (const auto ratio = of.numbers(0x0028, 0x0034);
         ratio.size() == 2 &&
         std::abs(ratio[0] * spacing[1] - ratio[1] * spacing[0]) > 1e-2 * std::abs(ratio[0] * spacing[1]))
@@ -80,7 +80,7 @@ void read_values(const DicomElements& of, DicomSlice& slice) {
     slice.rows = of.word(0x0028, 0x0010).value_or(0);
     slice.columns = of.word(0x0028, 0x0011).value_or(0);
     for (const int n : {slice.rows, slice.columns})
-        if (n < least_edge || n > most_edge)
+        if (n < min_edge || n > max_edge)
             throw Trouble{"it has " + std::to_string(slice.columns) + " × " + std::to_string(slice.rows) +
                           " pixels, must have 2 … 4096 each way"};
     if (const int samples = of.word(0x0028, 0x0002).value_or(1); samples != 1)
@@ -116,7 +116,7 @@ void read_values(const DicomElements& of, DicomSlice& slice) {
     slice.slope = rescale(0x1053, 1.0);
     slice.intercept = rescale(0x1052, 0.0);
     if (slice.slope == 0.0) throw Trouble{"its rescale slope (0028,1053) is 0"};
-    if (std::abs(slice.slope) > most_scale || std::abs(slice.intercept) > most_scale)
+    if (std::abs(slice.slope) > max_scale || std::abs(slice.intercept) > max_scale)
         throw Trouble{"its rescale slope (0028,1053) or intercept (0028,1052) is beyond 1000000000"};
     read_padding(of, slice);
     // A lookup table is not a linear function of the stored values.
@@ -200,7 +200,7 @@ std::vector<float> decoded(const DicomSlice& slice) {
                                                              : static_cast<double>(static_cast<std::uint32_t>(value))) +
                               slice.intercept;
         // Unsigned 32-bit values may be negative here. Padding has 16 bits at most.
-        const bool is_padding = slice.padding && value >= slice.padding->least && value <= slice.padding->most;
+        const bool is_padding = slice.padding && value >= slice.padding->low && value <= slice.padding->high;
         values[at] = is_padding ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(scaled);
     }
     return values;
@@ -223,7 +223,7 @@ DicomHeader read_dicom_header(const std::string& file) {
         read_sort(elements, header.slice);
         check_encoding(elements);
         read_values(elements, header.slice);
-        read_place(elements, header.slice);
+        read_geometry(elements, header.slice);
     } catch (const Trouble& trouble) {
         header.trouble = trouble.what;
     }

@@ -22,7 +22,7 @@ constexpr double same_spacing = 1e-6;    // [m]
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
 /// An error. `series_of()` turns it into a Diagnostic.
-struct Refusal {
+struct ReadError {
     const char* code;
     std::string message;
 };
@@ -49,12 +49,13 @@ std::vector<Group> groups_of(const std::vector<const DicomHeader*>& slices) {
         by_number[(*least)->slice.series_number].push_back({"", headers});
     }
     std::vector<Group> groups;
-    for (auto& [number, sharing] : by_number)
-        for (std::size_t n = 0; n < sharing.size(); ++n) {
-            sharing[n].name = std::to_string(number);
-            if (sharing.size() > 1)
-                sharing[n].name += n < 26 ? std::string(1, static_cast<char>('a' + n)) : "-" + std::to_string(n + 1);
-            groups.push_back(sharing[n]);
+    for (auto& [number, same_number] : by_number)
+        for (std::size_t n = 0; n < same_number.size(); ++n) {
+            same_number[n].name = std::to_string(number);
+            if (same_number.size() > 1)
+                same_number[n].name +=
+                    n < 26 ? std::string(1, static_cast<char>('a' + n)) : "-" + std::to_string(n + 1);
+            groups.push_back(same_number[n]);
         }
     return groups;
 }
@@ -90,17 +91,18 @@ const Group& chosen(const std::vector<Group>& groups, const std::string& name) {
     for (const Group* group : sorted) offers.push_back(offer_of(*group));
     const std::string series = counted(groups.size(), "series", "series");
     if (name.empty() && sorted.front()->headers.size() < 2)
-        throw Refusal{"E0661", "the folder has " + series + " of one slice each: got " + listed(offers, "series") +
-                                   ", expected one series of at least 2. Export the slices of a volume as one series. "
-                                   "Some anonymisers write another series UID (0020,000e) into each file."};
+        throw ReadError{"E0661",
+                        "the folder has " + series + " of one slice each: got " + listed(offers, "series") +
+                            ", expected one series of at least 2. Export the slices of a volume as one series. "
+                            "Some anonymisers write another series UID (0020,000e) into each file."};
     if (name.empty())
-        throw Refusal{"E0661", "the folder has " + series + ": got " + listed(offers, "series") +
-                                   ", expected one. Choose one: write `ct.series: " + sorted.front()->name +
-                                   "`, or `--series " + sorted.front()->name + "`."};
+        throw ReadError{"E0661", "the folder has " + series + ": got " + listed(offers, "series") +
+                                     ", expected one. Choose one: write `ct.series: " + sorted.front()->name +
+                                     "`, or `--series " + sorted.front()->name + "`."};
     for (const Group& group : groups)
         if (group.name == name) return group;
-    throw Refusal{"E0662", "the folder has no series `" + excerpt(name) + "`: expected one of " +
-                               listed(offers, "series") + ". Choose one of these."};
+    throw ReadError{"E0662", "the folder has no series `" + excerpt(name) + "`: expected one of " +
+                                 listed(offers, "series") + ". Choose one of these."};
 }
 
 /// Some anonymisers give every slice its own frame of reference. Then the frame contains no information.
@@ -117,8 +119,8 @@ void check_alike(const std::vector<DicomSlice>& slices) {
     };
     const auto refuse = [&](std::size_t count, const std::string& what) {
         if (count > 0)
-            throw Refusal{"E0663", counted(count, "slice differs", "slices differ") + " from the first one in " + what +
-                                       ", expected the same. Export one volume at a time."};
+            throw ReadError{"E0663", counted(count, "slice differs", "slices differ") + " from the first one in " +
+                                         what + ", expected the same. Export one volume at a time."};
     };
     refuse(differing([&](const DicomSlice& s) { return s.columns != first.columns || s.rows != first.rows; }),
            "number of pixels");
@@ -152,7 +154,7 @@ SliceStack stack_of(std::vector<DicomSlice>& slices) {
 }
 
 /// Returns the plane's position as a viewer shows it: along the axis closest to its normal.
-std::string place_of(const SliceStack& stack, std::size_t slice) {
+std::string plane_text(const SliceStack& stack, std::size_t slice) {
     const Vec3 n = stack.normal(), at = stack.origins[slice];
     const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
     if (z >= x && z >= y) return "z " + millimetres(at.z) + " mm";
@@ -174,8 +176,8 @@ void choose_acquisition(DicomSeries& series, const std::string& name, const std:
     if (!name.empty()) {
         const auto found = std::find_if(all.begin(), all.end(), [&](const Acquisition& a) { return a.name == name; });
         if (found == all.end())
-            throw Refusal{"E0677", "the series has no acquisition `" + excerpt(name) + "`: expected one of " +
-                                       listed(offers, "acquisitions") + ". Choose one of these."};
+            throw ReadError{"E0677", "the series has no acquisition `" + excerpt(name) + "`: expected one of " +
+                                         listed(offers, "acquisitions") + ". Choose one of these."};
         std::vector<DicomSlice> kept;
         for (const std::size_t n : found->slices) kept.push_back(series.slices[n]);
         series.slices = std::move(kept);
@@ -187,11 +189,11 @@ void choose_acquisition(DicomSeries& series, const std::string& name, const std:
     const Acquisition& largest = *std::max_element(
         all.begin(), all.end(), [](const auto& a, const auto& b) { return a.slices.size() < b.slices.size(); });
     if (do_overlap(all))
-        throw Refusal{"E0676", "the series has " + std::to_string(all.size()) +
-                                   " acquisitions of the same part of the patient: got " +
-                                   listed(offers, "acquisitions") +
-                                   ", expected one. Choose one: write `ct.acquisition: " + largest.name +
-                                   "`, or `--acquisition " + largest.name + "`."};
+        throw ReadError{"E0676", "the series has " + std::to_string(all.size()) +
+                                     " acquisitions of the same part of the patient: got " +
+                                     listed(offers, "acquisitions") +
+                                     ", expected one. Choose one: write `ct.acquisition: " + largest.name +
+                                     "`, or `--acquisition " + largest.name + "`."};
     const std::string message = "The slices belong to " + std::to_string(all.size()) +
                                 " acquisitions of different parts of the patient: " + listed(offers, "acquisitions") +
                                 ". They were joined. The patient may have moved between them.";
@@ -200,35 +202,35 @@ void choose_acquisition(DicomSeries& series, const std::string& name, const std:
     if (largest.slices.size() > 1) diagnostics.push_back(warning_about(folder, "W0673", message));
 }
 
-void check_places(const DicomSeries& series, bool may_resample) {
+void check_positions(const DicomSeries& series, bool may_resample) {
     const StackShape& shape = series.shape;
     if (shape.repeated > 0) {
         std::size_t n = 1;
         while (n + 1 < series.slices.size() &&
                series.stack.height(n) - series.stack.height(n - 1) > std::max(1e-6, 1e-3 * shape.distance))
             ++n;
-        throw Refusal{"E0664", counted(shape.repeated, "slice lies", "slices lie") +
-                                   " in the plane of another one: the first at " + place_of(series.stack, n) +
-                                   " (instances " + std::to_string(series.slices[n - 1].instance) + " and " +
-                                   std::to_string(series.slices[n].instance) +
-                                   "), expected one slice for each plane. Remove the copies, or export one phase."};
+        throw ReadError{"E0664", counted(shape.repeated, "slice lies", "slices lie") +
+                                     " in the plane of another one: the first at " + plane_text(series.stack, n) +
+                                     " (instances " + std::to_string(series.slices[n - 1].instance) + " and " +
+                                     std::to_string(series.slices[n].instance) +
+                                     "), expected one slice for each plane. Remove the copies, or export one phase."};
     }
     if (!shape.gaps.empty() && !may_resample) {
         std::string where;
         for (std::size_t g = 0; g < std::min<std::size_t>(3, shape.gaps.size()); ++g)
             where += (g > 0 ? ", " : "") + millimetres(shape.gaps[g].width) + " mm behind " +
-                     place_of(series.stack, shape.gaps[g].behind);
+                     plane_text(series.stack, shape.gaps[g].behind);
         if (shape.gaps.size() > 3) where += " and " + std::to_string(shape.gaps.size() - 3) + " more";
-        throw Refusal{"E0665", "slices are missing: got " + counted(shape.gaps.size(), "gap", "gaps") + ", " + where +
-                                   ", expected slices " + millimetres(shape.distance) +
-                                   " mm apart. Export all slices. To fill the gaps by interpolation, write "
-                                   "`ct.resample: true` or `--allow-resample`."};
+        throw ReadError{"E0665", "slices are missing: got " + counted(shape.gaps.size(), "gap", "gaps") + ", " + where +
+                                     ", expected slices " + millimetres(shape.distance) +
+                                     " mm apart. Export all slices. To fill the gaps by interpolation, write "
+                                     "`ct.resample: true` or `--allow-resample`."};
     }
     if (shape.is_crooked() && !may_resample)
-        throw Refusal{"E0666", "the slices are shifted sideways: got up to " + rounded(shape.crookedness, 1) +
-                                   " voxels from the line through all, expected at most 0.1. Export one volume. If "
-                                   "the positions are right, write "
-                                   "`ct.resample: true` or `--allow-resample`."};
+        throw ReadError{"E0666", "the slices are shifted sideways: got up to " + rounded(shape.crookedness, 1) +
+                                     " voxels from the line through all, expected at most 0.1. Export one volume. If "
+                                     "the positions are right, write "
+                                     "`ct.resample: true` or `--allow-resample`."};
 }
 
 void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& diagnostics) {
@@ -248,10 +250,11 @@ void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& dia
                           rounded(shape.tilt / degree, 1) +
                           " deg, as with a tilted gantry). Resampling straightened them.");
     if (!shape.is_even() || shape.is_crooked())
-        warn("W0672", "The slices are not stacked evenly: got distances of " + millimetres(shape.least) + " to " +
-                          millimetres(shape.most) + " mm" +
+        warn("W0672", "The slices are not stacked evenly: got distances of " + millimetres(shape.min_distance) +
+                          " to " + millimetres(shape.max_distance) + " mm" +
                           (shape.gaps.empty() ? "" : ", with " + counted(shape.gaps.size(), "gap", "gaps")) +
-                          ". They were resampled every " + millimetres(shape.least) + " mm, by linear interpolation.");
+                          ". They were resampled every " + millimetres(shape.min_distance) +
+                          " mm, by linear interpolation.");
     const bool has_tilt = first.tilt && std::abs(*first.tilt) > 0.5 * degree;
     if (has_tilt && std::abs(std::abs(*first.tilt) - shape.tilt) > 0.5 * degree)
         warn("W0673", "The gantry tilt contradicts the slice positions: got " + rounded(*first.tilt / degree, 1) +
@@ -285,8 +288,8 @@ void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& dia
                                " different rescale slopes or intercepts. Each slice was scaled by its own.");
 }
 
-DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& choice, const std::string& folder,
-                   Diagnostics& diagnostics) {
+DicomSeries checked_series(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
+                           const std::string& folder, Diagnostics& diagnostics) {
     std::vector<const DicomHeader*> slices;
     std::size_t damaged = 0, others = 0, no_dicom = 0;
     const DicomHeader* first_damaged = nullptr;
@@ -297,15 +300,15 @@ DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& 
         if (header.kind == DicomHeader::Kind::damaged && ++damaged == 1) first_damaged = &header;
     }
     if (damaged > 0)
-        throw Refusal{"E0668", counted(damaged, "file is", "files are") + " damaged, the first one because " +
-                                   first_damaged->trouble + ". Copy the folder again."};
+        throw ReadError{"E0668", counted(damaged, "file is", "files are") + " damaged, the first one because " +
+                                     first_damaged->trouble + ". Copy the folder again."};
     if (slices.empty() && headers.empty())
-        throw Refusal{"E0660", "the folder is empty. Name the folder with the DICOM files."};
+        throw ReadError{"E0660", "the folder is empty. Name the folder with the DICOM files."};
     if (slices.empty())
-        throw Refusal{"E0660", "none of the folder's " + counted(headers.size(), "file", "files") +
-                                   " is a DICOM slice: " + counted(no_dicom, "is not DICOM", "are not DICOM") + ", " +
-                                   counted(headers.size() - no_dicom, "has no image", "have no image") +
-                                   ". Name the folder with the DICOM files."};
+        throw ReadError{"E0660", "none of the folder's " + counted(headers.size(), "file", "files") +
+                                     " is a DICOM slice: " + counted(no_dicom, "is not DICOM", "are not DICOM") + ", " +
+                                     counted(headers.size() - no_dicom, "has no image", "have no image") +
+                                     ". Name the folder with the DICOM files."};
     const std::vector<Group> groups = groups_of(slices);
     const Group& group = chosen(groups, choice.name);
 
@@ -317,21 +320,21 @@ DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& 
         if (!header->trouble.empty() && ++unusable == 1) first_unusable = header;
     }
     if (unusable > 0)
-        throw Refusal{"E0667", counted(unusable, "slice", "slices") + " of " + std::to_string(series.slices.size()) +
-                                   " cannot be used, the first one because " + first_unusable->trouble +
-                                   ". Export the series as single-frame CT slices."};
+        throw ReadError{"E0667", counted(unusable, "slice", "slices") + " of " + std::to_string(series.slices.size()) +
+                                     " cannot be used, the first one because " + first_unusable->trouble +
+                                     ". Export the series as single-frame CT slices."};
     if (series.slices.size() < 2)
-        throw Refusal{"E0669",
-                      "the series has too few slices: got 1, expected at least 2. Name the folder with all of them."};
+        throw ReadError{"E0669",
+                        "the series has too few slices: got 1, expected at least 2. Name the folder with all of them."};
     check_alike(series.slices);
     choose_acquisition(series, choice.acquisition, folder, diagnostics);
     if (series.slices.size() < 2)
-        throw Refusal{"E0669", "the acquisition has too few slices: got 1, expected at least 2. Choose another one."};
+        throw ReadError{"E0669", "the acquisition has too few slices: got 1, expected at least 2. Choose another one."};
     series.stack = stack_of(series.slices);
     series.shape = shape_of(series.stack);
-    check_places(series, choice.may_resample);
+    check_positions(series, choice.may_resample);
     if (straight_grid(series.stack, series.shape).size[0] == 0)
-        throw Refusal{"E0669", "the volume has too many voxels: expected at most 512 million. Export a part of it."};
+        throw ReadError{"E0669", "the volume has too many voxels: expected at most 512 million. Export a part of it."};
     note_shape(series, folder, diagnostics);
     if (others > 0)
         series.notes.push_back(counted(others, "other file", "other files") + " in the folder had no slice.");
@@ -343,8 +346,8 @@ DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& 
 std::optional<DicomSeries> series_of(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
                                      const std::string& folder, Diagnostics& diagnostics) {
     try {
-        return judged(headers, choice, folder, diagnostics);
-    } catch (const Refusal& refusal) {
+        return checked_series(headers, choice, folder, diagnostics);
+    } catch (const ReadError& refusal) {
         diagnostics.push_back(error_about(folder, refusal.code, refusal.message));
     }
     return std::nullopt;

@@ -38,7 +38,7 @@ struct DicomSlice {
     bool is_signed = false;
     /// Range of raw values of pixels that were never measured, both ends included. Both may be equal.
     struct Padding {
-        int least = 0, most = 0;
+        int low = 0, high = 0;
     };
     std::optional<Padding> padding;
     double slope = 1.0, intercept = 0.0;  ///< value = slope × raw + intercept

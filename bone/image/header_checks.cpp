@@ -17,14 +17,14 @@
 namespace kerf::header {
 namespace {
 
-constexpr int least_edge = 2, most_edge = 4096;  // [voxels]
-constexpr std::uint64_t most_voxels = 512ull * 1024 * 1024;
-constexpr double least_spacing = 1e-3, most_spacing = 100.0;  // [mm]
+constexpr int min_edge = 2, max_edge = 4096;  // [voxels]
+constexpr std::uint64_t max_voxels = 512ull * 1024 * 1024;
+constexpr double min_spacing = 1e-3, max_spacing = 100.0;  // [mm]
 
 }  // namespace
 
 void refuse(const char* code, std::string message, std::string advice) {
-    throw Refusal{code, std::move(message), std::move(advice)};
+    throw HeaderError{code, std::move(message), std::move(advice)};
 }
 
 void refuse_truncated(std::uint64_t got, std::uint64_t need, const std::string& of) {
@@ -63,11 +63,11 @@ void check_size(const std::vector<long long>& size, ImageFile& image) {
         refuse("E0623", "the image has " + std::to_string(size.size()) + " dimension(s), must have 3.",
                "Export a single volume, not a slice, a series over time or colours.");
     for (const long long n : size)
-        if (n < least_edge || n > most_edge)
+        if (n < min_edge || n > max_edge)
             refuse("E0624", "the header says " + text + " voxels, each axis must have 2 … 4096.",
                    "Crop the image, or export it again if the header is wrong.");
     for (std::size_t axis = 0; axis < 3; ++axis) image.size[axis] = static_cast<int>(size[axis]);
-    if (image.voxels() * static_cast<std::uint64_t>(image.layers) > most_voxels)
+    if (image.voxels() * static_cast<std::uint64_t>(image.layers) > max_voxels)
         refuse("E0624", "the header says " + text + " voxels, at most 512 million can be read.", "Crop the image.");
 }
 
@@ -75,7 +75,7 @@ void check_placement(const Placement& placement) {
     const auto& [steps, origin] = placement;
     for (const Vec3& step : steps) {
         const double spacing = length(step);
-        if (!(spacing >= least_spacing && spacing <= most_spacing))
+        if (!(spacing >= min_spacing && spacing <= max_spacing))
             refuse("E0627", "a voxel is " + number_text(spacing) + " mm wide, must be 0.001 mm … 100 mm.",
                    "Export the image again, with its spacing in millimetres.");
     }
@@ -96,8 +96,8 @@ void place(ImageFile& image, const Placement& placement, Vec3 to_lps) {
     }
 }
 
-bool differ(double a, double b, double share) {
-    return !(std::abs(a - b) <= share * std::max(std::abs(a), std::abs(b)));
+bool differ(double a, double b, double tolerance) {
+    return !(std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b)));
 }
 
 std::uint64_t size_of_file(const std::string& file) {
@@ -117,7 +117,7 @@ std::string first_bytes(const std::string& file, std::size_t count) {
     return bytes;
 }
 
-std::string data_file_beside(const std::string& header, const std::string& name, const char* field) {
+std::string data_file_of(const std::string& header, const std::string& name, const char* field) {
     const std::filesystem::path written(name);
     const bool is_one_file = name.find_first_of("\\%*?") == std::string::npos && !written.is_absolute();
     const bool leaves = std::find(written.begin(), written.end(), "..") != written.end();

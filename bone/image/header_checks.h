@@ -15,7 +15,7 @@
 /// Functions for the readers of all image headers. A reader throws a Refusal; `check_image_file()` reports it.
 namespace kerf::header {
 
-struct Refusal {
+struct HeaderError {
     const char* code;
     std::string message, advice;
 };
@@ -42,14 +42,14 @@ void check_placement(const Placement& placement);
 void place(ImageFile& image, const Placement& placement, Vec3 to_lps);
 
 /// Returns whether two sizes in one header differ by more than rounding. Many programs write few digits.
-[[nodiscard]] bool differ(double a, double b, double share);
+[[nodiscard]] bool differ(double a, double b, double tolerance);
 
 [[nodiscard]] std::uint64_t size_of_file(const std::string& file);
 [[nodiscard]] std::string first_bytes(const std::string& file, std::size_t count);
 
 /// Returns the path of the file that a header names for its voxels. It must be a regular file in the header's folder or
 /// below it, also after all links are followed. `field` is the header field with the name.
-[[nodiscard]] std::string data_file_beside(const std::string& header, const std::string& name, const char* field);
+[[nodiscard]] std::string data_file_of(const std::string& header, const std::string& name, const char* field);
 
 /// Each reads the header of one format. They do not count the bytes of the voxels.
 [[nodiscard]] ImageFile read_nifti(const std::string& file, bool is_packed);

@@ -98,7 +98,7 @@ ImageFile checked(const std::string& file) {
 std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics) {
     try {
         return checked(file);
-    } catch (const header::Refusal& refusal) {
+    } catch (const header::HeaderError& refusal) {
         diagnostics.push_back(error_about(file, refusal.code, refusal.message + " " + refusal.advice));
     } catch (const std::exception& error) {  // out of memory, or an invalid path
         diagnostics.push_back(

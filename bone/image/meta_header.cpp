@@ -17,7 +17,7 @@
 namespace kerf::header {
 namespace {
 
-constexpr std::size_t most_header = 64 * 1024;  // [bytes] of text
+constexpr std::size_t max_header = 64 * 1024;  // [bytes] of text
 
 bool is_true(const Fields& fields, std::initializer_list<const char*> names, bool otherwise) {
     const std::string* value = find(fields, names);
@@ -179,7 +179,7 @@ void read_values(const Fields& fields, ImageFile& image) {
 }  // namespace
 
 ImageFile read_meta(const std::string& file) {
-    const std::string text = first_bytes(file, most_header);
+    const std::string text = first_bytes(file, max_header);
     Fields fields;
     std::size_t at = text.starts_with("\xef\xbb\xbf") ? 3 : 0;  // a byte order mark
     while (at < text.size() && !fields.contains("elementdatafile")) {
@@ -214,7 +214,7 @@ ImageFile read_meta(const std::string& file) {
     if (const std::string first = lower(data.substr(0, 4)); first == "list" && (data.size() == 4 || data[4] == ' '))
         refuse("E0622", "the voxels are in several files, must be in one beside the header.",
                "Export the image as one .mha.");
-    image.data_file = data_file_beside(file, data, "ElementDataFile");
+    image.data_file = data_file_of(file, data, "ElementDataFile");
     return image;
 }
 

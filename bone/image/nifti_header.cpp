@@ -78,15 +78,15 @@ Placement placement_by_quaternion(Vec3 bcd, Vec3 spacing, double sign, Vec3 orig
 
 /// Returns the largest distance between a voxel's positions in two placements [mm].
 double disagreement(const Placement& a, const Placement& b, const std::array<int, 3>& size) {
-    double most = 0.0;
+    double largest = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
         Vec3 apart = a.origin - b.origin;
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (corner >> axis & 1)
                 apart = apart + static_cast<double>(size[axis] - 1) * (a.steps[axis] - b.steps[axis]);
-        most = std::max(most, length(apart));
+        largest = std::max(largest, length(apart));
     }
-    return most;
+    return largest;
 }
 
 double unit_of(const Header& header) {
@@ -116,10 +116,10 @@ void compare_sizes(const Placement& by_matrix, Vec3 spacing, ImageFile& image) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         // In a sheared image `pixdim` may be the length of the step or the distance between slices.
         const Vec3 across = normalized(cross(by_matrix.steps[(axis + 1) % 3], by_matrix.steps[(axis + 2) % 3]));
-        double least = HUGE_VAL;
+        double smallest = HUGE_VAL;
         for (const double by_column : {length(by_matrix.steps[axis]), std::abs(dot(by_matrix.steps[axis], across))})
-            least = std::min(least, std::abs(by_column - written[axis]) / std::max(by_column, written[axis]));
-        worst = std::max(worst, least);
+            smallest = std::min(smallest, std::abs(by_column - written[axis]) / std::max(by_column, written[axis]));
+        worst = std::max(worst, smallest);
     }
     constexpr double rounding = 1e-3, wrong = 1e-2;  // [–] many programs write `pixdim` with few digits
     if (worst <= rounding) return;

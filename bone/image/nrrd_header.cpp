@@ -18,8 +18,8 @@
 namespace kerf::header {
 namespace {
 
-constexpr std::size_t most_header = 1024 * 1024;  // [bytes] of text; 3D Slicer writes about 1 kB for each segment
-constexpr int most_layers = 64;
+constexpr std::size_t max_header = 1024 * 1024;  // [bytes] of text; 3D Slicer writes about 1 kB for each segment
+constexpr int max_layers = 64;
 
 /// The lines of a header.
 struct Text {
@@ -45,7 +45,7 @@ std::string unescaped(std::string_view value) {
 
 Text lines_of(const std::string& file) {
     const std::string bytes =
-        first_bytes(file, static_cast<std::size_t>(std::min<std::uint64_t>(size_of_file(file), most_header)));
+        first_bytes(file, static_cast<std::size_t>(std::min<std::uint64_t>(size_of_file(file), max_header)));
     Text text;
     std::size_t at = bytes.starts_with("\xef\xbb\xbf") ? 3 : 0;  // a byte order mark
     if (bytes.compare(at, 7, "NRRD000") != 0)
@@ -70,7 +70,7 @@ Text lines_of(const std::string& file) {
                    "Export the segmentation again.");
     }
     text.end = at;
-    if (!text.is_ended && bytes.size() == most_header)
+    if (!text.is_ended && bytes.size() == max_header)
         refuse("E0622", "the header is longer than 1 MB.", "Export fewer segments.");
     return text;
 }
@@ -116,7 +116,7 @@ int layers_of(std::vector<long long>& sizes, const std::string* kinds) {
     const auto words = words_of(*kinds);
     const bool is_list = !words.empty() && lower(words[0]) == "list", is_single = !words.empty() && sizes[0] == 1;
     if (!is_list && !is_single) return 1;
-    if (sizes[0] < 1 || sizes[0] > most_layers)
+    if (sizes[0] < 1 || sizes[0] > max_layers)
         refuse("E0623", "the header says " + std::to_string(sizes[0]) + " numbers for each voxel, must be 1 … 64.",
                "Export one segment at a time.");
     const auto layers = static_cast<int>(sizes[0]);
@@ -273,7 +273,7 @@ ImageFile read_nrrd(const std::string& file) {
             first == "list" && (data->size() == 4 || (*data)[4] == ' '))
             refuse("E0622", "the voxels are in several files, must be in one beside the header.",
                    "Export the image as one .nrrd.");
-        image.data_file = data_file_beside(file, *data, "data file");
+        image.data_file = data_file_of(file, *data, "data file");
         image.data_offset = 0;
     } else if (!text.is_ended) {
         refuse("E0626", "the header does not end.", "Copy the file again: it is cut short.");

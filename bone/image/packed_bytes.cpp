@@ -66,12 +66,12 @@ std::uint64_t PackedBytes::take(char* into, std::uint64_t count) {
     }
     std::uint64_t taken = 0;
     while (taken < count && !s.is_damaged && !s.is_over && s.refill()) {
-        const std::uint64_t room =
+        const std::uint64_t count_of_piece =
             std::min<std::uint64_t>(count - taken, into == nullptr ? s.nowhere.size() : 1u << 30);
         s.unpacker.next_out = into == nullptr ? s.nowhere.data() : reinterpret_cast<unsigned char*>(into + taken);
-        s.unpacker.avail_out = static_cast<unsigned>(room);
+        s.unpacker.avail_out = static_cast<unsigned>(count_of_piece);
         const int status = inflate(&s.unpacker, Z_NO_FLUSH);
-        taken += room - s.unpacker.avail_out;
+        taken += count_of_piece - s.unpacker.avail_out;
         if (status == Z_STREAM_END) {
             inflateReset(&s.unpacker);
             s.is_over = !s.refill() || *s.unpacker.next_in != 0x1f;  // the first byte of another piece of gzip

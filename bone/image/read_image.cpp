@@ -22,7 +22,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "swap the bytes of little-endian files");
 
 /// An error. `read_image()` turns it into a Diagnostic.
-struct Refusal {
+struct ReadError {
     const char* code;
     std::string message;
 };
@@ -46,8 +46,8 @@ void append(std::vector<float>& values, const std::vector<char>& bytes, std::siz
         std::memcpy(&stored, one, sizeof stored);
         if constexpr (sizeof(Stored) == 8 && std::is_integral_v<Stored>)
             if (!std::in_range<std::int32_t>(stored) && !std::in_range<std::uint32_t>(stored))
-                throw Refusal{"E0629", "a voxel is out of range: got " + std::to_string(stored) +
-                                           ", expected -2147483648 … 4294967295."};
+                throw ReadError{"E0629", "a voxel is out of range: got " + std::to_string(stored) +
+                                             ", expected -2147483648 … 4294967295."};
         values.push_back(static_cast<float>(header.slope * static_cast<double>(stored) + header.intercept));
     }
 }
@@ -86,7 +86,7 @@ std::vector<float> values_of(const ImageFile& header, const VoxelGrid& grid, con
                is_all = header.packing == ImageFile::Packing::gzip_file;
     PackedBytes bytes(header.data_file, is_all ? 0 : header.data_offset,
                       is_packed ? PackedBytes::Packing::deflated : PackedBytes::Packing::none);
-    const Refusal changed{"E0628", "the file has changed since its header was checked: voxels are missing."};
+    const ReadError changed{"E0628", "the file has changed since its header was checked: voxels are missing."};
     std::uint64_t at = 0;  // offset in the bytes of the voxels
     if (is_all && bytes.take(nullptr, header.data_offset) != header.data_offset) throw changed;
 
@@ -126,14 +126,14 @@ std::optional<VoxelImage> read_image(const std::string& file, const ImageFile& h
     try {
         VoxelGrid grid;
         grid.size = header.size;
-        if (!grid.place(header.lps_from_index)) throw Refusal{"E0627", "the image's axes have no usable directions."};
+        if (!grid.place(header.lps_from_index)) throw ReadError{"E0627", "the image's axes have no usable directions."};
         VoxelImage image;
         static_cast<VoxelGrid&>(image) = grid.part(range);
         image.values = values_of(header, grid, range, layer);
         if (!std::all_of(image.values.begin(), image.values.end(), [](float v) { return std::isfinite(v); }))
-            throw Refusal{"E0629", "a voxel is not a finite number."};
+            throw ReadError{"E0629", "a voxel is not a finite number."};
         return image;
-    } catch (const Refusal& refusal) {
+    } catch (const ReadError& refusal) {
         diagnostics.push_back(refused(file, refusal.code, refusal.message));
     } catch (const std::exception& error) {  // out of memory
         diagnostics.push_back(refused(file, "E0628", std::string("reading stopped: ") + error.what() + "."));

@@ -15,7 +15,7 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t most_files = 20'000;  // in a folder
+constexpr std::size_t max_files = 20'000;  // in a folder
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
 /// Returns all files in a folder and its subfolders, sorted. Does not follow links; leaves out hidden files.
@@ -32,7 +32,7 @@ std::optional<std::vector<std::string>> files_in(const std::string& folder, Diag
             continue;
         }
         if (!at->is_symlink(ignored) && at->is_regular_file(ignored)) files.push_back(at->path().string());
-        if (files.size() > most_files) {
+        if (files.size() > max_files) {
             diagnostics.push_back(
                 error_about(folder, "E0670", "the folder holds more than 20000 files. Name the folder of one series."));
             return std::nullopt;

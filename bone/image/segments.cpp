@@ -15,7 +15,7 @@
 namespace kerf::header {
 namespace {
 
-constexpr std::size_t most_segments = 1000, most_listed = 12;
+constexpr std::size_t max_segments = 1000, max_listed = 12;
 constexpr const char* again = "Export the segmentation again from 3D Slicer 4.11 or later.";
 
 /// The keys of one segment.
@@ -47,7 +47,7 @@ std::map<int, Written> written_in(const Remarks& remarks) {
         if (field == "LabelValue") segment.label = number_in(key, value);
         if (field == "Layer") segment.layer = number_in(key, value);
     }
-    if (segments.size() > most_segments)
+    if (segments.size() > max_segments)
         refuse("E0622", "the segmentation has " + std::to_string(segments.size()) + " segments, at most 1000 are read.",
                "Export fewer segments.");
     return segments;
@@ -63,9 +63,9 @@ std::string names_of(const std::map<int, Written>& written) {
         all.push_back({segment.name.value_or("Segment" + std::to_string(number)), segment.label.value_or(0),
                        segment.layer.value_or(0)});
     std::string text;
-    for (std::size_t n = 0; n < all.size() && n < most_listed; ++n)
+    for (std::size_t n = 0; n < all.size() && n < max_listed; ++n)
         text += (n > 0 ? ", `" : "`") + excerpt(all[n].name, 40) + "`";
-    if (all.size() > most_listed) text += " and " + std::to_string(all.size() - most_listed) + " more";
+    if (all.size() > max_listed) text += " and " + std::to_string(all.size() - max_listed) + " more";
     return text;
 }
 
@@ -117,10 +117,10 @@ std::string name_to_write(const std::string& name) {
 
 std::string list_of(const std::vector<Segment>& segments) {
     std::string text;
-    for (std::size_t n = 0; n < segments.size() && n < most_listed; ++n)
+    for (std::size_t n = 0; n < segments.size() && n < max_listed; ++n)
         text += (n > 0 ? ", `" : "`") + name_to_write(segments[n].name) + "` (label " +
                 std::to_string(segments[n].label) + ", layer " + std::to_string(segments[n].layer) + ")";
-    if (segments.size() > most_listed) text += " and " + std::to_string(segments.size() - most_listed) + " more";
+    if (segments.size() > max_listed) text += " and " + std::to_string(segments.size() - max_listed) + " more";
     return text;
 }
 

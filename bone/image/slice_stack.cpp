@@ -11,7 +11,7 @@ namespace {
 
 constexpr double wide = 1.25;        // times the usual distance: wider means a missing slice
 constexpr double same_plane = 1e-3;  // times the usual distance, and at least a micrometre
-constexpr double most_voxels = 512.0 * 1024 * 1024;
+constexpr double max_voxels = 512.0 * 1024 * 1024;
 constexpr float unmeasured = std::numeric_limits<float>::quiet_NaN();
 
 /// Offset of a slice's first voxel in the plane, from that of the first slice [voxels].
@@ -38,25 +38,27 @@ public:
     PlacedSlice(const SliceStack& stack, std::size_t slice, Vec3 grid_origin, std::vector<float> values)
         : columns_(stack.columns), rows_(stack.rows), values_(std::move(values)) {
         const Vec3 shift = grid_origin - stack.origins[slice];
-        const auto split = [](double at, int& whole, float& share) {
+        const auto split = [](double at, int& whole, float& fraction) {
             const double nearest = std::round(at);
             if (std::abs(at - nearest) < 1e-4) at = nearest;  // rounding of positions causes no smoothing
             whole = static_cast<int>(std::floor(at));
-            share = static_cast<float>(at - std::floor(at));
+            fraction = static_cast<float>(at - std::floor(at));
         };
-        split(dot(shift, stack.along_row) / dot(stack.along_row, stack.along_row), column_, column_share_);
-        split(dot(shift, stack.down_column) / dot(stack.down_column, stack.down_column), row_, row_share_);
+        split(dot(shift, stack.along_row) / dot(stack.along_row, stack.along_row), column_, column_fraction_);
+        split(dot(shift, stack.down_column) / dot(stack.down_column, stack.down_column), row_, row_fraction_);
     }
 
     /// Returns the value at a voxel (i, j) of the grid's plane.
     [[nodiscard]] float at(int i, int j) const noexcept {
         const int c = i + column_, r = j + row_;
-        const auto between = [](float a, float b, float share) { return share > 0.0f ? a + share * (b - a) : a; };
-        const float upper = between(voxel(c, r), column_share_ > 0.0f ? voxel(c + 1, r) : 0.0f, column_share_);
-        if (!(row_share_ > 0.0f)) return upper;
+        const auto between = [](float a, float b, float fraction) {
+            return fraction > 0.0f ? a + fraction * (b - a) : a;
+        };
+        const float upper = between(voxel(c, r), column_fraction_ > 0.0f ? voxel(c + 1, r) : 0.0f, column_fraction_);
+        if (!(row_fraction_ > 0.0f)) return upper;
         return between(upper,
-                       between(voxel(c, r + 1), column_share_ > 0.0f ? voxel(c + 1, r + 1) : 0.0f, column_share_),
-                       row_share_);
+                       between(voxel(c, r + 1), column_fraction_ > 0.0f ? voxel(c + 1, r + 1) : 0.0f, column_fraction_),
+                       row_fraction_);
     }
 
 private:
@@ -68,13 +70,13 @@ private:
     int columns_, rows_;
     std::vector<float> values_;
     int column_ = 0, row_ = 0;
-    float column_share_ = 0.0f, row_share_ = 0.0f;
+    float column_fraction_ = 0.0f, row_fraction_ = 0.0f;
 };
 
 /// The two slices around a height, and the fraction of the distance from the lower to the upper one.
 struct Between {
     std::size_t lower = 0, upper = 0;
-    float share = 0.0f;
+    float fraction = 0.0f;
 };
 
 Between around(const std::vector<double>& heights, double height) {
@@ -82,10 +84,10 @@ Between around(const std::vector<double>& heights, double height) {
     if (above == heights.begin()) return {};
     const std::size_t lower = static_cast<std::size_t>(above - heights.begin()) - 1;
     if (lower + 1 == heights.size()) return {lower, lower, 0.0f};
-    const double share = (height - heights[lower]) / (heights[lower + 1] - heights[lower]);
-    if (share < 1e-3) return {lower, lower, 0.0f};
-    if (share > 1.0 - 1e-3) return {lower + 1, lower + 1, 0.0f};
-    return {lower, lower + 1, static_cast<float>(share)};
+    const double fraction = (height - heights[lower]) / (heights[lower + 1] - heights[lower]);
+    if (fraction < 1e-3) return {lower, lower, 0.0f};
+    if (fraction > 1.0 - 1e-3) return {lower + 1, lower + 1, 0.0f};
+    return {lower, lower + 1, static_cast<float>(fraction)};
 }
 
 }  // namespace
@@ -97,8 +99,8 @@ StackShape shape_of(const SliceStack& stack) {
     for (std::size_t n = 0; n < count; ++n) heights.push_back(stack.height(n));
     for (std::size_t n = 1; n < count; ++n) steps.push_back(heights[n] - heights[n - 1]);
     shape.distance = median(steps);
-    shape.least = *std::min_element(steps.begin(), steps.end());
-    shape.most = *std::max_element(steps.begin(), steps.end());
+    shape.min_distance = *std::min_element(steps.begin(), steps.end());
+    shape.max_distance = *std::max_element(steps.begin(), steps.end());
     for (std::size_t n = 0; n < steps.size(); ++n) {
         if (steps[n] <= std::max(1e-6, same_plane * shape.distance)) ++shape.repeated;
         if (steps[n] > wide * shape.distance) shape.gaps.push_back({n, steps[n]});
@@ -140,12 +142,12 @@ VoxelGrid straight_grid(const SliceStack& stack, const StackShape& shape) {
     const std::size_t even = stack.origins.size() - 1;
     double steps = static_cast<double>(even);
     if (shape.is_straight()) low = high = {};
-    if (!shape.is_even()) steps = std::max(1.0, std::ceil(whole / shape.least - 1e-3));
+    if (!shape.is_even()) steps = std::max(1.0, std::ceil(whole / shape.min_distance - 1e-3));
 
     const double columns = stack.columns + std::ceil(high.columns - low.columns - 1e-3);
     const double rows = stack.rows + std::ceil(high.rows - low.rows - 1e-3);
     VoxelGrid grid;
-    if (!(columns * rows * (steps + 1.0) <= most_voxels)) return grid;
+    if (!(columns * rows * (steps + 1.0) <= max_voxels)) return grid;
     grid.size = {static_cast<int>(columns), static_cast<int>(rows), static_cast<int>(steps) + 1};
     grid.place(stack.along_row, stack.down_column, whole / steps * stack.normal(),
                stack.origins[0] + low.columns * stack.along_row + low.rows * stack.down_column);
@@ -184,7 +186,7 @@ VoxelImage straightened(const SliceStack& stack, const StackShape& shape, const 
         for (int j = range.first[1]; j < range.first[1] + range.size[1]; ++j)
             for (int i = range.first[0]; i < range.first[0] + range.size[0]; ++i) {
                 float value = lower.at(i, j);
-                if (between.share > 0.0f) value += between.share * (upper.at(i, j) - value);
+                if (between.fraction > 0.0f) value += between.fraction * (upper.at(i, j) - value);
                 image.values.push_back(value);
                 if (value < lowest) lowest = value;
             }

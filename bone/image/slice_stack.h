@@ -24,14 +24,14 @@ struct SliceStack {
 
 /// Spacing and alignment of a stack.
 struct StackShape {
-    double distance = 0.0;     ///< [m] usual distance between neighbouring planes (median)
-    double least = 0.0;        ///< [m] smallest distance
-    double most = 0.0;         ///< [m] largest distance
-    double unevenness = 0.0;   ///< [m] largest deviation of a slice from even heights
-    double tilt = 0.0;         ///< [rad] between the normal and the line through the origins
-    double shift = 0.0;        ///< [voxels] total sideways shift from first to last slice
-    double crookedness = 0.0;  ///< [voxels] largest sideways distance of a slice from that line
-    std::size_t repeated = 0;  ///< slices in the plane of the one before
+    double distance = 0.0;      ///< [m] usual distance between neighbouring planes (median)
+    double min_distance = 0.0;  ///< [m] smallest distance
+    double max_distance = 0.0;  ///< [m] largest distance
+    double unevenness = 0.0;    ///< [m] largest deviation of a slice from even heights
+    double tilt = 0.0;          ///< [rad] between the normal and the line through the origins
+    double shift = 0.0;         ///< [voxels] total sideways shift from first to last slice
+    double crookedness = 0.0;   ///< [voxels] largest sideways distance of a slice from that line
+    std::size_t repeated = 0;   ///< slices in the plane of the one before
     struct Gap {
         std::size_t behind = 0;  ///< the slice before it
         double width = 0.0;      ///< [m]

@@ -11,14 +11,14 @@ double VoxelImage::sample_trilinear(Vec3 lps, double outside) const noexcept {
     const Vec3 at_index = index(lps);
     const std::array<double, 3> where{at_index.x, at_index.y, at_index.z};
     std::array<int, 3> low{};
-    std::array<double, 3> share{};
+    std::array<double, 3> fraction{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double last = size[axis] - 1;
         // The negated condition puts NaN outside.
         if (!(where[axis] >= -rounding && where[axis] <= last + rounding)) return outside;
         const double inside = std::clamp(where[axis], 0.0, last);
         low[axis] = std::min(static_cast<int>(inside), std::max(0, size[axis] - 2));
-        share[axis] = inside - low[axis];
+        fraction[axis] = inside - low[axis];
     }
     double sum = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -26,7 +26,7 @@ double VoxelImage::sample_trilinear(Vec3 lps, double outside) const noexcept {
         std::array<int, 3> voxel = low;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const bool is_high = (corner >> axis & 1) != 0;
-            weight *= is_high ? share[axis] : 1.0 - share[axis];
+            weight *= is_high ? fraction[axis] : 1.0 - fraction[axis];
             voxel[axis] += is_high;
         }
         if (weight > 0.0) sum += weight * static_cast<double>(at(voxel[0], voxel[1], voxel[2]));

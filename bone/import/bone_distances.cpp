@@ -40,15 +40,15 @@ void NearestSurface::fill(const BrickLattice& lattice, DistanceRange needed, Bri
     }
 }
 
-double WithoutRooms::at(Vec3 p, DistanceRange needed) {
-    return std::max(outer_->at(p, needed), -room_->at(p, needed.negated()));
+double WithoutCavities::at(Vec3 p, DistanceRange needed) {
+    return std::max(outer_->at(p, needed), -cavity_->at(p, needed.negated()));
 }
 
-void WithoutRooms::fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) {
-    Samples room{};
+void WithoutCavities::fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) {
+    Samples cavity{};
     outer_->fill(lattice, needed, distances);
-    room_->fill(lattice, needed.negated(), room);
-    for (std::size_t n = 0; n < room.size(); ++n) distances[n] = std::max(distances[n], -room[n]);
+    cavity_->fill(lattice, needed.negated(), cavity);
+    for (std::size_t n = 0; n < cavity.size(); ++n) distances[n] = std::max(distances[n], -cavity[n]);
 }
 
 /// A shell of thickness t ends at depth t under the face. The border's distance is depth − t, the face's is −depth.

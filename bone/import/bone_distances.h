@@ -42,15 +42,15 @@ private:
 };
 
 /// Distance to the bone: its outer surface without its cavities.
-class WithoutRooms final : public DistanceSource {
+class WithoutCavities final : public DistanceSource {
 public:
     /// Pre: both outlive it.
-    WithoutRooms(DistanceSource& outer, DistanceSource& room) : outer_(&outer), room_(&room) {}
+    WithoutCavities(DistanceSource& outer, DistanceSource& cavity) : outer_(&outer), cavity_(&cavity) {}
     [[nodiscard]] double at(Vec3 p, DistanceRange needed) override;
     void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override;
 
 private:
-    DistanceSource *outer_, *room_;
+    DistanceSource *outer_, *cavity_;
 };
 
 /// Distance to the border of a tissue other than the base: its shell under a face, its solids, or their intersection.

@@ -58,13 +58,13 @@ int keep_largest(BoneMask& mask) {
     return static_cast<int>(pieces.size());
 }
 
-std::optional<double> keep_nearest(BoneMask& mask, Vec3 place) {
+std::optional<double> keep_nearest(BoneMask& mask, Vec3 point) {
     double nearest = HUGE_VAL;
     std::array<int, 3> there{};
     for_each_voxel(mask.image, [&](int i, int j, int k, std::size_t at) {
         if (mask.is_bone[at] == 0) return;
         const double way =
-            length(mask.image.lps({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}) - place);
+            length(mask.image.lps({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}) - point);
         if (way >= nearest) return;
         nearest = way;
         there = {i, j, k};

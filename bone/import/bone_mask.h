@@ -45,7 +45,7 @@ int keep_largest(BoneMask& mask);
 
 /// Keeps only the piece with the voxel centre nearest to a point. Returns the distance of this centre [m]. Without
 /// bone, returns nothing and changes nothing.
-std::optional<double> keep_nearest(BoneMask& mask, Vec3 place);
+std::optional<double> keep_nearest(BoneMask& mask, Vec3 point);
 
 /// Sets every voxel within `radius` [m] of a voxel with `value` to `value`. Growing and then shrinking closes gaps.
 void spread(BoneMask& mask, bool value, double radius);

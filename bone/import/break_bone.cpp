@@ -15,7 +15,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double least_part = 1e-6;  // [m³] of bone on each side of a fracture [judgement]
+constexpr double min_part = 1e-6;  // [m³] of bone on each side of a fracture [judgement]
 
 /// Returns the part of a bone more than half the gap in front of the fracture (`side` 1) or behind it (−1).
 Body part_of(const Body& bone, const Fracture& fracture, double side) {
@@ -29,7 +29,7 @@ Body part_of(const Body& bone, const Fracture& fracture, double side) {
 /// Notes the position of the fragment, and warns if it overlaps the rest.
 void note_fragment(const Body& fragment, const Body& rest, const Anatomy& anatomy, ImportReport& report,
                    Diagnostics& diagnostics) {
-    constexpr double apart = 1e-3, most = 0.01;  // [m]; [–] of the fragment
+    constexpr double apart = 1e-3, largest = 0.01;  // [m]; [–] of the fragment
     const Fracture& fracture = *anatomy.fracture;
     const Pose world_from = world_from_fragment(fracture);
     const Grid& grid = fragment.grid();
@@ -39,17 +39,17 @@ void note_fragment(const Body& fragment, const Body& rest, const Anatomy& anatom
     for (double x = 0.5 * apart; x < size.x; x += apart)
         for (double y = 0.5 * apart; y < size.y; y += apart)
             for (double z = 0.5 * apart; z < size.z; z += apart) {
-                const Vec3 place = grid.origin + Vec3{x, y, z};
-                if (uncut_distance(fragment, locate(fragment, place)) >= 0.0) continue;
+                const Vec3 point = grid.origin + Vec3{x, y, z};
+                if (uncut_distance(fragment, locate(fragment, point)) >= 0.0) continue;
                 ++all;
-                inside += uncut_distance(rest, locate(rest, world_from * place)) < 0.0;
+                inside += uncut_distance(rest, locate(rest, world_from * point)) < 0.0;
             }
     const auto in_cm3 = [](std::size_t points) { return rounded(static_cast<double>(points) * 1e-3, 1) + " cm3"; };
     report.notes.push_back("Fracture: the fragment has " + in_cm3(all) + " and lies " +
                            rounded(1e3 * length(world_from * fracture.at - fracture.at), 1) +
                            " mm from its place, turned by " + rounded(std::abs(fracture.turn) * 180.0 / pi, 1) +
                            " deg.");
-    if (static_cast<double>(inside) > most * static_cast<double>(all))
+    if (static_cast<double>(inside) > largest * static_cast<double>(all))
         diagnostics.push_back(warning_at(in_anatomy(anatomy, {"fracture"}), "W0606",
                                          in_cm3(inside) + " of the fragment's " + in_cm3(all) +
                                              " lie in the rest of the bone. Move it along `normal`, or turn it less."));
@@ -64,7 +64,7 @@ std::optional<Body> break_bone(Body& bone, const Anatomy& anatomy, ImportReport&
     Body fragment = part_of(bone, fracture, 1.0), rest = part_of(bone, fracture, -1.0);
     fragment.id = "fragment";
     const double in_front = bone_volume(fragment, CutField(fragment, 0)), behind = bone_volume(rest, CutField(rest, 0));
-    if (std::min(in_front, behind) < least_part) {
+    if (std::min(in_front, behind) < min_part) {
         diagnostics.push_back(error_at(in_anatomy(anatomy, {"fracture"}), "E0605",
                                        "the fracture does not part the bone: " + in_cm3(in_front) +
                                            " of it are in front of the plane, " + in_cm3(behind) +

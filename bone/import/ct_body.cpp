@@ -33,10 +33,10 @@ constexpr double hounsfield_step = 50.0;  // [HU] change of the threshold for th
 constexpr double grey_step = 0.05;        // [–] the same for grey levels, as a fraction of the threshold
 constexpr double around_border = 12e-3;   // [m] range of distances on both sides, beyond all shells
 constexpr float metal = 2800.0f;          // [HU] above enamel and cortex
-constexpr double least_metal = 5e-9;      // [m³] less is not reported
+constexpr double min_metal = 5e-9;        // [m³] less is not reported
 
 /// An error. The caller turns it into a Diagnostic.
-struct Refusal {
+struct ImportError {
     const char* code;
     std::vector<std::string> keys;  ///< path to the line of the anatomy that has to change
     std::string message;
@@ -63,23 +63,24 @@ std::string known_segments(const std::vector<Segment>& segments) {
 
 /// Returns the only structure that matches. Refuses none, several, and one with the voxels of another.
 template <class IsMeant>
-Segment only_segment(const std::vector<Segment>& segments, const std::string& asked, const IsMeant& is_meant) {
+Segment only_segment(const std::vector<Segment>& segments, const std::string& description, const IsMeant& is_meant) {
     const auto refuse = [](const char* code, const std::string& message) {
-        throw Refusal{code, {"ct", "labels", "keep"}, message};
+        throw ImportError{code, {"ct", "labels", "keep"}, message};
     };
     std::vector<Segment> found, alike;
     std::copy_if(segments.begin(), segments.end(), std::back_inserter(found), is_meant);
-    if (found.empty()) refuse("E0635", "the segmentation has no structure " + asked + ". " + known_segments(segments));
+    if (found.empty())
+        refuse("E0635", "the segmentation has no structure " + description + ". " + known_segments(segments));
     if (found.size() > 1)
-        refuse("E0636", "the segmentation has " + std::to_string(found.size()) + " structures " + asked + ": " +
+        refuse("E0636", "the segmentation has " + std::to_string(found.size()) + " structures " + description + ": " +
                             list_of(found) +
                             ". Keep one by its name or its number, whichever no other has, or rename them in 3D "
                             "Slicer.");
     std::copy_if(segments.begin(), segments.end(), std::back_inserter(alike),
                  [&](const Segment& s) { return s.layer == found[0].layer && s.label == found[0].label; });
     if (alike.size() > 1)
-        refuse("E0636", "the voxels of " + asked + " cannot be distinguished from those of others: " + list_of(alike) +
-                            ". Export the segmentation from 3D Slicer again.");
+        refuse("E0636", "the voxels of " + description + " cannot be distinguished from those of others: " +
+                            list_of(alike) + ". Export the segmentation from 3D Slicer again.");
     return found[0];
 }
 
@@ -106,13 +107,13 @@ std::vector<Segment> kept_segments(const CtSource& ct, const std::vector<Segment
 /// The nearest voxel of an image on another grid; 0 outside.
 class NearestLabel {
 public:
-    NearestLabel(const VoxelImage& labels, const VoxelGrid& asked)
-        : labels_(labels), is_same_(on_one_grid(labels, asked)), asked_(asked) {}
+    NearestLabel(const VoxelImage& labels, const VoxelGrid& description)
+        : labels_(labels), is_same_(on_one_grid(labels, description)), grid_(description) {}
 
     [[nodiscard]] float at(int i, int j, int k, std::size_t offset) const {
         if (is_same_) return labels_.values[offset];
         const Vec3 index =
-            labels_.index(asked_.lps({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}));
+            labels_.index(grid_.lps({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}));
         const int x = static_cast<int>(std::lround(index.x)), y = static_cast<int>(std::lround(index.y)),
                   z = static_cast<int>(std::lround(index.z));
         return labels_.has(x, y, z) ? labels_.at(x, y, z) : 0.0f;
@@ -121,7 +122,7 @@ public:
 private:
     const VoxelImage& labels_;
     bool is_same_;
-    const VoxelGrid& asked_;
+    const VoxelGrid& grid_;
 };
 
 /// Marks the kept labels, and the voxels of other labels. Returns false if a layer cannot be read.
@@ -129,10 +130,10 @@ bool mark_labels(BoneMask& mask, const CtSource& ct, const Sources& sources, std
     const double around = std::max({sources.labels.spacing(0), sources.labels.spacing(1), sources.labels.spacing(2)});
     const VoxelRange range = sources.labels.range(grown(mask.image.box(), around));
     if (range.voxels() == 0)
-        throw Refusal{"E0630",
-                      {"ct", "labels", "file"},
-                      "the label map covers nothing of the region around the axes. "
-                      "Check that it belongs to this image."};
+        throw ImportError{"E0630",
+                          {"ct", "labels", "file"},
+                          "the label map covers nothing of the region around the axes. "
+                          "Check that it belongs to this image."};
     const std::vector<Segment> kept = kept_segments(ct, sources.segments);
     std::set<int> layers;
     for (const Segment& segment : kept) layers.insert(segment.layer);
@@ -177,20 +178,20 @@ std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) 
     const auto landmark = std::find_if(anatomy.points.begin(), anatomy.points.end(),
                                        [&](const LandmarkPoint& p) { return p.id == ct.component_at; });
     if (landmark == anatomy.points.end())
-        throw Refusal{"E0634",
-                      {"ct", "keep", "component_at"},
-                      "there is no landmark point `" + ct.component_at +
-                          "`, which `ct.keep` names. "
-                          "Add it under `landmarks.points`."};
+        throw ImportError{"E0634",
+                          {"ct", "keep", "component_at"},
+                          "there is no landmark point `" + ct.component_at +
+                              "`, which `ct.keep` names. "
+                              "Add it under `landmarks.points`."};
     const VoxelImage& image = mask.image;
     const double near =
         std::max(landmark->tolerance, 2.0 * std::max({image.spacing(0), image.spacing(1), image.spacing(2)}));
     const std::optional<double> way = keep_nearest(mask, landmark->at);
     if (way && *way > near)
-        throw Refusal{"E0634",
-                      {"landmarks", "points", ct.component_at},
-                      "the nearest bone lies " + millimetres(*way) + " mm from `" + ct.component_at +
-                          "`, must be within " + millimetres(near) + " mm. Check the landmark, or `ct.threshold`."};
+        throw ImportError{"E0634",
+                          {"landmarks", "points", ct.component_at},
+                          "the nearest bone lies " + millimetres(*way) + " mm from `" + ct.component_at +
+                              "`, must be within " + millimetres(near) + " mm. Check the landmark, or `ct.threshold`."};
     return way ? "; the piece at " + ct.component_at + " is kept, " + std::to_string(mask.count()) + " voxels" : "";
 }
 
@@ -229,7 +230,7 @@ BoneMask mask_at(double threshold, BoneMask mask, const Anatomy& anatomy, std::v
         note += "; the grey values moved " + std::to_string(moved) + " over the border";
     }
     if (mask.count() == 0)
-        throw Refusal{
+        throw ImportError{
             "E0633",
             has_labels ? std::vector<std::string>{"ct", "labels", "keep"} : std::vector<std::string>{"ct", "threshold"},
             std::string("no voxel around the axes is bone. ") +
@@ -261,7 +262,7 @@ std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& b
     const auto with = [&](double threshold) -> std::optional<VoxelImage> {
         try {
             return distance_in_voxels(mask_at(threshold, blank, anatomy, ignored), threshold, around_border).distance;
-        } catch (const Refusal&) {
+        } catch (const ImportError&) {
             return std::nullopt;
         }
     };
@@ -293,13 +294,13 @@ void doubt_values(const Anatomy& anatomy, const VoxelImage& part, std::vector<st
         diagnostics.push_back(warning_at(in_anatomy(anatomy, {"ct", "image"}), "W0675", message));
         notes.push_back(message);
     };
-    const float least = *std::min_element(part.values.begin(), part.values.end());
-    if (least >= 0.0f)
-        warn("No value around the axes is below 0 (the smallest is " + rounded(static_cast<double>(least), 0) +
+    const float smallest = *std::min_element(part.values.begin(), part.values.end());
+    if (smallest >= 0.0f)
+        warn("No value around the axes is below 0 (the smallest is " + rounded(static_cast<double>(smallest), 0) +
              "), so these are hardly HU. If they are grey levels, as of a cone-beam CT, write `ct.intensity: grey`.");
     const auto bright = std::count_if(part.values.begin(), part.values.end(), [](float v) { return v >= metal; });
     const double volume = static_cast<double>(bright) * part.spacing(0) * part.spacing(1) * part.spacing(2);
-    if (volume > least_metal)
+    if (volume > min_metal)
         warn(rounded(volume * 1e9, 0) + " mm3 around the axes are brighter than " +
              rounded(static_cast<double>(metal), 0) +
              " HU, as metal and its streaks are: bone near them may be too thick or missing.");
@@ -326,10 +327,10 @@ std::optional<CtBone> made(const Anatomy& written, const Sources& sources, Diagn
     Anatomy anatomy = written;
     const CtSource& ct = *anatomy.ct;
     if (sources.scan.is_sheared())
-        throw Refusal{"E0632",
-                      {"ct", "image"},
-                      "the image's axes are not at right angles, as after a tilted gantry. "
-                      "Resample the image onto a straight grid."};
+        throw ImportError{"E0632",
+                          {"ct", "image"},
+                          "the image's axes are not at right angles, as after a tilted gantry. "
+                          "Resample the image onto a straight grid."};
     CtBone bone;
     bone.region = region_to_read(anatomy, sources.scan.box());
     const VoxelGrid& scan = sources.scan;
@@ -337,20 +338,21 @@ std::optional<CtBone> made(const Anatomy& written, const Sources& sources, Diagn
     const double margin = ct.closing + 3.0 * std::max({scan.spacing(0), scan.spacing(1), scan.spacing(2)});
     const VoxelRange range = is_empty(bone.region) ? VoxelRange{} : scan.range(grown(bone.region, margin));
     if (range.voxels() == 0)
-        throw Refusal{"E0631",
-                      {"landmarks", "axes"},
-                      "the landmarks' axes lie outside the image. "
-                      "Check that the axes are LPS, and the image is theirs."};
+        throw ImportError{"E0631",
+                          {"landmarks", "axes"},
+                          "the landmarks' axes lie outside the image. "
+                          "Check that the axes are LPS, and the image is theirs."};
     // Values, mask, distance and densities, with temporary data
     constexpr double bytes_per_voxel = 25.0;
-    if (const double bytes = bytes_per_voxel * static_cast<double>(range.voxels()); bytes > most_bone_memory)
-        throw Refusal{"E0602",
-                      {"landmarks", "axes"},
-                      "around the planned axes lie " + rounded(static_cast<double>(range.voxels()) * 1e-6, 0) +
-                          " million voxels, which take about " + rounded(bytes / most_bone_memory * 4.0, 1) +
-                          " GB of memory, must be at most 4 GB. Give axes that go no farther than what is planned, or "
-                          "resample the image onto voxels " +
-                          rounded(std::cbrt(bytes / most_bone_memory) + 0.05, 1) + " times as long."};
+    if (const double bytes = bytes_per_voxel * static_cast<double>(range.voxels()); bytes > max_bone_memory)
+        throw ImportError{
+            "E0602",
+            {"landmarks", "axes"},
+            "around the planned axes lie " + rounded(static_cast<double>(range.voxels()) * 1e-6, 0) +
+                " million voxels, which take about " + rounded(bytes / max_bone_memory * 4.0, 1) +
+                " GB of memory, must be at most 4 GB. Give axes that go no farther than what is planned, or "
+                "resample the image onto voxels " +
+                rounded(std::cbrt(bytes / max_bone_memory) + 0.05, 1) + " times as long."};
     const std::optional<VoxelImage> part = sources.read_scan(range);
     if (!part) return std::nullopt;
 
@@ -371,14 +373,15 @@ std::optional<CtBone> made(const Anatomy& written, const Sources& sources, Diagn
     VoxelDistance found = distance_in_voxels(mask, ct.threshold, cortex + around_border);
     bone.distance = std::move(found.distance);
     notes.push_back("Border: between the voxels where the values cross " + rounded(ct.threshold, 0) + ", at " +
-                    rounded(100.0 * found.crossing_share, 0) + " % of it; half way between them at the rest.");
+                    rounded(100.0 * found.crossing_fraction, 0) + " % of it; half way between them at the rest.");
 
     if (has_fits(anatomy)) {
         const BoneShape shape{[&](Vec3 p) { return bone.distance.sample_trilinear(p, around_border); }, bone.region};
         if (!fit_landmarks(anatomy, shape, bone.report, diagnostics)) return std::nullopt;
         bone.region = planned_region(anatomy.axes, bone.region);
         if (is_empty(bone.region))
-            throw Refusal{"E0631", {"landmarks", "axes"}, "the landmarks' axes lie outside the image. Check the fits."};
+            throw ImportError{
+                "E0631", {"landmarks", "axes"}, "the landmarks' axes lie outside the image. Check the fits."};
     }
     double sum = 0.0;
     std::size_t deep = 0;
@@ -397,11 +400,11 @@ std::optional<CtBone> made(const Anatomy& written, const Sources& sources, Diagn
     return bone;
 }
 
-std::optional<CtBone> made_or_refused(const Anatomy& anatomy, const Sources& sources, Diagnostics& diagnostics,
-                                      const ImportOptions& options) {
+std::optional<CtBone> make_or_report(const Anatomy& anatomy, const Sources& sources, Diagnostics& diagnostics,
+                                     const ImportOptions& options) {
     try {
         return made(anatomy, sources, diagnostics, options);
-    } catch (const Refusal& refusal) {
+    } catch (const ImportError& refusal) {
         diagnostics.push_back(error_at(in_anatomy(anatomy, refusal.keys), refusal.code, refusal.message));
     }
     return std::nullopt;
@@ -419,7 +422,7 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
         sources.labels = *labels;
         sources.read_labels = [labels](const VoxelRange& range, int) { return labels->cropped(range); };
     }
-    return made_or_refused(anatomy, sources, diagnostics, options);
+    return make_or_report(anatomy, sources, diagnostics, options);
 }
 
 std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics, const ImportOptions& options) {
@@ -470,7 +473,7 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnost
             return read(*labels, range, layer, {"ct", "labels", "file"});
         };
     }
-    auto bone = made_or_refused(anatomy, sources, diagnostics, options);
+    auto bone = make_or_report(anatomy, sources, diagnostics, options);
     if (!bone) return std::nullopt;
     bone->report.notes.insert(bone->report.notes.begin(), scan->notes().begin(), scan->notes().end());
     for (const Scan* one : std::array<const Scan*, 2>{&*scan, labels ? &*labels : nullptr}) {

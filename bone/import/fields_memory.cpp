@@ -13,7 +13,7 @@ namespace {
 
 constexpr int probes = 20'000;
 constexpr double margin_voxels = 6.0;  // of air around the bone
-constexpr double most_bricks = 16e6;   // in a grid: 64 MB of tables per field
+constexpr double max_bricks = 16e6;    // in a grid: 64 MB of tables per field
 
 }  // namespace
 
@@ -48,8 +48,8 @@ FieldsMemory fields_memory(const Box& bounds, double spacing, const std::vector<
 }
 
 double excess_of(const FieldsMemory& needed) noexcept {
-    return std::max({needed.bytes / most_bone_memory, needed.bricks / most_bricks,
-                     needed.cuttable / (0.97 * most_stored_bricks /* probes are a few per cent off */)});
+    return std::max({needed.bytes / max_bone_memory, needed.bricks / max_bricks,
+                     needed.cuttable / (0.97 * max_stored_bricks /* probes are a few per cent off */)});
 }
 
 }  // namespace kerf

@@ -10,7 +10,7 @@
 namespace kerf {
 
 /// Largest memory for the bone of one run [bytes].
-inline constexpr double most_bone_memory = 4.0 * 1024 * 1024 * 1024;
+inline constexpr double max_bone_memory = 4.0 * 1024 * 1024 * 1024;
 
 struct FieldsMemory {
     double bytes = 0.0;     ///< tables, and the samples of bricks near a border

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double apart = 0.5e-3;  // [m] between rays
 constexpr double patch = 6e-3;    // [m] radius of the paraboloid's patch; a condyle's radius is about 20 mm
-constexpr int most_rounds = 40;
+constexpr int max_rounds = 40;
 constexpr double at_rest = 1e-8;  // [–] change of the direction
 
 /// The directions of a plane: along the line, along the shaft, and backwards.
@@ -101,7 +101,7 @@ std::optional<FittedCondyles> fit_condyles(const BoneShape& bone, const Condyles
         if (!start) return std::nullopt;
         at[failed] = *start;
     }
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         frame = frame_of(guess, at[0], at[1]);
         fitted.residual = 0.0;
         for (failed = 0; failed < 2; ++failed) {

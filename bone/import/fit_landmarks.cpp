@@ -20,7 +20,7 @@ namespace kerf {
 namespace {
 
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
-std::string percent(double share) { return rounded(100.0 * share, 0) + " %"; }
+std::string percent(double fraction) { return rounded(100.0 * fraction, 0) + " %"; }
 
 /// Returns a position as YAML, to a hundredth of a millimetre.
 std::string yaml_position(Vec3 at) {
@@ -29,7 +29,7 @@ std::string yaml_position(Vec3 at) {
 }
 
 /// A landmark's id, its position in the document, and the limits of its fit.
-struct Asked {
+struct FitRequest {
     std::string id;
     Reason place;
     double residual = 0.0;  ///< [m] at most
@@ -52,31 +52,31 @@ public:
     }
 
 private:
-    void refuse(const Asked& asked, const char* code, const std::string& message, std::string write = {}) {
-        Diagnostic error = error_at(asked.place, code, message);
+    void refuse(const FitRequest& request, const char* code, const std::string& message, std::string write = {}) {
+        Diagnostic error = error_at(request.place, code, message);
         error.write = std::move(write);
         diagnostics_.push_back(std::move(error));
         is_refused_ = true;
     }
 
-    Asked asked_of(const char* sort, const std::string& id, const LandmarkFit& fit, double tolerance) const {
+    FitRequest request_of(const char* sort, const std::string& id, const LandmarkFit& fit, double tolerance) const {
         return {id, in_anatomy(anatomy_, {"landmarks", sort, id, "fit"}), fit.residual.value_or(tolerance), fit.within};
     }
 
     /// Checks the residual and the distance from the guess.
-    bool is_allowed(const Asked& asked, double residual, Vec3 found, Vec3 guess, double off, const char* key) {
-        if (off > asked.within) {
-            refuse(asked, "E0617",
-                   "the fit of `" + asked.id + "` leaves its guess: it lies " + millimetres(off) + " from `" + key +
-                       ": " + yaml_position(guess) + "`, must be within " + millimetres(asked.within) +
+    bool is_allowed(const FitRequest& request, double residual, Vec3 found, Vec3 guess, double off, const char* key) {
+        if (off > request.within) {
+            refuse(request, "E0617",
+                   "the fit of `" + request.id + "` leaves its guess: it lies " + millimetres(off) + " from `" + key +
+                       ": " + yaml_position(guess) + "`, must be within " + millimetres(request.within) +
                        ". Check the scan; if the fit is right, move the guess.",
                    std::string(key) + ": " + yaml_position(found));
             return false;
         }
-        if (residual > asked.residual) {
-            refuse(asked, "E0616",
-                   "the residual of `" + asked.id + "` is too large: got " + millimetres(residual, 2) +
-                       ", expected at most " + millimetres(asked.residual, 2) +
+        if (residual > request.residual) {
+            refuse(request, "E0616",
+                   "the residual of `" + request.id + "` is too large: got " + millimetres(residual, 2) +
+                       ", expected at most " + millimetres(request.residual, 2) +
                        ". Check the guess and the bone there; if both are right, allow it.",
                    "residual: {at_most: " + rounded(std::ceil(residual * 1e4) * 0.1, 1) + " mm}");
             return false;
@@ -85,32 +85,32 @@ private:
     }
 
     /// Returns an acceptable sphere; nothing, with one error, if there is none.
-    std::optional<FittedSphere> sphere_at(const Asked& asked, Vec3 guess, double radius) {
-        const auto sphere = fit_sphere(bone_, {guess, radius, asked.within});
-        if (!sphere || sphere->share < least_share_of_sphere) {
-            refuse(asked, "E0615",
-                   "the bone has no sphere for `" + asked.id + "` near `at: " + yaml_position(guess) + "`: got " +
-                       (sphere ? percent(sphere->share) : "none") +
+    std::optional<FittedSphere> sphere_at(const FitRequest& request, Vec3 guess, double radius) {
+        const auto sphere = fit_sphere(bone_, {guess, radius, request.within});
+        if (!sphere || sphere->fraction < min_sphere_fraction) {
+            refuse(request, "E0615",
+                   "the bone has no sphere for `" + request.id + "` near `at: " + yaml_position(guess) + "`: got " +
+                       (sphere ? percent(sphere->fraction) : "none") +
                        " of the directions on one with a radius of about " + millimetres(radius) +
-                       ", expected at least " + percent(least_share_of_sphere) +
+                       ", expected at least " + percent(min_sphere_fraction) +
                        ". Check the guess and its radius, and that the bone is complete there.");
             return std::nullopt;
         }
-        if (!is_allowed(asked, sphere->residual, sphere->centre, guess, length(sphere->centre - guess), "at"))
+        if (!is_allowed(request, sphere->residual, sphere->centre, guess, length(sphere->centre - guess), "at"))
             return std::nullopt;
         return sphere;
     }
 
     static std::string text_of(const FittedSphere& sphere) {
         return "a sphere of radius " + millimetres(sphere.radius) + ", residual " + millimetres(sphere.residual, 2) +
-               " over " + percent(sphere.share) + " of the directions";
+               " over " + percent(sphere.fraction) + " of the directions";
     }
 
     void fit(LandmarkPoint& point) {
-        const Asked asked = asked_of("points", point.id, *point.fit, point.tolerance);
-        const auto sphere = sphere_at(asked, point.at, point.fit->radius);
+        const FitRequest request = request_of("points", point.id, *point.fit, point.tolerance);
+        const auto sphere = sphere_at(request, point.at, point.fit->radius);
         if (!sphere) return;
-        note("Point " + point.id + ": fitted at " + place_text(sphere->centre) + ", " + text_of(*sphere) + "; " +
+        note("Point " + point.id + ": fitted at " + position_text(sphere->centre) + ", " + text_of(*sphere) + "; " +
              millimetres(length(sphere->centre - point.at)) + " from its guess.");
         point.at = sphere->centre;
         point.fit.reset();
@@ -119,14 +119,14 @@ private:
     }
 
     void fit(LandmarkAxis& axis) {
-        const Asked asked = asked_of("axes", axis.id, *axis.fit, axis.tolerance);
+        const FitRequest request = request_of("axes", axis.id, *axis.fit, axis.tolerance);
         switch (axis.fit->shape) {
             case LandmarkFit::Shape::tube:
-                return fit_as_tube(axis, asked);
+                return fit_as_tube(axis, request);
             case LandmarkFit::Shape::neck:
-                return fit_as_neck(axis, asked);
+                return fit_as_neck(axis, request);
             case LandmarkFit::Shape::condyles:
-                return fit_as_condyles(axis, asked);
+                return fit_as_condyles(axis, request);
             case LandmarkFit::Shape::sphere:
                 break;  // only points are spheres
         }
@@ -140,36 +140,36 @@ private:
 
     void place(LandmarkAxis& axis, Vec3 from, Vec3 to, const std::string& what) {
         const auto off = off_ends(axis, from, to);
-        note("Axis " + axis.id + ": fitted from " + place_text(from) + " to " + place_text(to) + ", " + what + "; " +
-             millimetres(std::max(off[0], off[1])) + " from its guess.");
+        note("Axis " + axis.id + ": fitted from " + position_text(from) + " to " + position_text(to) + ", " + what +
+             "; " + millimetres(std::max(off[0], off[1])) + " from its guess.");
         axis.from = from;
         axis.to = to;
         axis.fit.reset();
         report_.fitted_axes.push_back(axis);
     }
 
-    bool is_allowed(const Asked& asked, const LandmarkAxis& axis, double residual, Vec3 from, Vec3 to) {
+    bool is_allowed(const FitRequest& request, const LandmarkAxis& axis, double residual, Vec3 from, Vec3 to) {
         const auto off = off_ends(axis, from, to);
-        return off[0] >= off[1] ? is_allowed(asked, residual, from, axis.from, off[0], "from")
-                                : is_allowed(asked, residual, to, axis.to, off[1], "to");
+        return off[0] >= off[1] ? is_allowed(request, residual, from, axis.from, off[0], "from")
+                                : is_allowed(request, residual, to, axis.to, off[1], "to");
     }
 
-    void fit_as_tube(LandmarkAxis& axis, const Asked& asked) {
-        const auto tube = fit_tube(bone_, {axis.from, axis.to, axis.fit->radius, asked.within});
-        if (!tube || tube->share < least_share_of_tube)
-            return refuse(asked, "E0615",
-                          "the bone is no tube between the ends of `" + asked.id + "`: got " +
-                              (tube ? percent(tube->share) : "none") +
+    void fit_as_tube(LandmarkAxis& axis, const FitRequest& request) {
+        const auto tube = fit_tube(bone_, {axis.from, axis.to, axis.fit->radius, request.within});
+        if (!tube || tube->fraction < min_tube_fraction)
+            return refuse(request, "E0615",
+                          "the bone is no tube between the ends of `" + request.id + "`: got " +
+                              (tube ? percent(tube->fraction) : "none") +
                               " of its sections' points on one with a radius of about " +
-                              millimetres(axis.fit->radius) + ", expected at least " + percent(least_share_of_tube) +
+                              millimetres(axis.fit->radius) + ", expected at least " + percent(min_tube_fraction) +
                               ". Check `from`, `to` and the radius: between the ends the bone must be round.");
-        if (!is_allowed(asked, axis, tube->residual, tube->from, tube->to)) return;
+        if (!is_allowed(request, axis, tube->residual, tube->from, tube->to)) return;
         place(axis, tube->from, tube->to,
               "a tube of radius " + millimetres(tube->radius) + ", residual " + millimetres(tube->residual, 2) +
-                  " over " + percent(tube->share) + " of the points of its sections");
+                  " over " + percent(tube->fraction) + " of the points of its sections");
     }
 
-    void fit_as_neck(LandmarkAxis& axis, const Asked& asked) {
+    void fit_as_neck(LandmarkAxis& axis, const FitRequest& request) {
         const auto head = heads_.find(axis.fit->reference);
         if (head == heads_.end()) {  // the head's own error gives the reason
             is_refused_ = true;
@@ -180,8 +180,8 @@ private:
         const Vec3 to_base = (is_from_base ? axis.from : axis.to) - sphere.centre;
         const auto neck = fit_neck(bone_, {sphere.centre, sphere.radius, to_base});
         if (!neck)
-            return refuse(asked, "E0615",
-                          "the bone has no neck for `" + asked.id +
+            return refuse(request, "E0615",
+                          "the bone has no neck for `" + request.id +
                               "`: got no section narrower than those beside it, from " +
                               millimetres(0.5 * sphere.radius) + " to " + millimetres(2.0 * sphere.radius) +
                               " below `" + axis.fit->reference +
@@ -189,32 +189,32 @@ private:
                               "through the neck.");
         const auto foot = [&](Vec3 p) { return sphere.centre + dot(p - sphere.centre, neck->to_base) * neck->to_base; };
         const Vec3 from = foot(axis.from), to = foot(axis.to);
-        if (!is_allowed(asked, axis, neck->residual, from, to)) return;
+        if (!is_allowed(request, axis, neck->residual, from, to)) return;
         place(axis, from, to,
               "a neck of " + rounded(neck->area * 1e6, 0) + " mm2 at its narrowest, residual " +
                   millimetres(neck->residual, 2) + " over " + std::to_string(neck->used) + " sections");
     }
 
-    void fit_as_condyles(LandmarkAxis& axis, const Asked& asked) {
+    void fit_as_condyles(LandmarkAxis& axis, const FitRequest& request) {
         const auto shaft = std::find_if(anatomy_.axes.begin(), anatomy_.axes.end(),
                                         [&](const LandmarkAxis& a) { return a.id == axis.fit->reference; });
         if (shaft == anatomy_.axes.end())
-            return refuse(asked, "E0618",
-                          "the shaft of the condyles `" + asked.id + "` is unknown: got `" + axis.fit->reference +
+            return refuse(request, "E0618",
+                          "the shaft of the condyles `" + request.id + "` is unknown: got `" + axis.fit->reference +
                               "`, expected an axis of this anatomy. Add it under `landmarks.axes`.");
         if (shaft->fit) {  // the axis's own error gives the reason
             is_refused_ = true;
             return;
         }
         std::size_t failed = 0;
-        const auto line = fit_condyles(bone_, {axis.from, axis.to, shaft->from, shaft->to, asked.within}, failed);
+        const auto line = fit_condyles(bone_, {axis.from, axis.to, shaft->from, shaft->to, request.within}, failed);
         if (!line)
-            return refuse(asked, "E0615",
-                          "the bone has no condyle for `" + asked.id + "` near `" + (failed == 0 ? "from" : "to") +
+            return refuse(request, "E0615",
+                          "the bone has no condyle for `" + request.id + "` near `" + (failed == 0 ? "from" : "to") +
                               ": " + yaml_position(failed == 0 ? axis.from : axis.to) +
                               "`: got no backmost point, seen along `" + shaft->id + "`, expected one within " +
-                              millimetres(asked.within) + ". Check the guess: it must be at the back of a condyle.");
-        if (!is_allowed(asked, axis, line->residual, line->from, line->to)) return;
+                              millimetres(request.within) + ". Check the guess: it must be at the back of a condyle.");
+        if (!is_allowed(request, axis, line->residual, line->from, line->to)) return;
         place(axis, line->from, line->to,
               "along the backs of two condyles, residual " + millimetres(line->residual, 2));
     }
@@ -245,7 +245,7 @@ bool has_fits(const Anatomy& anatomy) noexcept {
 }
 
 Box region_of_fits(const Anatomy& anatomy) noexcept {
-    constexpr double largest = 1.0 + most_off_size;
+    constexpr double largest = 1.0 + max_size_deviation;
     Box all{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     const auto add = [&](Vec3 at, const LandmarkFit& fit, double radii) {
         all = with_ball(all, at, 2.0 * fit.within + radii * largest * fit.radius);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int rays = 1000;
 constexpr int draws = 2000;  // of four points: with a third of the points on the sphere, 24 draws are good
-constexpr int most_rounds = 40;
+constexpr int max_rounds = 40;
 constexpr double widest_band = 0.04;        // [–] of the radius: a point farther off belongs to another surface
 constexpr double narrowest_band = 0.02e-3;  // [m]
 constexpr double at_rest = 1e-7;            // [m]
@@ -56,7 +56,7 @@ private:
 };
 
 bool is_near(const Sphere& sphere, const SphereGuess& guess) {
-    return std::abs(sphere.radius / guess.radius - 1.0) <= most_off_size &&
+    return std::abs(sphere.radius / guess.radius - 1.0) <= max_size_deviation &&
            length(sphere.centre - guess.centre) <= 2.0 * guess.within;
 }
 
@@ -99,12 +99,12 @@ bool improve(Sphere& sphere, const std::vector<Vec3>& points, double band) {
 }  // namespace
 
 std::optional<FittedSphere> fit_sphere(const BoneShape& bone, const SphereGuess& guess) {
-    const double largest = (1.0 + most_off_size) * guess.radius;
+    const double largest = (1.0 + max_size_deviation) * guess.radius;
     auto sphere = best_drawn(points_around(bone, guess.centre, largest + 2.0 * guess.within), guess);
     if (!sphere) return std::nullopt;
     double band = widest_band * sphere->radius;
     FittedSphere fitted;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         const Sphere before = *sphere;
         const std::vector<Vec3> points = points_around(bone, sphere->centre, 1.5 * sphere->radius);
         if (!improve(*sphere, points, band) || !is_near(*sphere, guess)) return std::nullopt;

@@ -19,13 +19,13 @@ struct FittedSphere {
     Vec3 centre{};          ///< [m] LPS
     double radius = 0.0;    ///< [m]
     double residual = 0.0;  ///< [m] root mean square distance of the used points
-    double share = 0.0;     ///< [–] of 1000 rays from the centre, the fraction that ends on used points
+    double fraction = 0.0;  ///< [–] of 1000 rays from the centre, the fraction that ends on used points
 };
 
 /// [–] largest difference of the radius from the guess. Also for tubes.
-constexpr double most_off_size = 0.3;
+constexpr double max_size_deviation = 0.3;
 /// [–] smallest fraction of the rays. A sphere in a tube touches a quarter of it; the head of a femur shows two thirds.
-constexpr double least_share_of_sphere = 0.4;
+constexpr double min_sphere_fraction = 0.4;
 
 /// Returns the sphere near a guess.
 ///

@@ -13,7 +13,7 @@ namespace kerf {
 namespace {
 
 constexpr int sections = 41;
-constexpr int most_rounds = 60;
+constexpr int max_rounds = 60;
 constexpr double widest_band = 0.10;        // [–] of the radius: a point farther off belongs to another surface
 constexpr double narrowest_band = 0.02e-3;  // [m]
 constexpr double met_around = 0.75;         // [–] of a section's rays; with fewer hits, it is part of something wider
@@ -22,7 +22,7 @@ constexpr double at_rest = 1e-7;            // [m]
 struct Axis {
     Vec3 from{}, to{};
     [[nodiscard]] Vec3 along() const noexcept { return normalized(to - from); }
-    [[nodiscard]] Vec3 at(double share) const noexcept { return from + share * (to - from); }
+    [[nodiscard]] Vec3 at(double fraction) const noexcept { return from + fraction * (to - from); }
     [[nodiscard]] Vec3 foot(Vec3 p) const noexcept { return from + dot(p - from, along()) * along(); }
 };
 
@@ -33,13 +33,14 @@ struct WallPoint {
 };
 
 struct Section {
-    double share = 0.0;  ///< [–] position along the axis
+    double fraction = 0.0;  ///< [–] position along the axis
     std::vector<WallPoint> points;
     double radius = 0.0;  ///< [m] median distance
 };
 
-Section section_at(const BoneShape& bone, Vec3 centre, const std::vector<Vec3>& directions, double share, double far) {
-    Section section{share, {}, 0.0};
+Section section_at(const BoneShape& bone, Vec3 centre, const std::vector<Vec3>& directions, double fraction,
+                   double far) {
+    Section section{fraction, {}, 0.0};
     std::vector<double> distances;
     for (const Vec3 out : directions) {
         const RayHit hit = surface_inwards(bone, centre, out, far);
@@ -56,7 +57,7 @@ Section section_at(const BoneShape& bone, Vec3 centre, const std::vector<Vec3>& 
 
 bool is_met_around(const Section& section, std::size_t rays, double radius) {
     return static_cast<double>(section.points.size()) >= met_around * static_cast<double>(rays) &&
-           std::abs(section.radius / radius - 1.0) <= most_off_size;
+           std::abs(section.radius / radius - 1.0) <= max_size_deviation;
 }
 
 /// Returns the middle of the section near `at`. The search is repeated from each new middle, because the points lie
@@ -64,7 +65,7 @@ bool is_met_around(const Section& section, std::size_t rays, double radius) {
 std::optional<Vec3> middle_near(const BoneShape& bone, Vec3 at, const std::vector<Vec3>& directions,
                                 const TubeGuess& guess) {
     Vec3 middle = at;
-    double far = (1.0 + most_off_size) * guess.radius + 2.0 * guess.within;
+    double far = (1.0 + max_size_deviation) * guess.radius + 2.0 * guess.within;
     for (int round = 0; round < 12; ++round) {
         const Section section = section_at(bone, middle, directions, 0.0, far);
         if (section.points.empty()) return std::nullopt;
@@ -73,7 +74,7 @@ std::optional<Vec3> middle_near(const BoneShape& bone, Vec3 at, const std::vecto
         const Vec3 move = sum / static_cast<double>(section.points.size());
         middle = middle + move;
         if (length(middle - at) > 2.0 * guess.within) return std::nullopt;
-        far = std::max((1.0 + most_off_size) * guess.radius + length(move), 0.7 * far);
+        far = std::max((1.0 + max_size_deviation) * guess.radius + length(move), 0.7 * far);
     }
     if (!is_met_around(section_at(bone, middle, directions, 0.0, 1.5 * guess.radius), directions.size(), guess.radius))
         return std::nullopt;
@@ -85,14 +86,14 @@ std::optional<Axis> first_axis(const BoneShape& bone, const TubeGuess& guess) {
     const Axis guessed{guess.from, guess.to};
     const std::vector<Vec3> directions = directions_across(guessed.along());
     struct Middle {
-        double share;
+        double fraction;
         Vec3 off;
     };
     std::vector<Middle> middles;
     for (int i = 0; i < sections; ++i) {
-        const double share = static_cast<double>(i) / (sections - 1);
-        if (const auto middle = middle_near(bone, guessed.at(share), directions, guess))
-            middles.push_back({share, *middle - guessed.at(share)});
+        const double fraction = static_cast<double>(i) / (sections - 1);
+        if (const auto middle = middle_near(bone, guessed.at(fraction), directions, guess))
+            middles.push_back({fraction, *middle - guessed.at(fraction)});
     }
     double band = HUGE_VAL;
     Vec3 at_from{}, at_to{};
@@ -101,7 +102,7 @@ std::optional<Axis> first_axis(const BoneShape& bone, const TubeGuess& guess) {
         Vec3 f{}, t{};
         int used = 0;
         for (const Middle& m : middles) {
-            const double to = m.share, from = 1.0 - m.share;
+            const double to = m.fraction, from = 1.0 - m.fraction;
             const double off = length(m.off - from * at_from - to * at_to);
             if (off > band) continue;
             ff += from * from, ft += from * to, tt += to * to;
@@ -120,7 +121,7 @@ std::optional<Axis> first_axis(const BoneShape& bone, const TubeGuess& guess) {
 
 struct Round {
     double moved = 0.0;  ///< [m]
-    double residual = 0.0, radius = 0.0, share = 0.0;
+    double residual = 0.0, radius = 0.0, fraction = 0.0;
 };
 
 /// Samples the tube around `axis` and moves the axis by one Gauss–Newton step. The radius of a section is its mean
@@ -162,7 +163,7 @@ std::optional<Round> improve(Axis& axis, const BoneShape& bone, double radius, d
     round.moved = std::max(length(at_from), length(at_to));
     round.residual = std::sqrt(sum / used);
     round.radius = radii / met;
-    round.share = used / (static_cast<double>(sections) * static_cast<double>(directions.size()));
+    round.fraction = used / (static_cast<double>(sections) * static_cast<double>(directions.size()));
     return round;
 }
 
@@ -173,12 +174,12 @@ std::optional<FittedTube> fit_tube(const BoneShape& bone, const TubeGuess& guess
     if (!axis) return std::nullopt;
     double band = widest_band * guess.radius;
     FittedTube fitted;
-    for (int n = 0; n < most_rounds; ++n) {
+    for (int n = 0; n < max_rounds; ++n) {
         const auto round = improve(*axis, bone, guess.radius, band);
         if (!round) return std::nullopt;
         // The ends stay next to those of the guess, so that the same stretch of bone is sampled for any guess.
         *axis = {axis->foot(guess.from), axis->foot(guess.to)};
-        fitted = {axis->from, axis->to, round->radius, round->residual, round->share};
+        fitted = {axis->from, axis->to, round->radius, round->residual, round->fraction};
         band = std::clamp(2.5 * round->residual, narrowest_band, widest_band * guess.radius);
         if (n > 2 && round->moved < at_rest) break;
     }

@@ -19,10 +19,10 @@ struct FittedTube {
     Vec3 from{}, to{};      ///< [m] LPS: the ends of the guess, projected onto the axis
     double radius = 0.0;    ///< [m] mean of its sections
     double residual = 0.0;  ///< [m] root mean square distance of the used points from the wall
-    double share = 0.0;     ///< [–] of the rays of all sections, the fraction that ends on used points
+    double fraction = 0.0;  ///< [–] of the rays of all sections, the fraction that ends on used points
 };
 
-constexpr double least_share_of_tube = 0.5;  ///< [–] of the rays
+constexpr double min_tube_fraction = 0.5;  ///< [–] of the rays
 
 /// Returns the axis of the tube near a guess.
 ///

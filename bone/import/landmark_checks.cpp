@@ -13,9 +13,9 @@
 namespace kerf {
 namespace {
 
-constexpr double most_of_zone = 0.25;  // [–] that may be bone, because a zone's border is coarse
-constexpr double finest = 1e-3;        // [m] between the sample points of a zone
-constexpr double most_points = 200'000.0;
+constexpr double max_bone_in_zone = 0.25;  // [–] that may be bone, because a zone's border is coarse
+constexpr double finest = 1e-3;            // [m] between the sample points of a zone
+constexpr double max_points = 200'000.0;
 
 /// Returns a landmark's location in the document. A landmark of a markups file has no line.
 Reason named(const Anatomy& anatomy, const char* sort, const std::string& id, std::string message = {}) {
@@ -39,11 +39,11 @@ std::string other_side(const std::string& id) {
 }
 
 void check_sides(const Anatomy& anatomy, Diagnostics& diagnostics) {
-    struct Place {
+    struct Landmark {
         Vec3 at;
         const char* sort;
     };
-    std::map<std::string, Place> places;
+    std::map<std::string, Landmark> places;
     for (const LandmarkPoint& point : anatomy.points) places[point.id] = {point.at, "points"};
     for (const LandmarkAxis& axis : anatomy.axes) places[axis.id] = {0.5 * (axis.from + axis.to), "axes"};
     for (const LandmarkPlane& plane : anatomy.planes) places[plane.id] = {plane.at, "planes"};
@@ -61,7 +61,7 @@ void check_sides(const Anatomy& anatomy, Diagnostics& diagnostics) {
     }
 }
 
-std::string where(const PlaceOnBone& place) {
+std::string where(const PointOnBone& place) {
     const bool is_far = std::abs(place.distance) >= 0.99 * place.known;
     return (is_far ? "more than " : "") + millimetres(std::abs(place.distance)) + " mm " +
            (place.distance < 0.0 ? "inside the bone's surface" : "outside the bone");
@@ -71,7 +71,7 @@ void check_points(const Anatomy& anatomy, const Body& body, Diagnostics& diagnos
     using Lies = LandmarkPoint::Lies;
     for (const LandmarkPoint& point : anatomy.points) {
         if (point.lies == Lies::anywhere) continue;
-        const PlaceOnBone place = place_on_bone(body, point.at);
+        const PointOnBone place = locate_on_bone(body, point.at);
         if (!place.is_in_region) continue;
         const double d = place.distance;
         const bool is_true = point.lies == Lies::on_bone   ? std::abs(d) <= point.tolerance
@@ -89,12 +89,12 @@ void check_points(const Anatomy& anatomy, const Body& body, Diagnostics& diagnos
 
 }  // namespace
 
-PlaceOnBone place_on_bone(const Body& body, Vec3 at) noexcept {
+PointOnBone locate_on_bone(const Body& body, Vec3 at) noexcept {
     return {uncut_distance(body, locate(body, at)), clamp_voxels * body.grid().spacing,
             outside_region(body, at) == 0.0};
 }
 
-double share_in_bone(const Body& body, const Zone& zone) {
+double fraction_in_bone(const Body& body, const Zone& zone) {
     std::size_t inside = 0, in_bone = 0;
     const Box box = bounds_of(zone.solids);
     const Region& region = body.region;  // nothing is known beyond it
@@ -104,7 +104,7 @@ double share_in_bone(const Body& body, const Zone& zone) {
                     std::min(box.high.z, region.high.z)};
     const Vec3 extent = high - low;
     if (!(extent.x > 0.0 && extent.y > 0.0 && extent.z > 0.0)) return 0.0;
-    const double step = std::max(finest, std::cbrt(extent.x * extent.y * extent.z / most_points));
+    const double step = std::max(finest, std::cbrt(extent.x * extent.y * extent.z / max_points));
     for (double x = low.x + 0.5 * step; x < high.x; x += step)
         for (double y = low.y + 0.5 * step; y < high.y; y += step)
             for (double z = low.z + 0.5 * step; z < high.z; z += step) {
@@ -119,7 +119,7 @@ void check_landmarks(const Anatomy& anatomy, const Body& body, Diagnostics& diag
     check_sides(anatomy, diagnostics);
     check_points(anatomy, body, diagnostics);
     for (const Zone& zone : anatomy.zones)
-        if (const double share = share_in_bone(body, zone); share > most_of_zone && !zone.is_tissue)
+        if (const double share = fraction_in_bone(body, zone); share > max_bone_in_zone && !zone.is_tissue)
             diagnostics.push_back(
                 warning_at(in_anatomy(anatomy, {"zones", zone.id}), "W0614",
                            rounded(100.0 * share, 0) + " % of the zone `" + zone.id +

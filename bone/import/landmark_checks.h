@@ -16,16 +16,16 @@
 namespace kerf {
 
 /// A position relative to the bone.
-struct PlaceOnBone {
+struct PointOnBone {
     double distance = 0.0;     ///< [m] to the surface, negative inside; at most `known`
     double known = 0.0;        ///< [m] largest distance in the field
     bool is_in_region = true;  ///< nothing is known beyond the region
 };
-[[nodiscard]] PlaceOnBone place_on_bone(const Body& body, Vec3 at) noexcept;
+[[nodiscard]] PointOnBone locate_on_bone(const Body& body, Vec3 at) noexcept;
 
 /// Returns the fraction of a zone's volume in bone [–], by points 1 mm apart, or 200000 of them; 0 for a zone outside
 /// the region.   [any] pure.
-[[nodiscard]] double share_in_bone(const Body& body, const Zone& zone);
+[[nodiscard]] double fraction_in_bone(const Body& body, const Zone& zone);
 
 /// Checks pairs whose names differ only by the word `left` or `right`, points by their `lies` within their tolerance,
 /// and zones, of which at most a quarter should be bone.   [main]

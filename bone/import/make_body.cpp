@@ -25,9 +25,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double least_share = 0.80;        // [–] fraction of a planned axis in bone
-constexpr double least_wall_voxels = 3.0;   // thickness that one distance field can represent
-constexpr double finest_spacing = 0.05e-3;  // [m] smallest spacing of a procedure
+constexpr double min_fraction_in_bone = 0.80;  // [–] fraction of a planned axis in bone
+constexpr double min_wall_voxels = 3.0;        // thickness that one distance field can represent
+constexpr double finest_spacing = 0.05e-3;     // [m] smallest spacing of a procedure
 
 using Distance = std::function<double(Vec3)>;  // body frame [m] → [m], negative inside
 
@@ -59,7 +59,7 @@ double distance_to_parts(const PhantomSource& phantom, bool subtract, Vec3 p) {
 
 /// Returns whether parts are subtracted and none is added after them. Then bone is all added parts less all subtracted
 /// ones.
-bool is_taken_away_last(const PhantomSource& phantom) {
+bool subtracts_last(const PhantomSource& phantom) {
     return !phantom.parts.empty() && phantom.parts.back().subtract &&
            std::is_partitioned(phantom.parts.begin(), phantom.parts.end(),
                                [](const PhantomPart& p) { return !p.subtract; });
@@ -67,9 +67,9 @@ bool is_taken_away_last(const PhantomSource& phantom) {
 
 /// Returns whether bone between the outside and a cavity is somewhere too thin for one field. Where a cavity opens to
 /// the outside, both surfaces cross at an edge. So only surfaces with the same orientation count as a wall.
-bool has_thin_wall(const Grid& grid, DistanceSource& outer, DistanceSource& room) {
-    constexpr double same_way = 0.8;  // [–] cosine
-    const double thin = least_wall_voxels * grid.spacing, in_brick = 0.5 * brick_edge * std::sqrt(3.0) * grid.spacing;
+bool has_thin_wall(const Grid& grid, DistanceSource& outer, DistanceSource& cavity) {
+    constexpr double same_direction = 0.8;  // [–] cosine
+    const double thin = min_wall_voxels * grid.spacing, in_brick = 0.5 * brick_edge * std::sqrt(3.0) * grid.spacing;
     const auto gradient = [&](DistanceSource& source, Vec3 p) {
         const double d = 0.25 * grid.spacing;
         const auto distance = as_function(source);
@@ -81,8 +81,8 @@ bool has_thin_wall(const Grid& grid, DistanceSource& outer, DistanceSource& room
     const auto is_thin_at = [&](Vec3 p) {
         const double to_outer = outer.at(p, within(thin));
         if (std::abs(to_outer) > thin) return false;
-        const double thickness = room.at(p, within(2.0 * thin)) - to_outer;
-        return thickness > 0.0 && thickness < thin && dot(gradient(outer, p), gradient(room, p)) > same_way;
+        const double thickness = cavity.at(p, within(2.0 * thin)) - to_outer;
+        return thickness > 0.0 && thickness < thin && dot(gradient(outer, p), gradient(cavity, p)) > same_direction;
     };
     for (int k = 0; k < grid.bricks[2]; ++k)
         for (int j = 0; j < grid.bricks[1]; ++j)
@@ -90,9 +90,9 @@ bool has_thin_wall(const Grid& grid, DistanceSource& outer, DistanceSource& room
                 const double half = 0.5 * brick_edge * grid.spacing;
                 const Vec3 centre =
                     grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge) + Vec3{half, half, half};
-                const double near_outer = in_brick + thin, near_room = in_brick + 2.0 * thin;
+                const double near_outer = in_brick + thin, near_cavity = in_brick + 2.0 * thin;
                 if (std::abs(outer.at(centre, within(near_outer))) > near_outer ||
-                    std::abs(room.at(centre, within(near_room))) > near_room)
+                    std::abs(cavity.at(centre, within(near_cavity))) > near_cavity)
                     continue;
                 for (int n = 0; n < brick_edge * brick_edge * brick_edge; ++n)
                     if (is_thin_at(grid.sample_position(i * brick_edge + n % brick_edge,
@@ -141,13 +141,13 @@ BoneShape phantom_shape(const Anatomy& anatomy) {
 /// limit applies to all walls except a thousandth of their area.
 bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, const Anatomy& anatomy,
                       Diagnostics& diagnostics) {
-    const double needed = least_wall_voxels * spacing;
-    const auto least = thinnest(walls);
-    if (!least || least->thickness >= needed) return true;
+    const double needed = min_wall_voxels * spacing;
+    const auto smallest = thinnest(walls);
+    if (!smallest || smallest->thickness >= needed) return true;
     const Reason file =
         anatomy.mesh ? in_anatomy(anatomy, {"mesh", "file"}) : in_anatomy(anatomy, {"phantom", "parts"});
     const std::string thin =
-        "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at);
+        "the bone is only " + rounded(smallest->thickness * 1e3, 2) + " mm thick at " + position_text(smallest->at);
     const double carried = thickness_at(walls, 1e-3);
     if (carried >= needed) {
         diagnostics.push_back(warning_at(
@@ -156,11 +156,11 @@ bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, cons
                 " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry. There it is felt too weakly."));
         return true;
     }
-    const double fine_enough = std::floor(carried / least_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
+    const double fine_enough = std::floor(carried / min_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
     const bool can_be_carried = fine_enough >= finest_spacing;
     Diagnostic plate =
         error_at(file, "E0655",
-                 thin + ", with air on both sides, and " + rounded(100.0 * share_under(walls, needed), 1) +
+                 thin + ", with air on both sides, and " + rounded(100.0 * fraction_under(walls, needed), 1) +
                      " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) +
                      " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry." +
                      (can_be_carried ? "" : " No spacing carries that. Make it thicker there, or plan where it is."));
@@ -180,12 +180,12 @@ bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>
            0.9 /* the estimate is a few per cent off */)
         fits *= 1.1;
     const Vec3 extent = bounds.high - bounds.low;
-    const bool is_memory = needed.bytes > most_bone_memory;
+    const bool is_memory = needed.bytes > max_bone_memory;
     Diagnostic large = error_at(
         bone_in(anatomy), "E0602",
         "a bone of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
             rounded(extent.z * 1e3, 0) + " mm at a spacing of " + rounded(spacing * 1e3, 3) + " mm takes about " +
-            (is_memory ? rounded(needed.bytes / most_bone_memory * 4.0, 1) + " GB of memory, must be at most 4 GB."
+            (is_memory ? rounded(needed.bytes / max_bone_memory * 4.0, 1) + " GB of memory, must be at most 4 GB."
                        : rounded(needed.bricks * 1e-6, 1) + " million bricks of 8³ samples, " +
                              rounded(needed.cuttable * 1e-6, 1) +
                              " million of them bone; must be at most 16 million, and 2.9 million.") +
@@ -198,9 +198,9 @@ bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>
 
 /// A source that reports progress for every hundredth of the grid's height. Its callers process the grid layer by
 /// layer, some of them twice.
-class Told final : public DistanceSource {
+class ProgressSource final : public DistanceSource {
 public:
-    Told(DistanceSource& distance, const Grid& grid, const Progress& progress, std::string what)
+    ProgressSource(DistanceSource& distance, const Grid& grid, const Progress& progress, std::string what)
         : distance_(&distance),
           progress_(&progress),
           what_(std::move(what)),
@@ -208,21 +208,21 @@ public:
           depth_(grid.spacing * brick_edge * grid.bricks[1]),
           height_(grid.spacing * brick_edge * grid.bricks[2]) {}
     [[nodiscard]] double at(Vec3 p, DistanceRange needed) override {
-        tell(p.z);
+        report_progress(p.z);
         return distance_->at(p, needed);
     }
     void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override {
-        const double share_of_layer = (lattice.y.front() - low_.y) / depth_;
-        tell(lattice.z.front() + share_of_layer * (lattice.z.back() - lattice.z.front()));
+        const double fraction_of_layer = (lattice.y.front() - low_.y) / depth_;
+        report_progress(lattice.z.front() + fraction_of_layer * (lattice.z.back() - lattice.z.front()));
         distance_->fill(lattice, needed, distances);
     }
 
 private:
-    void tell(double z) {
+    void report_progress(double z) {
         if (!*progress_) return;
         const int hundredth = std::clamp(static_cast<int>(100.0 * (z - low_.z) / height_), 0, 100);
-        if (hundredth > told_of_ || hundredth + 50 < told_of_ /* begun anew */)
-            (*progress_)(0.01 * (told_of_ = hundredth), what_);
+        if (hundredth > reported_ || hundredth + 50 < reported_ /* begun anew */)
+            (*progress_)(0.01 * (reported_ = hundredth), what_);
     }
 
     DistanceSource* distance_;
@@ -230,7 +230,7 @@ private:
     std::string what_;
     Vec3 low_;
     double depth_, height_;
-    int told_of_ = -1;
+    int reported_ = -1;
 };
 
 void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportReport& report) {
@@ -285,63 +285,63 @@ std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostic
     body.id = anatomy.id;
     if (ct || (mesh && mesh->is_part)) body.region = {bounds.low, bounds.high};
     std::optional<TriangleTree> surface_tree;
-    std::vector<TriangleTree> room_trees;
+    std::vector<TriangleTree> cavity_trees;
     if (mesh) surface_tree.emplace(mesh->surface);
     if (mesh)
-        for (const SurfaceMesh& one : mesh->rooms) room_trees.emplace_back(one);
-    const bool has_rooms = !room_trees.empty() || is_taken_away_last(anatomy.phantom);
-    std::unique_ptr<DistanceSource> source, source_of_rooms;
+        for (const SurfaceMesh& one : mesh->inner_surfaces) cavity_trees.emplace_back(one);
+    const bool has_cavities = !cavity_trees.empty() || subtracts_last(anatomy.phantom);
+    std::unique_ptr<DistanceSource> source, source_of_cavities;
     if (ct)
         source =
             std::make_unique<FunctionDistance>([&](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); });
     else if (mesh)
         source = std::make_unique<MeshDistances>(*surface_tree);
-    else if (has_rooms)
+    else if (has_cavities)
         source =
             std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to_parts(anatomy.phantom, false, p); });
     else
         source = std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to(anatomy.phantom, p); });
-    if (!room_trees.empty())
-        source_of_rooms =
-            std::make_unique<NearestSurface>(std::vector<MeshDistances>(room_trees.begin(), room_trees.end()));
+    if (!cavity_trees.empty())
+        source_of_cavities =
+            std::make_unique<NearestSurface>(std::vector<MeshDistances>(cavity_trees.begin(), cavity_trees.end()));
     else
-        source_of_rooms =
+        source_of_cavities =
             std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); });
     // Beyond the imported region, bone continues as it is at the region's face.
-    InRegion outer(*source, body.region), room(*source_of_rooms, body.region);
-    WithoutRooms without_rooms(outer, room);
-    DistanceSource& bone = has_rooms ? static_cast<DistanceSource&>(without_rooms) : outer;
+    InRegion outer(*source, body.region), cavity(*source_of_cavities, body.region);
+    WithoutCavities without_cavities(outer, cavity);
+    DistanceSource& bone = has_cavities ? static_cast<DistanceSource&>(without_cavities) : outer;
     DistanceSource& face = mesh ? outer : bone;  // the shell of a mesh lies under its outside, not around the canal
     std::vector<TissueBorder> tissue_borders;
     for (const Tissue& tissue : anatomy.tissues)
         if (&tissue != &anatomy.tissues.back()) tissue_borders.emplace_back(face, tissue);
 
     std::vector<Distance> borders{as_function(bone)};
-    if (has_rooms) borders.push_back(as_function(room));
+    if (has_cavities) borders.push_back(as_function(cavity));
     for (TissueBorder& border : tissue_borders) borders.push_back(as_function(border));
     if (!check_memory(bounds, spacing, borders, ct && anatomy.ct->density, anatomy, diagnostics)) return std::nullopt;
 
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
     if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
-    const auto say = [&](DistanceSource& distance, const std::string& what) {
-        return Told(distance, grid, options.progress, what);
+    const auto with_report = [&](DistanceSource& distance, const std::string& what) {
+        return ProgressSource(distance, grid, options.progress, what);
     };
     const std::string walls = "how thick its walls are", surface = "distances to its surface";
-    Told outer_for_walls = say(outer, walls);
-    const bool has_sheet = has_rooms && has_thin_wall(grid, outer_for_walls, room);
+    ProgressSource outer_for_walls = with_report(outer, walls);
+    const bool has_sheet = has_cavities && has_thin_wall(grid, outer_for_walls, cavity);
     DistanceSource& outside = has_sheet ? outer : bone;
     if (!ct && !mesh) {
-        Told told = say(outside, walls);
-        const double most = (least_wall_voxels + 1.0) * spacing;
-        if (!check_thin_walls(phantom_walls(grid, as_function(told), most), spacing, anatomy, diagnostics))
+        ProgressSource with_progress = with_report(outside, walls);
+        const double most = (min_wall_voxels + 1.0) * spacing;
+        if (!check_thin_walls(phantom_walls(grid, as_function(with_progress), most), spacing, anatomy, diagnostics))
             return std::nullopt;
     }
     const auto field_of = [&](DistanceSource& distance, const std::string& what) {
-        Told told = say(distance, what);
-        return LevelSet::build(grid, told);
+        ProgressSource with_progress = with_report(distance, what);
+        return LevelSet::build(grid, with_progress);
     };
     body.surface = field_of(outside, surface);
-    if (has_sheet) body.hollow = field_of(room, surface);
+    if (has_sheet) body.hollow = field_of(cavity, surface);
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
@@ -416,7 +416,7 @@ void check_axis(const Anatomy& anatomy, const LandmarkAxis& axis, const AxisInBo
             error_at(at(), "E0610",
                      "the axis `" + axis.id +
                          "` meets no bone. Check its points: LPS, millimetres, from outside into the bone."));
-    else if (found.share < least_share)
+    else if (found.share < min_fraction_in_bone)
         diagnostics.push_back(error_at(
             at(), "E0611",
             "the axis `" + axis.id + "` lies in bone for only " + rounded(100.0 * found.share, 0) +

@@ -32,7 +32,7 @@ constexpr std::size_t largest_text = 1u << 20;  // [bytes]
 constexpr double furthest = 2.0;                // [m] of a coordinate, as in documents
 
 /// An error of the file. `add_markups()` turns it into a Diagnostic.
-struct Refusal {
+struct ImportError {
     const char* code;
     std::string message;
 };
@@ -50,7 +50,7 @@ bool is_id(std::string_view word) {
 }
 
 /// Returns an id made of the letters of a label: `entry "left"` gives `entry-left`.
-std::string id_made_of(std::string_view label) {
+std::string id_from_label(std::string_view label) {
     std::string id;
     for (const char c : label) {
         if (id.size() == 40) break;
@@ -91,7 +91,7 @@ public:
 private:
     /// Returns the id of a label. A label that is not an id is recorded, and gets a provisional id.
     [[nodiscard]] std::string id_of(const std::string& label) {
-        if (label.empty()) throw Refusal{"E0683", "a markup has no label. Give it one in 3D Slicer."};
+        if (label.empty()) throw ImportError{"E0683", "a markup has no label. Give it one in 3D Slicer."};
         const auto renamed = file_.names.find(label);
         const std::string& id = renamed == file_.names.end() ? label : renamed->second;
         const std::string used = is_id(id) ? id : "no id: " + label;
@@ -100,10 +100,10 @@ private:
         return used;
     }
     /// Converts millimetres in the file's frame to LPS metres.
-    [[nodiscard]] Vec3 place(Vec3 mm) const {
+    [[nodiscard]] Vec3 to_lps(Vec3 mm) const {
         const Vec3 at = 1e-3 * (is_ras_ ? Vec3{-mm.x, -mm.y, mm.z} : mm);
         if (!is_finite(at) || std::abs(at.x) > furthest || std::abs(at.y) > furthest || std::abs(at.z) > furthest)
-            throw Refusal{"E0682", "a markup lies more than 2 m away. Export it in millimetres."};
+            throw ImportError{"E0682", "a markup lies more than 2 m away. Export it in millimetres."};
         return at;
     }
     void take_frame(const std::string& word) {
@@ -112,16 +112,16 @@ private:
         else if (word == "RAS" || word == "0")
             is_ras_ = true;
         else
-            throw Refusal{"E0681", "the coordinate system is " + shown(word) +
-                                       ", must be LPS or RAS. Export the markups from 3D Slicer again."};
+            throw ImportError{"E0681", "the coordinate system is " + shown(word) +
+                                           ", must be LPS or RAS. Export the markups from 3D Slicer again."};
     }
     void point(const std::string& label, Vec3 mm) {
-        found.points.push_back({id_of(label), place(mm), file_.tolerance, LandmarkPoint::Lies::anywhere});
+        found.points.push_back({id_of(label), to_lps(mm), file_.tolerance, LandmarkPoint::Lies::anywhere});
     }
     void markup(const Json& markup);
     [[nodiscard]] std::string name_of(const Json& markup, const std::string& first_label) const;
-    void line(const std::string& name, const std::vector<Vec3>& places);
-    void plane(const std::string& name, const Json& markup, const std::vector<Vec3>& places);
+    void line(const std::string& name, const std::vector<Vec3>& positions);
+    void plane(const std::string& name, const Json& markup, const std::vector<Vec3>& positions);
 
     const MarkupsFile& file_;
     std::vector<std::string> nameless_;
@@ -167,10 +167,11 @@ std::vector<std::string> cells_of(std::string_view line) {
         } else if (!was_quoted || is_quoted) {
             cells.back() += c;
         } else if (c != ' ' && c != '\t') {
-            throw Refusal{"E0680", "a line has text behind a quoted cell. Export the markups again."};
+            throw ImportError{"E0680", "a line has text behind a quoted cell. Export the markups again."};
         }
     }
-    if (is_quoted) throw Refusal{"E0680", "a line has a quotation mark that is not closed. Export the markups again."};
+    if (is_quoted)
+        throw ImportError{"E0680", "a line has a quotation mark that is not closed. Export the markups again."};
     if (!was_quoted) cells.back() = std::string(trimmed(cells.back()));
     return cells;
 }
@@ -198,14 +199,15 @@ void Reader::fcsv(std::string_view text) {
             continue;
         }
         if (!has_frame)
-            throw Refusal{"E0681", "the file does not say its coordinate system. "
-                                   "Export the markups from 3D Slicer again, as .mrk.json."};
+            throw ImportError{"E0681", "the file does not say its coordinate system. "
+                                       "Export the markups from 3D Slicer again, as .mrk.json."};
         const std::vector<std::string> cells = cells_of(line);
         const auto cell = [&](const char* name) -> std::string {
             const auto column = std::find(columns.begin(), columns.end(), name);
             const auto at = static_cast<std::size_t>(column - columns.begin());
             if (column == columns.end() || at >= cells.size())
-                throw Refusal{"E0680", std::string("a line has no column `") + name + "`. Export the markups again."};
+                throw ImportError{"E0680",
+                                  std::string("a line has no column `") + name + "`. Export the markups again."};
             return cells[at];
         };
         const auto number = [&](const char* name) {
@@ -214,8 +216,8 @@ void Reader::fcsv(std::string_view text) {
             const std::size_t plus = word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0;
             const auto end = std::from_chars(word.data() + plus, word.data() + word.size(), value);
             if (end.ec != std::errc{} || end.ptr != word.data() + word.size())
-                throw Refusal{"E0680", std::string("`") + name + "` of a point is " + shown(word) +
-                                           ", must be a number. Export the markups again."};
+                throw ImportError{"E0680", std::string("`") + name + "` of a point is " + shown(word) +
+                                               ", must be a number. Export the markups again."};
             return value;
         };
         const double x = number("x"), y = number("y"), z = number("z");
@@ -227,8 +229,8 @@ void Reader::fcsv(std::string_view text) {
 
 /// Refuses a value in another form than 3D Slicer writes it.
 [[noreturn]] void refuse_form(const char* key, const char* form) {
-    throw Refusal{"E0680", std::string("`") + key + "` of a markup is not " + form +
-                               ". Export the markups from 3D Slicer again."};
+    throw ImportError{"E0680", std::string("`") + key + "` of a markup is not " + form +
+                                   ". Export the markups from 3D Slicer again."};
 }
 
 /// Returns the text of a key; nothing if the key is absent. Refuses a value that is not text.
@@ -261,25 +263,26 @@ std::optional<std::string> unit_of(const Json& map) {
                               : (*at)[0].get<std::string>() + " of " + (*at)[1].get<std::string>();
 }
 
-void Reader::line(const std::string& name, const std::vector<Vec3>& places) {
-    if (places.size() != 2 || length(places[1] - places[0]) < 1e-6)
-        throw Refusal{"E0682", "the line " + shown(name) + " needs two points apart from each other. Place both."};
-    found.axes.push_back({id_of(name), places[0], places[1], file_.tolerance});
+void Reader::line(const std::string& name, const std::vector<Vec3>& positions) {
+    if (positions.size() != 2 || length(positions[1] - positions[0]) < 1e-6)
+        throw ImportError{"E0682", "the line " + shown(name) + " needs two points apart from each other. Place both."};
+    found.axes.push_back({id_of(name), positions[0], positions[1], file_.tolerance});
 }
 
-void Reader::plane(const std::string& name, const Json& markup, const std::vector<Vec3>& places) {
+void Reader::plane(const std::string& name, const Json& markup, const std::vector<Vec3>& positions) {
     const std::optional<Vec3> centre = vector_of(markup, "center"), origin = vector_of(markup, "origin"),
                               normal = vector_of(markup, "normal"), at = centre ? centre : origin;
     Vec3 where{}, across{};
     if (at && normal) {
-        where = place(*at);
+        where = to_lps(*at);
         across = is_ras_ ? Vec3{-normal->x, -normal->y, normal->z} : *normal;
-    } else if (places.size() >= 3) {
-        where = places[0];
-        across = 1e6 * cross(places[1] - places[0], places[2] - places[0]);  // [mm²]
+    } else if (positions.size() >= 3) {
+        where = positions[0];
+        across = 1e6 * cross(positions[1] - positions[0], positions[2] - positions[0]);  // [mm²]
     }
     if (!is_finite(across) || length(across) < 1e-3)
-        throw Refusal{"E0682", "the plane " + shown(name) + " has no normal. Place it in 3D Slicer and save it again."};
+        throw ImportError{"E0682",
+                          "the plane " + shown(name) + " has no normal. Place it in 3D Slicer and save it again."};
     found.planes.push_back({id_of(name), where, normalized(across), file_.tolerance});
 }
 
@@ -289,20 +292,22 @@ std::string Reader::name_of(const Json& markup, const std::string& first_label) 
 }
 
 void Reader::markup(const Json& markup) {
-    if (!markup.is_object()) throw Refusal{"E0680", "a markup is no object. Export the markups again."};
+    if (!markup.is_object()) throw ImportError{"E0680", "a markup is no object. Export the markups again."};
     const auto frame = text_of(markup, "coordinateSystem");
-    if (!frame) throw Refusal{"E0681", "a markup does not say its `coordinateSystem`. Export it from 3D Slicer again."};
+    if (!frame)
+        throw ImportError{"E0681", "a markup does not say its `coordinateSystem`. Export it from 3D Slicer again."};
     take_frame(*frame);
     if (const std::string unit = unit_of(markup).value_or("mm"); unit != "mm")
-        throw Refusal{"E0681", "the coordinates are in " + shown(unit) + ", must be mm. Export them in millimetres."};
+        throw ImportError{"E0681",
+                          "the coordinates are in " + shown(unit) + ", must be mm. Export them in millimetres."};
     const auto type = text_of(markup, "type");
-    if (!type) throw Refusal{"E0682", "a markup does not say its `type`. Export it from 3D Slicer again."};
+    if (!type) throw ImportError{"E0682", "a markup does not say its `type`. Export it from 3D Slicer again."};
 
-    std::vector<Vec3> places;
+    std::vector<Vec3> positions;
     std::string first_label;
     const auto points = markup.find("controlPoints");
     if (points == markup.end() && *type == "Fiducial")
-        throw Refusal{"E0682", "a markup has no `controlPoints`. Place its points in 3D Slicer and save it again."};
+        throw ImportError{"E0682", "a markup has no `controlPoints`. Place its points in 3D Slicer and save it again."};
     if (points != markup.end() && !points->is_array()) refuse_form("controlPoints", "a list");
     if (points != markup.end())
         for (const Json& one : *points) {
@@ -311,20 +316,20 @@ void Reader::markup(const Json& markup) {
             const std::string status = text_of(one, "positionStatus").value_or("defined");
             const bool is_placed = status == "defined" && one.contains("position");
             if (!is_placed)
-                throw Refusal{"E0682",
-                              "a point " + shown(label) + " has no place. Place it in 3D Slicer, or delete it."};
+                throw ImportError{"E0682",
+                                  "a point " + shown(label) + " has no place. Place it in 3D Slicer, or delete it."};
             const Vec3 mm = *vector_of(one, "position");
             if (*type == "Fiducial")
                 point(label, mm);
             else
-                places.push_back(place(mm));
+                positions.push_back(to_lps(mm));
             if (first_label.empty()) first_label = label;
         }
     if (*type == "Fiducial") return;
-    if (*type == "Line") return line(name_of(markup, first_label), places);
-    if (*type == "Plane") return plane(name_of(markup, first_label), markup, places);
-    throw Refusal{"E0682", "a markup is of type " + shown(*type) +
-                               "; points (Fiducial), lines (Line) and planes (Plane) are read. Remove it."};
+    if (*type == "Line") return line(name_of(markup, first_label), positions);
+    if (*type == "Plane") return plane(name_of(markup, first_label), markup, positions);
+    throw ImportError{"E0682", "a markup is of type " + shown(*type) +
+                                   "; points (Fiducial), lines (Line) and planes (Plane) are read. Remove it."};
 }
 
 /// Returns the document. Refuses an object with a repeated key, because the parser would silently keep one value.
@@ -340,7 +345,7 @@ Json parsed(const std::string& text) {
     };
     Json document = Json::parse(text, watch, false);
     if (!document.is_discarded() && twice)
-        throw Refusal{"E0680", "the key " + shown(*twice) + " occurs twice in one object. Remove one."};
+        throw ImportError{"E0680", "the key " + shown(*twice) + " occurs twice in one object. Remove one."};
     return document;
 }
 
@@ -348,7 +353,8 @@ void Reader::json(const std::string& text) {
     const Json document = parsed(text);
     if (document.is_discarded() || !document.is_object() || !document.contains("markups") ||
         !document["markups"].is_array())
-        throw Refusal{"E0680", "this is no file of 3D Slicer's markups: it has no list `markups`. Export it again."};
+        throw ImportError{"E0680",
+                          "this is no file of 3D Slicer's markups: it has no list `markups`. Export it again."};
     for (const Json& one : document["markups"]) markup(one);
 }
 
@@ -377,23 +383,23 @@ void Reader::check_names(const Anatomy& anatomy) const {
     if (nameless_.empty()) return;
     for (const std::string& label : nameless_)  // no document may contain these characters
         if (printable(label) != label)
-            throw Refusal{"E0683", "a markup is called " + shown(label) +
-                                       ", which holds characters that show nothing. Rename it in 3D Slicer."};
-    constexpr std::size_t most = 20;
+            throw ImportError{"E0683", "a markup is called " + shown(label) +
+                                           ", which holds characters that show nothing. Rename it in 3D Slicer."};
+    constexpr std::size_t largest = 20;
     std::set<std::string> given;
     std::string entries;
-    for (std::size_t n = 0; n < std::min(most, nameless_.size()); ++n) {
-        const std::string id = free_id(id_made_of(nameless_[n]), [&](const std::string& one) {
+    for (std::size_t n = 0; n < std::min(largest, nameless_.size()); ++n) {
+        const std::string id = free_id(id_from_label(nameless_[n]), [&](const std::string& one) {
             return given.contains(one) || found.labels.contains(one) || has_landmark(anatomy, one);
         });
         given.insert(id);
         entries += (n > 0 ? ", " : "") + entry_of(nameless_[n], id);
     }
     const std::size_t others = nameless_.size() - 1;
-    throw Refusal{"E0683", "a markup is called " + shown(nameless_.front()) + ", which is no id" +
-                               (others == 0 ? "" : ", and so are " + std::to_string(others) + " more") + ". Give " +
-                               (others == 0 ? "it one" : "them ids") + ": " + advice(file_, entries) +
-                               (nameless_.size() > most ? ", and so on." : ".")};
+    throw ImportError{"E0683", "a markup is called " + shown(nameless_.front()) + ", which is no id" +
+                                   (others == 0 ? "" : ", and so are " + std::to_string(others) + " more") + ". Give " +
+                                   (others == 0 ? "it one" : "them ids") + ": " + advice(file_, entries) +
+                                   (nameless_.size() > largest ? ", and so on." : ".")};
 }
 
 template <class Landmark>
@@ -406,12 +412,12 @@ void move_into(std::vector<Landmark>& all, const Reader& reader, const MarkupsFi
             const std::string id = free_id(one.id, [&](const std::string& other) {
                 return has_landmark(anatomy, other) || reader.found.labels.contains(other);
             });
-            throw Refusal{"E0683", "there are two landmarks `" + one.id + "`. " +
-                                       (is_one_label ? "Both have the label " + shown(labels.front()) +
-                                                           " in the file: rename one in 3D Slicer."
-                                        : file.names.contains(labels.back())
-                                            ? "Write another id for " + shown(labels.back()) + " under `names`."
-                                            : "Rename one: " + advice(file, entry_of(labels.back(), id)) + ".")};
+            throw ImportError{"E0683", "there are two landmarks `" + one.id + "`. " +
+                                           (is_one_label ? "Both have the label " + shown(labels.front()) +
+                                                               " in the file: rename one in 3D Slicer."
+                                            : file.names.contains(labels.back())
+                                                ? "Write another id for " + shown(labels.back()) + " under `names`."
+                                                : "Rename one: " + advice(file, entry_of(labels.back(), id)) + ".")};
         }
         all.push_back(one);
     }
@@ -424,7 +430,7 @@ void add(const MarkupsFile& file, const std::string& path, const std::string& te
     else if (path.ends_with(".json"))
         reader.json(text);
     else
-        throw Refusal{"E0680", "the file's ending names no markups. Use .mrk.json or .fcsv."};
+        throw ImportError{"E0680", "the file's ending names no markups. Use .mrk.json or .fcsv."};
     reader.check_names(anatomy);
     Anatomy more = anatomy;
     move_into(more.points, reader, file, reader.found.points, more);
@@ -460,7 +466,7 @@ std::vector<std::uint64_t> add_markups(Anatomy& anatomy, Diagnostics& diagnostic
         hashes.push_back(hash.value());
         try {
             add(file, path, *text, anatomy);
-        } catch (const Refusal& refusal) {
+        } catch (const ImportError& refusal) {
             diagnostics.push_back(error_about(path, refusal.code, refusal.message));
             because_named();
         }

@@ -92,18 +92,18 @@ bool make_sound(SurfaceFile& file, const SurfaceFile* other, const Anatomy& anat
              "the surface is " + millimetres(std::max({extent.x, extent.y, extent.z}), 3) + " long, which no bone is.",
              "If its numbers are in another unit, write `unit: " + found.likely_unit + "`.");
     }
-    if (file.holds_floats && found.float_step > coarse)
+    if (file.has_floats && found.float_step > coarse)
         warn("W0657",
              "the surface lies so far from the origin that its file's numbers are steps of " +
                  millimetres(found.float_step, 2) + "; bone needs 0.02 mm.",
              "Move it to the origin where it was made, and export it again.");
     const Box region = planned_region(anatomy.axes, found.bounds);
-    const auto near = std::count_if(found.crossing_places.begin(), found.crossing_places.end(),
+    const auto near = std::count_if(found.crossing_positions.begin(), found.crossing_positions.end(),
                                     [&](Vec3 at) { return anatomy.axes.empty() || is_within(region, at); });
     if (near > 0)
         warn("W0656",
              std::to_string(near) + (near == 1 ? " pair" : " pairs") +
-                 " of faces near the axes cut through one another, the first at " + place_text(found.crossings.at) +
+                 " of faces near the axes cut through one another, the first at " + position_text(found.crossings.at) +
                  "; bone may feel thin where they do.",
              "Join the parts of the surface into one in the program that made it.");
 
@@ -138,10 +138,10 @@ SurfaceMesh mesh_of(const TubeSolid& tube) {
 }
 
 void note_walls(const MeshBone& bone, std::vector<std::string>& notes) {
-    const auto least = thinnest(bone.walls);
-    if (!least) return;
-    notes.push_back("Walls from face to face, straight inwards: thinnest " + millimetres(least->thickness, 2) +
-                    ", at " + place_text(least->at) + "; 1 % of the surface is under " +
+    const auto smallest = thinnest(bone.walls);
+    if (!smallest) return;
+    notes.push_back("Walls from face to face, straight inwards: thinnest " + millimetres(smallest->thickness, 2) +
+                    ", at " + position_text(smallest->at) + "; 1 % of the surface is under " +
                     millimetres(thickness_at(bone.walls, 0.01), 2) + ", half under " +
                     millimetres(thickness_at(bone.walls, 0.5), 2) + ".");
 }
@@ -150,10 +150,11 @@ void note_walls(const MeshBone& bone, std::vector<std::string>& notes) {
 
 SurfaceMesh whole_surface_of(const MeshBone& bone) {
     SurfaceMesh whole = bone.surface;
-    for (const SurfaceMesh& room : bone.rooms) {
+    for (const SurfaceMesh& cavity : bone.inner_surfaces) {
         const auto first = static_cast<std::uint32_t>(whole.vertices.size());
-        whole.vertices.insert(whole.vertices.end(), room.vertices.begin(), room.vertices.end());
-        for (const Triangle& t : room.triangles) whole.triangles.push_back({t[0] + first, t[2] + first, t[1] + first});
+        whole.vertices.insert(whole.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
+        for (const Triangle& t : cavity.triangles)
+            whole.triangles.push_back({t[0] + first, t[2] + first, t[1] + first});
     }
     return whole;
 }
@@ -179,20 +180,20 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surfa
     if (!is_sound(surface, canal, source.file, {"mesh", "file"})) return std::nullopt;
     bone.surface = std::move(surface.mesh);
     if (SurfaceMesh cavities = taken_cavities(bone.surface); !cavities.triangles.empty())
-        bone.rooms.push_back(std::move(cavities));
+        bone.inner_surfaces.push_back(std::move(cavities));
     const Box bounds = bone.region = bounds_of(bone.surface);
     if (canal) {
         notes.push_back("The canal, a surface of its own:");
-        SurfaceFile room = *canal, outside;
+        SurfaceFile cavity = *canal, outside;
         outside.is_ras = frame_of_surface;
-        if (is_in_ras(room, &outside, source) != is_in_ras(outside, canal, source))
-            notes.push_back(frame_note(room, &outside, source));
-        if (!is_sound(room, &outside, source.canal_file, {"mesh", "canal", "file"})) return std::nullopt;
-        bone.rooms.push_back(std::move(room.mesh));
+        if (is_in_ras(cavity, &outside, source) != is_in_ras(outside, canal, source))
+            notes.push_back(frame_note(cavity, &outside, source));
+        if (!is_sound(cavity, &outside, source.canal_file, {"mesh", "canal", "file"})) return std::nullopt;
+        bone.inner_surfaces.push_back(std::move(cavity.mesh));
     } else if (source.canal) {
         notes.push_back("Canal: a tube of " + millimetres(2.0 * source.canal->radius) + " diameter, " +
                         millimetres(length(source.canal->to - source.canal->from)) + " long.");
-        bone.rooms.push_back(mesh_of(*source.canal));
+        bone.inner_surfaces.push_back(mesh_of(*source.canal));
     }
 
     if (has_fits(anatomy)) {
@@ -207,7 +208,7 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surfa
         if (is_empty(bone.region)) {
             Diagnostic apart = error_at(in_anatomy(anatomy, {"landmarks", "axes"}), "E0652",
                                         "the landmarks' axes lie outside the surface, which goes from " +
-                                            place_text(bounds.low) + " to " + place_text(bounds.high) +
+                                            position_text(bounds.low) + " to " + position_text(bounds.high) +
                                             ". Check that the axes are LPS, and `mesh.unit` and `mesh.frame`.");
             apart.reason = in_anatomy(anatomy, {"mesh", "file"}, "the surface is named here.");
             diagnostics.push_back(std::move(apart));

@@ -22,11 +22,11 @@ namespace kerf {
 
 /// Closed surfaces, oriented outwards. Metres, LPS.
 struct MeshBone {
-    SurfaceMesh surface;             ///< outer surface only
-    std::vector<SurfaceMesh> rooms;  ///< cavities and canal; closed, oriented out of the cavity
-    Box region{};                    ///< around the axes; without axes, around the surface
-    bool is_part = false;            ///< data outside the region are not used
-    std::vector<WallSample> walls;   ///< of the outside, from face to face, in the region
+    SurfaceMesh surface;                      ///< outer surface only
+    std::vector<SurfaceMesh> inner_surfaces;  ///< cavities and canal; closed, oriented out of the cavity
+    Box region{};                             ///< around the axes; without axes, around the surface
+    bool is_part = false;                     ///< data outside the region are not used
+    std::vector<WallSample> walls;            ///< of the outside, from face to face, in the region
     ImportReport report;
 };
 

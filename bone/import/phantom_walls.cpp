@@ -10,26 +10,26 @@ namespace {
 constexpr double facing = -0.8;  // [–] cosine between the outward normals on both sides of a wall
 }  // namespace
 
-std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<double(Vec3)>& distance, double most) {
+std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<double(Vec3)>& distance, double largest) {
     const double h = grid.spacing, finest = 0.02 * h;
-    const auto way_out = [&](Vec3 p) {
+    const auto outward_normal = [&](Vec3 p) {
         const double d = 0.05 * h;
         return normalized(Vec3{distance(p + Vec3{d, 0, 0}) - distance(p - Vec3{d, 0, 0}),
                                distance(p + Vec3{0, d, 0}) - distance(p - Vec3{0, d, 0}),
                                distance(p + Vec3{0, 0, d}) - distance(p - Vec3{0, 0, d})});
     };
     std::vector<WallSample> walls;
-    const auto look_at = [&](Vec3 p) {
+    const auto measure_at = [&](Vec3 p) {
         const double d = distance(p);
         if (std::abs(d) > 0.5 * h) return;
-        const Vec3 out = way_out(p), at = p - d * out;
+        const Vec3 out = outward_normal(p), at = p - d * out;
         // Inside, the distance is a lower bound for the step to the other side.
         double thickness = finest, depth = -distance(at - thickness * out);
-        for (; thickness < most && depth > 0.0; depth = -distance(at - thickness * out))
+        for (; thickness < largest && depth > 0.0; depth = -distance(at - thickness * out))
             thickness += std::max(depth, finest);
         thickness += std::min(depth, 0.0);  // the last step overshot by this distance
-        if (thickness >= most) return walls.push_back({HUGE_VAL, h * h, at});
-        if (dot(out, way_out(at - thickness * out)) < facing) walls.push_back({thickness, h * h, at});
+        if (thickness >= largest) return walls.push_back({HUGE_VAL, h * h, at});
+        if (dot(out, outward_normal(at - thickness * out)) < facing) walls.push_back({thickness, h * h, at});
     };
     const double half = 0.5 * brick_edge * h, in_brick = std::sqrt(3.0) * half;
     for (int k = 0; k < grid.bricks[2]; ++k)
@@ -38,8 +38,8 @@ std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<doub
                 const int x = i * brick_edge, y = j * brick_edge, z = k * brick_edge;
                 if (std::abs(distance(grid.sample_position(x, y, z) + Vec3{half, half, half})) > in_brick + h) continue;
                 for (int n = 0; n < brick_edge * brick_edge * brick_edge; ++n)
-                    look_at(grid.sample_position(x + n % brick_edge, y + n / brick_edge % brick_edge,
-                                                 z + n / (brick_edge * brick_edge)));
+                    measure_at(grid.sample_position(x + n % brick_edge, y + n / brick_edge % brick_edge,
+                                                    z + n / (brick_edge * brick_edge)));
             }
     return walls;
 }

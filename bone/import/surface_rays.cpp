@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-constexpr double least_step = 0.05e-3;  // [m] may miss thinner bone
+constexpr double min_step = 0.05e-3;  // [m] may miss thinner bone
 
 /// The stretch of a ray in a box [m]; empty if `low` is above `high`.
 struct Stretch {
@@ -39,13 +39,13 @@ RayHit surface_inwards(const BoneShape& bone, Vec3 centre, Vec3 direction, doubl
     double outer = known.high, at_outer = distance_at(outer);
     if (at_outer <= 0.0) return {RayHit::Kind::starts_in_bone, far};
     while (outer > known.low) {
-        double inner = std::max(known.low, outer - std::max(at_outer, least_step)), at_inner = distance_at(inner);
+        double inner = std::max(known.low, outer - std::max(at_outer, min_step)), at_inner = distance_at(inner);
         if (at_inner > 0.0) {
             outer = inner;
             at_outer = at_inner;
             continue;
         }
-        while (outer - inner > least_step) {
+        while (outer - inner > min_step) {
             const double middle = 0.5 * (outer + inner), at_middle = distance_at(middle);
             (at_middle > 0.0 ? outer : inner) = middle;
             (at_middle > 0.0 ? at_outer : at_inner) = at_middle;

@@ -23,14 +23,14 @@ void extend(VoxelImage& image, std::vector<std::uint8_t> known) {
                 visit(i + x, j + y, k + z);
     };
     constexpr std::uint8_t is_known = 1, is_next = 2;
-    const auto look_from = [&](int i, int j, int k) {
+    const auto visit_neighbours = [&](int i, int j, int k) {
         has_unknown_neighbour(i, j, k, [&](int x, int y, int z) {
             known[image.offset(x, y, z)] = is_next;
             next.push_back({x, y, z});
         });
     };
     for_each_voxel(image, [&](int i, int j, int k, std::size_t at) {
-        if (known[at] == is_known) look_from(i, j, k);
+        if (known[at] == is_known) visit_neighbours(i, j, k);
     });
     while (!next.empty()) {
         front.swap(next);
@@ -45,7 +45,7 @@ void extend(VoxelImage& image, std::vector<std::uint8_t> known) {
             image.values[image.offset(i, j, k)] = static_cast<float>(sum / count);
         }
         for (const auto& [i, j, k] : front) known[image.offset(i, j, k)] = is_known;
-        for (const auto& [i, j, k] : front) look_from(i, j, k);
+        for (const auto& [i, j, k] : front) visit_neighbours(i, j, k);
     }
 }
 
@@ -53,7 +53,7 @@ void extend(VoxelImage& image, std::vector<std::uint8_t> known) {
 
 std::optional<VoxelImage> densities_in_voxels(const VoxelImage& scan, const VoxelImage& distance, double cortex,
                                               const DensityLine& line, std::vector<std::string>& notes) {
-    double sum = 0.0, count = 0.0, least = HUGE_VAL, most = -HUGE_VAL;
+    double sum = 0.0, count = 0.0, smallest = HUGE_VAL, largest = -HUGE_VAL;
     VoxelImage density = scan;
     std::vector<std::uint8_t> known(scan.values.size(), 0);
     for (std::size_t at = 0; at < scan.values.size(); ++at) {
@@ -64,15 +64,15 @@ std::optional<VoxelImage> densities_in_voxels(const VoxelImage& scan, const Voxe
         density.values[at] = static_cast<float>(here);
         sum += here;
         count += 1.0;
-        least = std::min(least, here);
-        most = std::max(most, here);
+        smallest = std::min(smallest, here);
+        largest = std::max(largest, here);
     }
     const auto g_per_cm3 = [](double density_si, int digits) { return rounded(density_si * 1e-3, digits); };
     std::string note = "Density of the innermost tissue: " + g_per_cm3(line.at_zero, 2) + " + " +
                        g_per_cm3(line.per_unit, 6) + " × value g/cm3, at least " + g_per_cm3(line.floor, 2) +
                        " g/cm3; ";
-    note += count > 0.0 ? "by voxel, mean " + g_per_cm3(sum / count, 2) + ", from " + g_per_cm3(least, 2) + " to " +
-                              g_per_cm3(most, 2) + " g/cm3."
+    note += count > 0.0 ? "by voxel, mean " + g_per_cm3(sum / count, 2) + ", from " + g_per_cm3(smallest, 2) + " to " +
+                              g_per_cm3(largest, 2) + " g/cm3."
                         : "the same everywhere, as no voxel is deeper than the cortex.";
     notes.push_back(line.source.empty() ? note : note + " Source: " + line.source);
     if (count == 0.0) return std::nullopt;

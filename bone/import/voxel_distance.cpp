@@ -15,9 +15,9 @@ namespace kerf {
 namespace {
 
 /// Returns the distance to a plane from its crossings of the axes [m]; HUGE_VAL: it does not cross that axis.
-double distance_to_plane(const std::array<double, 3>& ways) {
+double distance_to_plane(const std::array<double, 3>& axis_distances) {
     double sum = 0.0;
-    for (const double way : ways) sum += 1.0 / (std::max(way, 1e-9) * std::max(way, 1e-9));
+    for (const double sign : axis_distances) sum += 1.0 / (std::max(sign, 1e-9) * std::max(sign, 1e-9));
     return sum > 0.0 ? 1.0 / std::sqrt(sum) : HUGE_VAL;
 }
 
@@ -27,9 +27,9 @@ using Side = std::array<double, 5>;
 /// Returns the value of pure bone or air on one side: the mean of the next three voxels, up to another border. It is
 /// not the larger of this mean and the first voxel: noise makes that too large and would move the border towards the
 /// middle between two voxels. The last argument is 1 for bone, −1 for air.
-double whole_of(const Side& side, double threshold, double way) {
-    const auto is_beyond = [&](double value) { return way * (value - threshold) < 0.0; };
-    if (is_beyond(side[2])) return way * (side[0] - side[1]) > 0.0 ? side[0] : side[1];
+double whole_of(const Side& side, double threshold, double sign) {
+    const auto is_beyond = [&](double value) { return sign * (value - threshold) < 0.0; };
+    if (is_beyond(side[2])) return sign * (side[0] - side[1]) > 0.0 ? side[0] : side[1];
     double sum = side[1];
     std::size_t count = 1;
     while (count < 3 && !is_beyond(side[count + 2])) sum += side[++count];
@@ -42,10 +42,10 @@ double crossing(const Side& inner, const Side& outer, double threshold) {
         0.2;  // [–] of the step from bone to air: a border with this much in the next voxels is not sharp
     const double here = inner[0], there = outer[0];
     const double share = (here - threshold) / (here - there);
-    const double way = here > there ? 1.0 : -1.0;
-    const double full = whole_of(inner, threshold, way), empty = whole_of(outer, threshold, -way);
+    const double sign = here > there ? 1.0 : -1.0;
+    const double full = whole_of(inner, threshold, sign), empty = whole_of(outer, threshold, -sign);
     const double whole = full - empty;
-    if (way * whole <= std::abs(here - there)) return share;  // a smaller step is noise: both are pure
+    if (sign * whole <= std::abs(here - there)) return share;  // a smaller step is noise: both are pure
     const double sharpness = std::min(1.0, 1.0 - std::min((full - here) / whole, (there - empty) / whole) / blurred);
     if (sharpness <= 0.0) return share;
     return sharpness * std::clamp((here + there - empty - threshold) / whole, 0.0, 1.0) + (1.0 - sharpness) * share;
@@ -63,7 +63,7 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double 
 
     // Voxels next to the border: by the crossings on the lines to their neighbours.
     for_each_voxel(image, [&](int i, int j, int k, std::size_t at) {
-        std::array<double, 3> ways{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+        std::array<double, 3> axis_distances{HUGE_VAL, HUGE_VAL, HUGE_VAL};
         const bool is_bone = mask.is_bone[at] != 0;
         for (std::size_t n = 0; n < face_neighbours.size(); ++n) {
             const auto& [x, y, z] = face_neighbours[n];
@@ -78,7 +78,7 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double 
                 const int a = i + steps * x, b = j + steps * y, c = k + steps * z;
                 return image.has(a, b, c) ? static_cast<double>(image.at(a, b, c)) : otherwise;
             };
-            const auto share_of_way = [&] {
+            const auto fraction_of_distance = [&] {
                 Side inner{here}, outer{there};
                 for (std::size_t step = 1; step < inner.size(); ++step) {  // beyond the image as at its end
                     inner[step] = value(-static_cast<int>(step), inner[step - 1]);
@@ -86,9 +86,10 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double 
                 }
                 return crossing(inner, outer, threshold);
             };
-            ways[n / 2] = std::min(ways[n / 2], (crosses ? share_of_way() : 0.5) * spacing[n / 2]);
+            axis_distances[n / 2] =
+                std::min(axis_distances[n / 2], (crosses ? fraction_of_distance() : 0.5) * spacing[n / 2]);
         }
-        const double near = distance_to_plane(ways);
+        const double near = distance_to_plane(axis_distances);
         if (near == HUGE_VAL) return;
         distance[at] = near;
         is_fixed[at] = 1;

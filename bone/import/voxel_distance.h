@@ -7,9 +7,9 @@ namespace kerf {
 
 /// Distances to the border of bone, on the grid of its scan.
 struct VoxelDistance {
-    VoxelImage distance;          ///< [m] to the border, negative in bone; its gradient has length 1
-    double crossing_share = 0.0;  ///< [–] fraction of the faces between bone and air where the values cross the
-                                  ///< threshold
+    VoxelImage distance;             ///< [m] to the border, negative in bone; its gradient has length 1
+    double crossing_fraction = 0.0;  ///< [–] fraction of the faces between bone and air where the values cross the
+                                     ///< threshold
 };
 
 /// Returns the distances to the border of bone. Between an inner voxel a and an outer voxel b the border lies at

@@ -6,7 +6,7 @@
 namespace kerf {
 namespace {
 
-constexpr double least_sine = 1e-6;  // below it two directions are parallel
+constexpr double min_sine = 1e-6;  // below it two directions are parallel
 
 }  // namespace
 
@@ -23,16 +23,16 @@ double angle_between(const Plane& one, const Plane& other) noexcept {
     return std::atan2(length(cross(one.normal, other.normal)), std::abs(dot(one.normal, other.normal)));
 }
 
-std::optional<Line> seen_in(const Plane& view, const Line& line) noexcept {
+std::optional<Line> projected_onto(const Plane& view, const Line& line) noexcept {
     const Vec3 in_view = line.direction - dot(line.direction, view.normal) * view.normal;
-    if (!(length(in_view) > least_sine)) return std::nullopt;
-    return Line{foot_on(view, line.point), normalized(in_view)};
+    if (!(length(in_view) > min_sine)) return std::nullopt;
+    return Line{nearest_on(view, line.point), normalized(in_view)};
 }
 
-std::optional<Line> seen_in(const Plane& view, const Plane& plane) noexcept {
+std::optional<Line> projected_onto(const Plane& view, const Plane& plane) noexcept {
     const Vec3 trace = cross(view.normal, plane.normal);
     const double sine = length(trace);
-    if (!(sine > least_sine)) return std::nullopt;
+    if (!(sine > min_sine)) return std::nullopt;
     // From the plane's point to the view, along the plane's steepest direction.
     const Vec3 down = normalized(cross(plane.normal, trace));
     const double per_length = dot(down, view.normal);

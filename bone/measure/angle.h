@@ -16,8 +16,8 @@ namespace kerf {
 [[nodiscard]] double angle_between(const Plane& one, const Plane& other) noexcept;
 
 /// Returns a line's projection onto a plane, such as the sagittal one. Nothing for a line along the plane's normal.
-[[nodiscard]] std::optional<Line> seen_in(const Plane& view, const Line& line) noexcept;
+[[nodiscard]] std::optional<Line> projected_onto(const Plane& view, const Line& line) noexcept;
 /// Returns the line in which a plane meets the view. Nothing for parallel planes.
-[[nodiscard]] std::optional<Line> seen_in(const Plane& view, const Plane& plane) noexcept;
+[[nodiscard]] std::optional<Line> projected_onto(const Plane& view, const Plane& plane) noexcept;
 
 }  // namespace kerf

@@ -13,24 +13,24 @@ namespace kerf {
 namespace {
 
 constexpr double bin = 1e-3;  // [m]
-constexpr std::size_t least_bins = 6;
+constexpr std::size_t min_bins = 6;
 
 }  // namespace
 
 std::optional<Measured> border_roughness(std::span<const Vec3> points, const Path& path, const BorderView& view,
                                          double wall) {
     if (path.along.size() < 2) return std::nullopt;
-    constexpr double least_cosine = 0.1;
+    constexpr double min_cosine = 0.1;
     const auto in_view = [&](Vec3 v) { return v - dot(v, view.normal) * view.normal; };
-    const Vec3 way = in_view(path.along.back() - path.along.front()), along = normalized(way);
+    const Vec3 chord = in_view(path.along.back() - path.along.front()), along = normalized(chord);
     Vec3 out = cross(view.normal, along);
     if (dot(out, view.side) < 0.0) out = -out;
-    if (!(dot(out, in_view(view.side)) > least_cosine)) return std::nullopt;
+    if (!(dot(out, in_view(view.side)) > min_cosine)) return std::nullopt;
 
     struct Top {
         double along = 0.0, out = -HUGE_VAL;
     };
-    std::vector<Top> outline(static_cast<std::size_t>(std::ceil(length(way) / bin)));
+    std::vector<Top> outline(static_cast<std::size_t>(std::ceil(length(chord) / bin)));
     for (const Vec3 p : points) {
         const Vec3 d = p - path.along.front();
         const double at = dot(d, along) / bin;
@@ -39,7 +39,7 @@ std::optional<Measured> border_roughness(std::span<const Vec3> points, const Pat
         if (dot(d, out) > top.out) top = {at, dot(d, out)};
     }
     std::erase_if(outline, [](const Top& top) { return !std::isfinite(top.out); });
-    if (outline.size() < least_bins) return std::nullopt;
+    if (outline.size() < min_bins) return std::nullopt;
 
     LeastSquares<3> equations;
     const double scale = static_cast<double>(outline.size());  // gives all unknowns the same order of magnitude

@@ -31,10 +31,10 @@ bool is_in(const WallWindow& window, Vec3 p, double margin) noexcept {
 void add_wall_points(const Body& body, const CutField& cut, const WallWindow& window, std::vector<Vec3>& points) {
     const Grid& grid = body.grid();
     const double half_brick = 0.5 * brick_edge * grid.spacing, brick_reach = half_brick * std::sqrt(3.0);
-    const double least_cosine = std::sqrt(0.5);
+    const double min_cosine = std::sqrt(0.5);
     const auto mesher = std::make_unique<BrickMesher>(body);
     for (std::size_t brick = 0; brick < grid.brick_count(); ++brick) {
-        const auto [i, j, k] = grid.brick_place(brick);
+        const auto [i, j, k] = grid.brick_coordinates(brick);
         const Vec3 middle = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge) +
                             Vec3{half_brick, half_brick, half_brick};
         if (!is_in(window, middle, brick_reach + grid.spacing) || !mesher->may_cross(cut, brick)) continue;
@@ -43,7 +43,7 @@ void add_wall_points(const Body& body, const CutField& cut, const WallWindow& wi
             const auto& [position, normal] = vertex;
             const Vec3 p{double{position[0]}, double{position[1]}, double{position[2]}};
             const Vec3 outwards{double{normal[0]}, double{normal[1]}, double{normal[2]}};
-            if (dot(outwards, window.normal) < least_cosine || !is_in(window, p, 0.0)) continue;
+            if (dot(outwards, window.normal) < min_cosine || !is_in(window, p, 0.0)) continue;
             if (uncut_distance(body, locate(body, p)) < -grid.spacing) points.push_back(p);
         }
     }
@@ -73,16 +73,16 @@ std::optional<CutWall> fit_wall(const std::vector<Vec3>& points, const WallWindo
     const double slope_deep = (od * aa - oa * da) / determinant, slope_aside = (oa * dd - od * da) / determinant;
     const double slope = std::sqrt(slope_deep * slope_deep + slope_aside * slope_aside);
 
-    double least = HUGE_VAL, most = -HUGE_VAL;
+    double smallest = HUGE_VAL, largest = -HUGE_VAL;
     for (const Vec3 p : points) {
         const InWindow at = in_window(window, p);
         const double left =
             at.off - mean.off - slope_deep * (at.deep - mean.deep) - slope_aside * (at.aside - mean.aside);
-        least = std::min(least, left);
-        most = std::max(most, left);
+        smallest = std::min(smallest, left);
+        largest = std::max(largest, left);
     }
-    return CutWall{std::atan(slope), std::abs(mean.off + 0.5 * kerf), (most - least) / std::sqrt(1.0 + slope * slope),
-                   points.size()};
+    return CutWall{std::atan(slope), std::abs(mean.off + 0.5 * kerf),
+                   (largest - smallest) / std::sqrt(1.0 + slope * slope), points.size()};
 }
 
 }  // namespace kerf

@@ -18,7 +18,7 @@ constexpr double longest_ray = 15e-3;  // [m]
 
 double uncut_at(const Body& body, Vec3 p) noexcept { return uncut_distance(body, locate(body, p)); }
 
-double bone_share(const Body& body, Vec3 p) noexcept {
+double bone_fraction(const Body& body, Vec3 p) noexcept {
     return std::clamp(0.5 - uncut_at(body, p) / body.grid().spacing, 0.0, 1.0);
 }
 
@@ -39,12 +39,12 @@ struct Section {
 
 /// Returns the distance from a point along a unit vector to the border of bone [m]; 0 outside bone, `longest_ray`
 /// without a border.
-double to_border(const Body& body, Vec3 from, Vec3 way) noexcept {
+double to_border(const Body& body, Vec3 from, Vec3 unit) noexcept {
     const double step = 0.5 * body.grid().spacing;
     double before = uncut_at(body, from);
     if (before >= 0.0) return 0.0;
     for (double far = step; far < longest_ray; far += step) {
-        const double now = uncut_at(body, from + far * way);
+        const double now = uncut_at(body, from + far * unit);
         if (now >= 0.0) return far - step * now / (now - before);
         before = now;
     }
@@ -57,13 +57,13 @@ Vec3 ray(const std::array<Vec3, 2>& plane, int k) noexcept {
 }
 
 double narrowness(const Body& body, Vec3 on_axis, const std::array<Vec3, 2>& plane) noexcept {
-    double least = longest_ray;
-    for (int k = 0; k < ray_count; ++k) least = std::min(least, to_border(body, on_axis, ray(plane, k)));
-    return least;
+    double smallest = longest_ray;
+    for (int k = 0; k < ray_count; ++k) smallest = std::min(smallest, to_border(body, on_axis, ray(plane, k)));
+    return smallest;
 }
 
-Section look_at(const Body& body, const HolePlan& plan, const DrilledShare& drilled, double depth,
-                const std::array<Vec3, 2>& plane) {
+Section section_at(const Body& body, const HolePlan& plan, const DrilledFraction& drilled, double depth,
+                   const std::array<Vec3, 2>& plane) {
     Section section{.depth = depth};
     const Vec3 middle = plan.entry + depth * plan.along;
     const double radius = plan.cutting.largest_radius(), reach = radius + plan.beside,
@@ -73,10 +73,10 @@ Section look_at(const Body& body, const HolePlan& plan, const DrilledShare& dril
         for (int j = -half; j <= half; ++j) {
             const double x = i * pitch, y = j * pitch;
             if (x * x + y * y > reach * reach) continue;
-            const double share = drilled(middle + x * plane[0] + y * plane[1]);
-            section.area += share;
-            section.x += share * x;
-            section.y += share * y;
+            const double fraction = drilled(middle + x * plane[0] + y * plane[1]);
+            section.area += fraction;
+            section.x += fraction * x;
+            section.y += fraction * y;
         }
     if (section.area > 0.0) {
         section.x /= section.area;
@@ -112,12 +112,12 @@ double planned_volume(const Body& body, const HolePlan& plan, const std::array<V
     for (int s = 0; s < slices; ++s) {
         const double depth = first + (s + 0.5) * thickness;
         const double radius = radius_of_hole(plan.cutting, plan.depth - depth);
-        double share = 0.0;
+        double fraction = 0.0;
         for (int r = 0; r < rings; ++r)
             for (int k = 0; k < ray_count; ++k)
-                share += bone_share(
+                fraction += bone_fraction(
                     body, plan.entry + depth * plan.along + radius * std::sqrt((r + 0.5) / rings) * ray(plane, k));
-        volume += thickness * 3.14159265358979323846 * radius * radius * share / (rings * ray_count);
+        volume += thickness * 3.14159265358979323846 * radius * radius * fraction / (rings * ray_count);
     }
     return volume;
 }
@@ -186,14 +186,14 @@ Line line_through(const std::vector<Section>& sections) noexcept {
 
 }  // namespace
 
-std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan, const DrilledShare& drilled) {
+std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan, const DrilledFraction& drilled) {
     const std::array<Vec3, 2> plane = across(plan.along);
     const double radius = plan.cutting.largest_radius();
     std::vector<Section> sections;
     // The hole may begin above the entry, if the surface is inclined to the drill.
     const int first = -static_cast<int>(std::ceil(2.0 * radius / section_distance));
     for (int s = first; s * section_distance < plan.depth; ++s)
-        sections.push_back(look_at(body, plan, drilled, s * section_distance, plane));
+        sections.push_back(section_at(body, plan, drilled, s * section_distance, plane));
     if (sections.empty()) return {};
 
     DrilledHole hole;
@@ -268,8 +268,8 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
         const Vec3 from_line = plan.entry + depth * plan.along - hole.at;
         const Vec3 middle = hole.at + dot(from_line, plan.along) / dot(hole.direction, plan.along) * hole.direction;
         const std::array<Vec3, 2> around = across(hole.direction);
-        const auto side_of = [&](Vec3 way) -> std::size_t {
-            const double to_a = dot(way, a), to_b = dot(way, b);
+        const auto side_of = [&](Vec3 unit) -> std::size_t {
+            const double to_a = dot(unit, a), to_b = dot(unit, b);
             return std::abs(to_a) >= std::abs(to_b) ? (to_a >= 0.0 ? 0 : 1) : (to_b >= 0.0 ? 2 : 3);
         };
         if (uncut_at(body, middle) >= 0.0) {  // the whole section is on the side to which the hole strayed
@@ -278,11 +278,11 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
             continue;
         }
         for (int k = 0; k < ray_count; ++k) {
-            const Vec3 way = ray(around, k);
-            const double beyond = radius - to_border(body, middle, way);
+            const Vec3 unit = ray(around, k);
+            const double beyond = radius - to_border(body, middle, unit);
             if (beyond <= 0.0) continue;
             if (beyond > breach.worst()) breach.depth = depth;
-            double& towards = breach.towards[side_of(way)];
+            double& towards = breach.towards[side_of(unit)];
             towards = std::max(towards, beyond);
         }
     }

@@ -24,7 +24,7 @@ struct HolePlan {
 };
 
 /// Returns the drilled fraction of the bone at a point [–], body frame.
-using DrilledShare = std::function<double(Vec3)>;
+using DrilledFraction = std::function<double(Vec3)>;
 
 /// A hole compared with its plan. Depths are along the planned axis from its entry.
 struct DrilledHole {
@@ -45,7 +45,7 @@ struct DrilledHole {
 /// Measures a hole on sections across the planned axis, half a millimetre apart. Nothing if no section has a whole
 /// circle, as after a scratch.   [worker] pure.
 [[nodiscard]] std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan,
-                                                      const DrilledShare& drilled);
+                                                      const DrilledFraction& drilled);
 
 /// Returns the axis of an implant in bone as a hole: from `tip` backwards along the unit vector `direction`, body
 /// frame. Nothing for an angle above 60° to the plan. Its volumes are 0.   [worker] pure.

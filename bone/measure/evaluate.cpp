@@ -26,7 +26,7 @@ namespace {
 std::string quoted_id(const std::string& id) { return "`" + id + "`"; }
 
 /// A landmark or construction.
-struct Thing {
+struct Entity {
     Sort sort = Sort::point;
     Vec3 at{};
     Vec3 direction{};  ///< unit; direction of a line, normal of a plane
@@ -60,7 +60,7 @@ public:
     }
 
 private:
-    using MaybeThing = std::optional<Thing>;
+    using MaybeEntity = std::optional<Entity>;
 
     // ---- inputs
 
@@ -93,35 +93,35 @@ private:
         return body == 0 || body >= poses.size() ? identity_pose() : inverse(poses[0]) * poses[body];
     }
 
-    MaybeThing landmark(const std::string& id) {
+    MaybeEntity landmark(const std::string& id) {
         for (const LandmarkPoint& point : scene_->anatomy->points) {
             if (point.id != id) continue;
             const Pose pose = bone_from_landmark(point.at);
             const Vec3 at = shifted(id, 0, point.at, standard_uncertainty_of(point.tolerance));
-            return Thing{Sort::point, pose * at, {}};
+            return Entity{Sort::point, pose * at, {}};
         }
         for (const LandmarkAxis& axis : scene_->anatomy->axes) {
             if (axis.id != id) continue;
             const Pose pose = bone_from_landmark(0.5 * (axis.from + axis.to));
             const double u = standard_uncertainty_of(axis.tolerance);
             const Vec3 from = pose * shifted(id, 0, axis.from, u), to = pose * shifted(id, 3, axis.to, u);
-            return Thing{Sort::line, from, normalized(to - from)};
+            return Entity{Sort::line, from, normalized(to - from)};
         }
         for (const LandmarkPlane& plane : scene_->anatomy->planes) {
             if (plane.id != id) continue;
             const Pose pose = bone_from_landmark(plane.at);
             const double off = shift_of(id, 0, standard_uncertainty_of(plane.tolerance));
-            return Thing{Sort::plane, pose * (plane.at + off * plane.normal), rotate(pose.rotation, plane.normal)};
+            return Entity{Sort::plane, pose * (plane.at + off * plane.normal), rotate(pose.rotation, plane.normal)};
         }
         return fail("there is no " + quoted_id(id));
     }
 
     /// Each construction is computed once for each set of shifts, even if several others use it.
-    MaybeThing thing(const std::string& id) {
+    MaybeEntity entity(const std::string& id) {
         if (const auto known = things_.find(id); known != things_.end()) return known->second;
         const auto& all = scene_->constructions;
         const auto found = std::find_if(all.begin(), all.end(), [&](const Construction& c) { return c.id == id; });
-        MaybeThing made = found != all.end() ? construct(*found) : landmark(id);
+        MaybeEntity made = found != all.end() ? construct(*found) : landmark(id);
         things_.emplace(id, made);
         return made;
     }
@@ -129,7 +129,7 @@ private:
     std::optional<std::vector<Vec3>> points(const std::vector<std::string>& ids) {
         std::vector<Vec3> found;
         for (const std::string& id : ids) {
-            const MaybeThing one = thing(id);
+            const MaybeEntity one = entity(id);
             if (!one) return std::nullopt;
             found.push_back(one->at);
         }
@@ -142,7 +142,7 @@ private:
             at[i] = shifted(made.id + "#", static_cast<int>(3 * (number + i)), at[i], residual);
     }
 
-    MaybeThing construct(const Construction& made) {
+    MaybeEntity construct(const Construction& made) {
         switch (made.kind) {
             case Construction::Kind::middle:
                 return middle(made);
@@ -160,15 +160,15 @@ private:
         return std::nullopt;
     }
 
-    MaybeThing middle(const Construction& made) {
+    MaybeEntity middle(const Construction& made) {
         const auto at = points(made.of);
         if (!at) return std::nullopt;
-        Thing mean{Sort::point, {}, {}};
+        Entity mean{Sort::point, {}, {}};
         for (const Vec3 p : *at) mean.at = mean.at + p / static_cast<double>(at->size());
         return mean;
     }
 
-    MaybeThing line(const Construction& made) {
+    MaybeEntity line(const Construction& made) {
         auto at = points(made.of);
         if (!at) return std::nullopt;
         auto fitted = line_through(*at);
@@ -177,10 +177,10 @@ private:
             fitted = line_through(*at);
         }
         if (!fitted) return fail("the points of " + quoted_id(made.id) + " are at one spot");
-        return Thing{Sort::line, fitted->line.point, fitted->line.direction};
+        return Entity{Sort::line, fitted->line.point, fitted->line.direction};
     }
 
-    MaybeThing plane(const Construction& made) {
+    MaybeEntity plane(const Construction& made) {
         auto at = points(made.of);
         if (!at) return std::nullopt;
         auto fitted = plane_through(*at);
@@ -189,10 +189,10 @@ private:
             fitted = plane_through(*at);
         }
         if (!fitted) return fail("the points of " + quoted_id(made.id) + " lie on one line");
-        return Thing{Sort::plane, fitted->plane.point, fitted->plane.normal};
+        return Entity{Sort::plane, fitted->plane.point, fitted->plane.normal};
     }
 
-    MaybeThing mirror(const Construction& made) {
+    MaybeEntity mirror(const Construction& made) {
         auto left = points(made.of), right = points(made.right);
         if (!left || !right) return std::nullopt;
         auto fitted = mirror_plane(*left, *right);
@@ -202,7 +202,7 @@ private:
             fitted = mirror_plane(*left, *right);
         }
         if (!fitted) return fail("the pairs of " + quoted_id(made.id) + " have no direction in common");
-        return Thing{Sort::plane, fitted->plane.point, fitted->plane.normal};
+        return Entity{Sort::plane, fitted->plane.point, fitted->plane.normal};
     }
 
     /// A border of the bone and its view; its points are gathered once.
@@ -213,15 +213,15 @@ private:
     };
     std::optional<Border> border(const Construction& made) {
         auto along = points(made.of);
-        const MaybeThing view = thing(made.in);
+        const MaybeEntity view = entity(made.in);
         if (!along || !view) return std::nullopt;
         Border found{{std::move(*along), made.within}, {view->direction, made.side_direction()}};
         auto gathered = surfaces_.find(made.id);
         if (gathered == surfaces_.end()) {
-            double room = 0.0;
-            for (const double u : uncertainties_) room = std::max(room, u);
+            double margin = 0.0;
+            for (const double u : uncertainties_) margin = std::max(margin, u);
             Path wide = found.path;
-            wide.within += room;
+            wide.within += margin;
             gathered = surfaces_.emplace(made.id, scene_->surface->points_in(wide)).first;
         }
         found.points = &gathered->second;
@@ -236,7 +236,7 @@ private:
         return way;
     }
 
-    MaybeThing tangent(const Construction& made) {
+    MaybeEntity tangent(const Construction& made) {
         const auto found = border(made);
         if (!found) return std::nullopt;
         const MeasuredSurface& surface = *scene_->surface;
@@ -247,21 +247,21 @@ private:
         if (!touching)
             return fail("no line touches the " + made.side + " side of the bone in front and behind the middle of " +
                         way_of(made));
-        return Thing{Sort::line, touching->line.point, touching->line.direction};
+        return Entity{Sort::line, touching->line.point, touching->line.direction};
     }
 
     /// Returns the shift along a line for the uncertainty of a wall that it passes.
     double wall_shift(const std::string& what, int component, double cosine) {
-        return shift_of(what, component, scene_->surface->wall_uncertainty() / std::max(least_wall_cosine, cosine));
+        return shift_of(what, component, scene_->surface->wall_uncertainty() / std::max(min_wall_cosine, cosine));
     }
 
-    MaybeThing entry(const Construction& made) {
-        const MaybeThing on = thing(made.of.front());
+    MaybeEntity entry(const Construction& made) {
+        const MaybeEntity on = entity(made.of.front());
         if (!on) return std::nullopt;
-        const auto stretches = scene_->surface->stretches_on(on->line(), 0.0, farthest_look);
+        const auto stretches = scene_->surface->stretches_on(on->line(), 0.0, max_search_distance);
         if (stretches.empty()) return fail(quoted_id(made.of.front()) + " meets no bone");
         const Stretch& first = stretches.front();
-        return Thing{
+        return Entity{
             Sort::point, on->at + (first.begin + wall_shift(made.id, 0, first.cosine_at_begin)) * on->direction, {}};
     }
 
@@ -293,21 +293,22 @@ private:
 
     /// Returns the projection of a thing onto a plane. A line stays a line. A plane becomes its trace, with the normal
     /// across.
-    MaybeThing seen(const Thing& one, const Plane& view, const std::string& view_id) {
-        const auto line = one.sort == Sort::plane ? seen_in(view, one.plane()) : seen_in(view, one.line());
+    MaybeEntity projected(const Entity& one, const Plane& view, const std::string& view_id) {
+        const auto line =
+            one.sort == Sort::plane ? projected_onto(view, one.plane()) : projected_onto(view, one.line());
         if (!line) return fail("seen in " + quoted_id(view_id) + ", one of both has no direction");
-        if (one.sort == Sort::line) return Thing{Sort::line, line->point, line->direction};
-        return Thing{Sort::plane, line->point, normalized(cross(view.normal, line->direction))};
+        if (one.sort == Sort::line) return Entity{Sort::line, line->point, line->direction};
+        return Entity{Sort::plane, line->point, normalized(cross(view.normal, line->direction))};
     }
 
     std::optional<double> angle(const Measure& measure) {
-        MaybeThing one = thing(measure.of), other = thing(measure.to);
+        MaybeEntity one = entity(measure.of), other = entity(measure.to);
         if (!one || !other) return std::nullopt;
         if (!measure.in.empty()) {
-            const MaybeThing view = thing(measure.in);
+            const MaybeEntity view = entity(measure.in);
             if (!view) return std::nullopt;
-            one = seen(*one, view->plane(), measure.in);
-            other = seen(*other, view->plane(), measure.in);
+            one = projected(*one, view->plane(), measure.in);
+            other = projected(*other, view->plane(), measure.in);
             if (!one || !other) return std::nullopt;
         }
         if (one->sort == Sort::plane && other->sort == Sort::plane) return angle_between(one->plane(), other->plane());
@@ -317,7 +318,7 @@ private:
     }
 
     std::optional<double> distance(const Measure& measure) {
-        MaybeThing one = thing(measure.of), other = thing(measure.to);
+        MaybeEntity one = entity(measure.of), other = entity(measure.to);
         if (!one || !other) return std::nullopt;
         if (other->sort == Sort::point) std::swap(one, other);
         if (one->sort != Sort::point) return distance_between(one->line(), other->line());
@@ -327,7 +328,7 @@ private:
     }
 
     std::optional<double> thickness(const Measure& measure) {
-        const MaybeThing at = thing(measure.of), along = thing(measure.to);
+        const MaybeEntity at = entity(measure.of), along = entity(measure.to);
         if (!at || !along) return std::nullopt;
         const auto stretch = stretch_at(*scene_->surface, {at->at, along->direction});
         if (!stretch)
@@ -340,7 +341,7 @@ private:
     }
 
     std::optional<double> surface_distance(const Measure& measure) {
-        const MaybeThing at = thing(measure.of);
+        const MaybeEntity at = entity(measure.of);
         if (!at) return std::nullopt;
         const auto distance = scene_->surface->distance_to(at->at);
         if (!distance) return fail(quoted_id(measure.of) + " lies beyond what was read of the bone");
@@ -382,7 +383,7 @@ private:
     std::vector<double> uncertainties_;
     std::span<const double> shifts_;
     bool has_inputs_ = false;
-    std::map<std::string, MaybeThing> things_;
+    std::map<std::string, MaybeEntity> things_;
     std::map<std::string, std::optional<double>> values_;  ///< measures that differences use
     std::map<std::string, std::vector<Vec3>> surfaces_;    ///< points of each tangent
     std::string why_not_;

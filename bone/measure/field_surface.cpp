@@ -17,7 +17,7 @@ Box bounds_of(const Grid& grid) noexcept {
 }
 
 /// Clips a range of a line to a box; empty (low above high) if the line misses the box.
-void cut_off(const Line& line, const Box& box, double& low, double& high) noexcept {
+void clip(const Line& line, const Box& box, double& low, double& high) noexcept {
     const auto along = [&](double Vec3::*axis) {
         const double from = box.low.*axis - line.point.*axis, to = box.high.*axis - line.point.*axis;
         const double slope = line.direction.*axis;
@@ -40,7 +40,7 @@ void for_each_vertex(const Body& body, const CutField& cut, const Box& box, Visi
     const double edge = brick_edge * grid.spacing;
     const auto mesher = std::make_unique<BrickMesher>(body);
     for (std::size_t brick = 0; brick < grid.brick_count(); ++brick) {
-        const auto [i, j, k] = grid.brick_place(brick);
+        const auto [i, j, k] = grid.brick_coordinates(brick);
         const Vec3 low = grid.sample_position(i * brick_edge - 1, j * brick_edge - 1, k * brick_edge - 1);
         const double side = edge + grid.spacing;
         if (low.x > box.high.x || low.y > box.high.y || low.z > box.high.z || low.x + side < box.low.x ||
@@ -54,7 +54,7 @@ void for_each_vertex(const Body& body, const CutField& cut, const Box& box, Visi
 }  // namespace
 
 double FieldSurface::value_at(Vec3 p) const noexcept {
-    const BrickPlace place = locate(*body_, p);
+    const LocatedPoint place = locate(*body_, p);
     return std::max(uncut_distance(*body_, place), cut_->at(place));
 }
 
@@ -72,7 +72,7 @@ std::vector<Vec3> FieldSurface::points_in(const Path& region) const {
 }
 
 std::vector<Stretch> FieldSurface::stretches_on(const Line& line, double low, double high) const {
-    cut_off(line, bounds_of(body_->grid()), low, high);
+    clip(line, bounds_of(body_->grid()), low, high);
     std::vector<Stretch> stretches;
     const double step = 0.5 * body_->grid().spacing;
     if (!(high > low) || !std::isfinite(low) || !std::isfinite(high)) return stretches;

@@ -17,11 +17,11 @@ struct Plane {
 };
 
 /// Returns the point of a line nearest to `p`.   [any] pure.
-[[nodiscard]] inline Vec3 foot_on(const Line& line, Vec3 p) noexcept {
+[[nodiscard]] inline Vec3 nearest_on(const Line& line, Vec3 p) noexcept {
     return line.point + dot(p - line.point, line.direction) * line.direction;
 }
 /// Returns the point of a plane nearest to `p`.   [any] pure.
-[[nodiscard]] inline Vec3 foot_on(const Plane& plane, Vec3 p) noexcept {
+[[nodiscard]] inline Vec3 nearest_on(const Plane& plane, Vec3 p) noexcept {
     return p - dot(p - plane.point, plane.normal) * plane.normal;
 }
 

@@ -19,8 +19,8 @@ constexpr std::size_t coordinates = 9, inputs = coordinates + 4;
 /// A border whose surface points are gathered once, with a margin for shifts of its ends.
 class Border {
 public:
-    Border(const MeasuredSurface& surface, Vec3 from, Vec3 to, double within, double room)
-        : points_(surface.points_in({{from, to}, within + room})),
+    Border(const MeasuredSurface& surface, Vec3 from, Vec3 to, double within, double margin)
+        : points_(surface.points_in({{from, to}, within + margin})),
           within_(within),
           play_(2.0 * surface.wall_uncertainty()) {}
 
@@ -46,7 +46,7 @@ std::array<double, inputs> uncertainties(const MeasuredSurface& surface, const M
     return all;
 }
 
-double room_for(const MandibleSide& side) {
+double margin_for(const MandibleSide& side) {
     return 2.0 * std::max({side.condylion.tolerance, side.gonion.tolerance, side.menton.tolerance});
 }
 
@@ -54,9 +54,9 @@ double room_for(const MandibleSide& side) {
 
 std::optional<Measured> gonial_angle(const MeasuredSurface& surface, const MandibleSide& side,
                                      const SagittalView& view) {
-    const double room = room_for(side);
-    const Border ramus(surface, side.gonion.at, side.condylion.at, side.within, room),
-        body(surface, side.gonion.at, side.menton.at, side.within, room);
+    const double margin = margin_for(side);
+    const Border ramus(surface, side.gonion.at, side.condylion.at, side.within, margin),
+        body(surface, side.gonion.at, side.menton.at, side.within, margin);
     return propagate(uncertainties(surface, side), [&](std::span<const double> shifts) -> std::optional<double> {
         const Vec3 gonion = shifted(side.gonion, shifts.subspan(3, 3));
         const auto back = ramus.tangent(gonion, shifted(side.condylion, shifts.subspan(0, 3)),
@@ -70,9 +70,9 @@ std::optional<Measured> gonial_angle(const MeasuredSurface& surface, const Mandi
 
 std::optional<Measured> mandibular_plane_angle(const MeasuredSurface& surface, const MandibleSide& side,
                                                const Plane& reference, const SagittalView& view) {
-    const auto trace = seen_in(Plane{side.gonion.at, view.normal}, reference);
+    const auto trace = projected_onto(Plane{side.gonion.at, view.normal}, reference);
     if (!trace) return std::nullopt;
-    const Border body(surface, side.gonion.at, side.menton.at, side.within, room_for(side));
+    const Border body(surface, side.gonion.at, side.menton.at, side.within, margin_for(side));
     return propagate(uncertainties(surface, side), [&](std::span<const double> shifts) -> std::optional<double> {
         const auto lower =
             body.tangent(shifted(side.gonion, shifts.subspan(3, 3)), shifted(side.menton, shifts.subspan(6, 3)),

@@ -10,12 +10,12 @@ namespace kerf {
 namespace {
 
 constexpr double apart = 0.5e-3;  // [m] between samples of a triangle
-constexpr double most_steps = 1000.0;
+constexpr double max_steps = 1000.0;
 
 bool meets(const Box& box, const std::array<Vec3, 3>& corners) noexcept {
     const auto outside = [&](double Vec3::*axis) {
-        const auto [least, most] = std::minmax({corners[0].*axis, corners[1].*axis, corners[2].*axis});
-        return most < box.low.*axis || least > box.high.*axis;
+        const auto [smallest, largest] = std::minmax({corners[0].*axis, corners[1].*axis, corners[2].*axis});
+        return largest < box.low.*axis || smallest > box.high.*axis;
     };
     return !outside(&Vec3::x) && !outside(&Vec3::y) && !outside(&Vec3::z);
 }
@@ -26,14 +26,14 @@ struct Hit {
 
 /// Returns where a line passes a triangle [m]. Borders count with a small margin, so that no hit falls between two.
 std::optional<Hit> pass(const Line& line, const std::array<Vec3, 3>& corners) noexcept {
-    constexpr double room = 1e-9;  // [–] of the triangle
+    constexpr double margin = 1e-9;  // [–] of the triangle
     const Vec3 u = corners[1] - corners[0], v = corners[2] - corners[0];
     const Vec3 normal = cross(u, v), across = cross(line.direction, v);
     const double determinant = dot(u, across), area = length(normal);
     if (!(std::abs(determinant) > 1e-12 * area)) return std::nullopt;
     const Vec3 away = line.point - corners[0], turned = cross(away, u);
     const double a = dot(away, across) / determinant, b = dot(line.direction, turned) / determinant;
-    if (a < -room || b < -room || a + b > 1.0 + room) return std::nullopt;
+    if (a < -margin || b < -margin || a + b > 1.0 + margin) return std::nullopt;
     return Hit{dot(v, turned) / determinant, std::abs(dot(normal, line.direction)) / area};
 }
 
@@ -47,7 +47,7 @@ std::vector<Vec3> MeshSurface::points_in(const Path& region) const {
         if (!meets(box, corners)) continue;
         const Vec3 u = corners[1] - corners[0], v = corners[2] - corners[0];
         const double longest = std::max({length(u), length(v), length(v - u)});
-        const int steps = static_cast<int>(std::clamp(std::ceil(longest / apart), 1.0, most_steps));
+        const int steps = static_cast<int>(std::clamp(std::ceil(longest / apart), 1.0, max_steps));
         for (int i = 0; i <= steps; ++i)
             for (int j = 0; i + j <= steps; ++j) {
                 const Vec3 p = corners[0] + static_cast<double>(i) / steps * u + static_cast<double>(j) / steps * v;
@@ -67,19 +67,19 @@ std::vector<Stretch> MeshSurface::stretches_on(const Line& line, double low, dou
     hits.push_back({high, 1.0});
     // A line through an edge passes several triangles at one point, so the middle between two hits decides.
     std::vector<Stretch> stretches;
-    bool goes_on = false;
+    bool continues = false;
     for (std::size_t i = 0; i + 1 < hits.size(); ++i) {
         const Hit &from = hits[i], &to = hits[i + 1];
         if (to.at - from.at < 1e-9) continue;
         if (!tree_.is_inside(line.point + 0.5 * (from.at + to.at) * line.direction)) {
-            goes_on = false;
+            continues = false;
             continue;
         }
-        if (!goes_on)
+        if (!continues)
             stretches.push_back({from.at, to.at, from.cosine, to.cosine, i > 0});
         else
             stretches.back().end = to.at, stretches.back().cosine_at_end = to.cosine;
-        goes_on = true;
+        continues = true;
         if (i + 2 == hits.size()) stretches.back().is_complete = false;
     }
     return stretches;

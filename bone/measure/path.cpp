@@ -8,14 +8,14 @@
 namespace kerf {
 
 double distance_to(const Path& path, Vec3 p) noexcept {
-    double least = HUGE_VAL;
+    double smallest = HUGE_VAL;
     for (std::size_t i = 0; i + 1 < path.along.size(); ++i) {
         const Vec3 from = path.along[i], way = path.along[i + 1] - from;
         const double squared = dot(way, way);
         const double t = squared > 0.0 ? std::clamp(dot(p - from, way) / squared, 0.0, 1.0) : 0.0;
-        least = std::min(least, length(p - (from + t * way)));
+        smallest = std::min(smallest, length(p - (from + t * way)));
     }
-    return least;
+    return smallest;
 }
 
 Box bounds_of(const Path& path, double margin) noexcept {

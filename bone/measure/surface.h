@@ -45,6 +45,6 @@ public:
 };
 
 /// Largest search distance of measures along a line, to either side [m].
-inline constexpr double farthest_look = 0.5;
+inline constexpr double max_search_distance = 0.5;
 
 }  // namespace kerf

@@ -12,12 +12,12 @@ namespace kerf {
 std::optional<Tangent> tangent_of(std::span<const Vec3> points, const Path& path, const BorderView& view, double play,
                                   std::span<const double, 2> shifts) {
     if (path.along.size() < 2) return std::nullopt;
-    constexpr double least_cosine = 0.1;
+    constexpr double min_cosine = 0.1;
     const auto in_view = [&](Vec3 v) { return v - dot(v, view.normal) * view.normal; };
-    const Vec3 way = in_view(path.along.back() - path.along.front()), along = normalized(way);
+    const Vec3 chord = in_view(path.along.back() - path.along.front()), along = normalized(chord);
     Vec3 out = cross(view.normal, along);
     if (dot(out, view.side) < 0.0) out = -out;
-    if (!(length(way) > 0.0) || !(dot(out, in_view(view.side)) > least_cosine)) return std::nullopt;
+    if (!(length(chord) > 0.0) || !(dot(out, in_view(view.side)) > min_cosine)) return std::nullopt;
 
     std::vector<PlanePoint> projected;
     std::vector<Vec3> kept;
@@ -27,7 +27,7 @@ std::optional<Tangent> tangent_of(std::span<const Vec3> points, const Path& path
         projected.push_back({dot(d, along), dot(d, out)});
         kept.push_back(p);
     }
-    const auto contacts = contacts_of_ruler(projected, 0.5 * length(way), play);
+    const auto contacts = contacts_of_ruler(projected, 0.5 * length(chord), play);
     if (!contacts) return std::nullopt;
 
     const PlanePoint a = projected[contacts->first], b = projected[contacts->last];

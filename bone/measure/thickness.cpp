@@ -7,7 +7,7 @@
 namespace kerf {
 
 std::optional<Stretch> stretch_at(const MeasuredSurface& surface, const Line& line) {
-    for (const Stretch& stretch : surface.stretches_on(line, -farthest_look, farthest_look))
+    for (const Stretch& stretch : surface.stretches_on(line, -max_search_distance, max_search_distance))
         if (stretch.end > 0.0) return stretch;
     return std::nullopt;
 }
@@ -17,8 +17,8 @@ std::optional<Measured> thickness_at(const MeasuredSurface& surface, const Line&
     if (!stretch || !stretch->is_complete) return std::nullopt;
     const double wall = surface.wall_uncertainty();
     return Measured{stretch->end - stretch->begin,
-                    std::hypot(wall / std::max(least_wall_cosine, stretch->cosine_at_begin),
-                               wall / std::max(least_wall_cosine, stretch->cosine_at_end))};
+                    std::hypot(wall / std::max(min_wall_cosine, stretch->cosine_at_begin),
+                               wall / std::max(min_wall_cosine, stretch->cosine_at_end))};
 }
 
 std::optional<Measured> surface_distance(const MeasuredSurface& surface, Vec3 point) {

@@ -26,6 +26,6 @@ namespace kerf {
 [[nodiscard]] std::optional<Measured> surface_distance(const MeasuredSurface& surface, Vec3 point);
 
 /// Smallest cosine between a line and a wall's normal that counts [–]. Along a wall the uncertainty is unlimited.
-inline constexpr double least_wall_cosine = 0.1;
+inline constexpr double min_wall_cosine = 0.1;
 
 }  // namespace kerf

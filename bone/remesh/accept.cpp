@@ -35,11 +35,11 @@ std::string flaw_of_edges(const SurfaceMesh& mesh, const std::vector<HalfEdge>& 
         if (!flaw.empty()) return;
         const Vec3 from = mesh.vertices[first->from()], to = mesh.vertices[first->to()];
         if (last - first > 2)
-            flaw = "an edge has more than two faces, at " + place_text(from);
+            flaw = "an edge has more than two faces, at " + position_text(from);
         else if (last - first == 1)
             border.push_back({from, to});
         else if (balance_of(first, last) != 0)
-            flaw = "the faces of an edge look to different sides, at " + place_text(from);
+            flaw = "the faces of an edge look to different sides, at " + position_text(from);
     });
     std::sort(border.begin(), border.end(), [](const BorderEdge& a, const BorderEdge& b) {
         return less(a.from, b.from) || (a.from == b.from && less(a.to, b.to));
@@ -83,16 +83,16 @@ std::string flaw_of_faces(const SurfaceMesh& mesh, const TaggedMesh& ring, const
     const auto first = static_cast<std::uint32_t>(both.vertices.size());
     both.vertices.insert(both.vertices.end(), ring.mesh.vertices.begin(), ring.mesh.vertices.end());
     for (const Triangle& t : ring.mesh.triangles) both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    std::vector<std::uint8_t> asked(both.triangles.size(), 1);
-    std::fill(asked.begin() + static_cast<std::ptrdiff_t>(count), asked.end(), std::uint8_t{0});
+    std::vector<std::uint8_t> is_tested(both.triangles.size(), 1);
+    std::fill(is_tested.begin() + static_cast<std::ptrdiff_t>(count), is_tested.end(), std::uint8_t{0});
     if (before != nullptr) {
         const std::vector<std::uint8_t> is_new = new_faces_of(mesh, *before);
-        std::copy(is_new.begin(), is_new.end(), asked.begin());
+        std::copy(is_new.begin(), is_new.end(), is_tested.begin());
     }
-    const auto crossings = crossings_of(both, TriangleTree(both), true, asked);
+    const auto crossings = crossings_of(both, TriangleTree(both), true, is_tested);
     if (crossings.empty()) return {};
     return std::to_string(crossings.size()) + (crossings.size() == 1 ? " pair" : " pairs") +
-           " of faces cross, the first at " + place_text(both.vertices[both.triangles[crossings.front()[0]][0]]);
+           " of faces cross, the first at " + position_text(both.vertices[both.triangles[crossings.front()[0]][0]]);
 }
 
 /// Returns the difference between a border and the border before the cut.
@@ -100,14 +100,15 @@ std::string flaw_of_border(const std::vector<BorderEdge>& border, const std::vec
     const auto is_less = [](const BorderEdge& a, const BorderEdge& b) {
         return less(a.from, b.from) || (a.from == b.from && less(a.to, b.to));
     };
-    std::vector<BorderEdge> more, gone;
+    std::vector<BorderEdge> more, missing;
     std::set_difference(border.begin(), border.end(), before.begin(), before.end(), std::back_inserter(more), is_less);
-    std::set_difference(before.begin(), before.end(), border.begin(), border.end(), std::back_inserter(gone), is_less);
-    if (gone.empty())
+    std::set_difference(before.begin(), before.end(), border.begin(), border.end(), std::back_inserter(missing),
+                        is_less);
+    if (missing.empty())
         return std::to_string(more.size()) + " open edges within its border, the first at " +
-               place_text(more.front().from);
-    return std::to_string(gone.size()) + (gone.size() == 1 ? " edge" : " edges") +
-           " of its border did not come back, the first at " + place_text(gone.front().from);
+               position_text(more.front().from);
+    return std::to_string(missing.size()) + (missing.size() == 1 ? " edge" : " edges") +
+           " of its border did not come back, the first at " + position_text(missing.front().from);
 }
 
 /// Refuses more faces than any tolerance needs. A strategy that splits all faces in each call would soon need minutes
@@ -116,11 +117,11 @@ std::string flaw_of_count(const RemeshRequest& request, const SurfaceMesh& mesh)
     const std::size_t before = request.base.mesh.triangles.size(), count = mesh.triangles.size();
     constexpr std::size_t few = 50000;  // so many are checked quickly
     if (count <= std::max(before, few)) return {};
-    const double most = area_of(mesh) / (request.tolerance * request.tolerance);
-    if (static_cast<double>(count) <= most) return {};
+    const double largest = area_of(mesh) / (request.tolerance * request.tolerance);
+    if (static_cast<double>(count) <= largest) return {};
     return "it has " + std::to_string(count) + " faces, before the cut " + std::to_string(before) + "; a surface to " +
            std::to_string(std::lround(request.tolerance * 1e6)) + " um needs fewer than " +
-           std::to_string(std::llround(most));
+           std::to_string(std::llround(largest));
 }
 
 /// Returns the vertices of a mesh, sorted by position.
@@ -141,25 +142,26 @@ std::string flaw_of(const RemeshRequest& request, const TaggedMesh& result, cons
         return "the mesh that was to be cut is unsound: " + flaw;
     if (mesh.triangles.empty()) return border_before.empty() ? "" : "nothing is left, not even its border";
     for (const Triangle& t : mesh.triangles)
-        if (has_no_area(mesh, t)) return "a face has no area, at " + place_text(mesh.vertices[t[0]]);
+        if (has_no_area(mesh, t)) return "a face has no area, at " + position_text(mesh.vertices[t[0]]);
 
     if (has_faces_twice(mesh)) return "a face lies twice";
     const std::vector<HalfEdge> edges = half_edges_of(mesh);
     if (std::string flaw = flaw_of_edges(mesh, edges, border); !flaw.empty()) return flaw;
     if (border_before.empty() && !border.empty())
-        return std::to_string(border.size()) + " open edges, the first at " + place_text(border.front().from);
+        return std::to_string(border.size()) + " open edges, the first at " + position_text(border.front().from);
     if (border != border_before) return flaw_of_border(border, border_before);
     if (ring != nullptr && has_edge_of(*ring, mesh, edges))
         return "an edge has two faces, and two more beyond the border";
     if (const auto pinched = pinched_vertices_of(mesh, edges); !pinched.empty())
-        return "parts only touch in a vertex, at " + place_text(mesh.vertices[pinched.front()]);
+        return "parts only touch in a vertex, at " + position_text(mesh.vertices[pinched.front()]);
     const std::vector<Vec3> vertices = sorted_vertices(mesh);
     for (std::size_t v = 1; v < vertices.size(); ++v)
-        if (vertices[v] == vertices[v - 1]) return "a vertex lies where another one is, at " + place_text(vertices[v]);
+        if (vertices[v] == vertices[v - 1])
+            return "a vertex lies where another one is, at " + position_text(vertices[v]);
     for (std::size_t v = 0; v < request.locked.size(); ++v)
         if (request.locked[v] != 0 &&
             !std::binary_search(vertices.begin(), vertices.end(), request.base.mesh.vertices[v], less))
-            return "a locked vertex has moved, from " + place_text(request.base.mesh.vertices[v]);
+            return "a locked vertex has moved, from " + position_text(request.base.mesh.vertices[v]);
     const Box was = bounds_of(request.base.mesh), is = bounds_of(mesh);
     if (border.empty() && (is.low.x < was.low.x || is.low.y < was.low.y || is.low.z < was.low.z ||
                            is.high.x > was.high.x || is.high.y > was.high.y || is.high.z > was.high.z))

@@ -79,8 +79,8 @@ void remove_flat_faces(SurfaceMesh& mesh) {
             if (!has_no_area(mesh, t)) continue;
             std::size_t n = 0;  // begin of the longest edge
             const auto size = [&](std::size_t at) {
-                const Vec3 way = mesh.vertices[t[(at + 1) % 3]] - mesh.vertices[t[at]];
-                return dot(way, way);
+                const Vec3 edge_vector = mesh.vertices[t[(at + 1) % 3]] - mesh.vertices[t[at]];
+                return dot(edge_vector, edge_vector);
             };
             for (std::size_t other = 1; other < 3; ++other)
                 if (size(other) > size(n)) n = other;
@@ -104,17 +104,18 @@ void remove_flat_faces(SurfaceMesh& mesh) {
 std::string flaw_of_base(const SurfaceMesh& mesh) {
     const SurfaceDiagnosis found = diagnose(mesh, 1.0);
     const auto flaw = [](const Flaw& one, const char* what) {
-        return std::to_string(one.count) + what + ", the first at " + place_text(one.at);
+        return std::to_string(one.count) + what + ", the first at " + position_text(one.at);
     };
     if (mesh.triangles.empty()) return "it has no faces";
     if (found.open_edges.count > 0) return flaw(found.open_edges, " open edges");
-    if (found.crowded_edges.count > 0) return flaw(found.crowded_edges, " edges of more than two faces");
-    if (found.turned_edges.count > 0) return flaw(found.turned_edges, " edges whose faces look to different sides");
+    if (found.nonmanifold_edges.count > 0) return flaw(found.nonmanifold_edges, " edges of more than two faces");
+    if (found.inconsistent_edges.count > 0)
+        return flaw(found.inconsistent_edges, " edges whose faces look to different sides");
     if (found.is_inside_out) return "its faces look inwards";
     if (found.pinched_vertices.count > 0) return flaw(found.pinched_vertices, " vertices where parts only touch");
     if (found.duplicate_faces.count > 0) return flaw(found.duplicate_faces, " faces that are there twice");
     for (const Triangle& t : mesh.triangles)
-        if (has_no_area(mesh, t)) return "a face has no area, at " + place_text(mesh.vertices[t[0]]);
+        if (has_no_area(mesh, t)) return "a face has no area, at " + position_text(mesh.vertices[t[0]]);
     if (found.crossings.count > 0) return flaw(found.crossings, " pairs of faces that cross");
     return {};
 }

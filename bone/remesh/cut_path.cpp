@@ -19,10 +19,10 @@ bool follows(const CutRecord& next, const CutRecord& last, const ToolSolid& soli
 /// Returns the fraction of the path from `from` to `to` at which a pose lies, by its origin and the end of its solid.
 double fraction_at(const ToolSolid& solid, const Pose& from, const Pose& to, const Pose& pose) {
     const Vec3 end{0, 0, solid.end_z()};
-    const Vec3 tip_way = to.position - from.position, end_way = to * end - from * end;
-    const double size = dot(tip_way, tip_way) + dot(end_way, end_way);
+    const Vec3 tip_travel = to.position - from.position, end_travel = to * end - from * end;
+    const double size = dot(tip_travel, tip_travel) + dot(end_travel, end_travel);
     if (!(size > 0.0)) return 0.0;
-    const double t = (dot(pose.position - from.position, tip_way) + dot(pose * end - from * end, end_way)) / size;
+    const double t = (dot(pose.position - from.position, tip_travel) + dot(pose * end - from * end, end_travel)) / size;
     return std::clamp(t, 0.0, 1.0);
 }
 

@@ -34,12 +34,12 @@ std::size_t fans_at(std::uint32_t vertex, const std::vector<Triangle>& around) {
 
 GrowingSurface::GrowingSurface(const TaggedMesh& mesh)
     : bounds_(mesh.mesh.vertices.empty() ? Box{} : bounds_of(mesh.mesh)) {
-    constexpr double faces_a_cell = 4.0, most_cells = 8e6;
+    constexpr double faces_a_cell = 4.0, max_cells = 8e6;
     const Vec3 extent = bounds_.high - bounds_.low;
     const double area = area_of(mesh.mesh),
                  count = static_cast<double>(std::max<std::size_t>(mesh.mesh.triangles.size(), 1));
     // A cell is as wide as a few faces of average area. The number of cells is limited by memory.
-    cell_ = std::max({std::sqrt(faces_a_cell * area / count), std::cbrt(extent.x * extent.y * extent.z / most_cells),
+    cell_ = std::max({std::sqrt(faces_a_cell * area / count), std::cbrt(extent.x * extent.y * extent.z / max_cells),
                       std::max({extent.x, extent.y, extent.z}) / 1000.0, 1e-6});
     std::size_t all = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -107,10 +107,10 @@ void GrowingSurface::strike(std::uint32_t face) {
 }
 
 GrowingSurface::Moment GrowingSurface::moment() {
-    return {vertices_.share(), faces_.share(), face_count_, free_faces_, free_vertices_};
+    return {vertices_.snapshot(), faces_.snapshot(), face_count_, free_faces_, free_vertices_};
 }
 
-void GrowingSurface::go_back(const Moment& moment) {
+void GrowingSurface::restore(const Moment& moment) {
     const std::vector<std::size_t> pages = faces_.differing_pages(moment.faces);
     const auto for_each_face = [&](const auto& visit) {
         constexpr std::size_t page_size = PagedVector<Face>::page_size;
@@ -119,8 +119,8 @@ void GrowingSurface::go_back(const Moment& moment) {
                 if (faces_[f].is_there != 0) visit(static_cast<std::uint32_t>(f));
     };
     for_each_face([this](std::uint32_t face) { strike(face); });
-    vertices_.go_back(moment.vertices);
-    faces_.go_back(moment.faces);
+    vertices_.restore(moment.vertices);
+    faces_.restore(moment.faces);
     faces_at_.resize(vertices_.size());
     seen_.resize(faces_.size(), 0);
     for_each_face([this](std::uint32_t face) { enter(face); });

@@ -54,7 +54,7 @@ public:
     [[nodiscard]] Moment moment();
     /// Restores a snapshot; later operations then give the same numbers as they would have given at that time. The cost
     /// depends on the number of changed pages with 1024 faces each.
-    void go_back(const Moment& moment);
+    void restore(const Moment& moment);
 
 private:
     static constexpr std::uint32_t no_face = 0xffffffffu;

@@ -12,16 +12,16 @@
 namespace kerf {
 
 LocalCutting::LocalCutting(const TaggedMesh& mesh, std::vector<const ToolSolid*> solids, double tolerance,
-                           AskStrategy ask, AskStrategy otherwise)
+                           StrategyCall call, StrategyCall otherwise)
     : LocalCutting(mesh, std::move(solids), tolerance, std::vector<std::vector<NamedStrategy>>{}) {
-    std::vector<NamedStrategy> all{{"first", std::move(ask)}};
+    std::vector<NamedStrategy> all{{"first", std::move(call)}};
     if (otherwise) all.push_back({"second", std::move(otherwise)});
     strategies_.assign(solids_.size(), all);
 }
 
 LocalCutting::Attempt LocalCutting::attempt(const NamedStrategy& strategy, const RemeshRequest& request,
                                             const SurfacePatch& patch, std::string& why) {
-    const RemeshResult result = strategy.ask(request);
+    const RemeshResult result = strategy.call(request);
     const double allowed = allowed_for(request, strategy.tolerance);
     const bool is_unchanged = result.status == KERF_REMESH_UNCHANGED;
     why = is_unchanged               ? flaw_of_unchanged(request, allowed)
@@ -54,7 +54,7 @@ bool LocalCutting::cut(const CutStretch& stretch, std::string& why) {
     const std::vector<NamedStrategy>& strategies = strategies_[stretch.solid];
     for (std::size_t s = 0; s < strategies.size(); ++s) {
         const bool is_last = s + 1 == strategies.size();
-        for (int n = 0; n <= (is_last ? most_refusals : 0); ++n) {
+        for (int n = 0; n <= (is_last ? max_refusals : 0); ++n) {
             request.nudge_seed = static_cast<std::uint64_t>(n);
             const Attempt made = attempt(strategies[s], request, patch, why);
             if (made == Attempt::done) return true;
@@ -62,7 +62,7 @@ bool LocalCutting::cut(const CutStretch& stretch, std::string& why) {
         }
         if (is_last) break;
         ++handed_over_;
-        why_handed_over_ = why;
+        hand_over_reason_ = why;
     }
     return false;
 }
@@ -74,12 +74,12 @@ bool LocalCutting::cut(const CutStretch& stretch) {
     return false;
 }
 
-void LocalCutting::give_up(const Box& box, std::string why) {
+void LocalCutting::mark_stale(const Box& box, std::string why) {
     if (!surface_.patch_in(box).faces.empty()) stale_.push_back({box, std::move(why)});
 }
 
-void LocalCutting::go_back(const Moment& moment) {
-    surface_.go_back(moment.surface);
+void LocalCutting::restore(const Moment& moment) {
+    surface_.restore(moment.surface);
     removed_ = moment.removed;
     refusals_ = moment.refusals;
     handed_over_ = moment.handed_over;

@@ -16,16 +16,16 @@
 namespace kerf {
 
 /// Requests one result from a strategy, in this process or in another.
-using AskStrategy = std::function<RemeshResult(const RemeshRequest&)>;
+using StrategyCall = std::function<RemeshResult(const RemeshRequest&)>;
 
 struct NamedStrategy {
     std::string id;
-    AskStrategy ask;
+    StrategyCall call;
     double tolerance = 0.0;  ///< [m] of the strategy; 0: that of the request
 };
 
 /// Failures of one strategy: their number, and the reason of the first.
-struct NotCut {
+struct StrategyFailures {
     int count = 0;
     std::string first;
 
@@ -33,22 +33,22 @@ struct NotCut {
         if (count++ == 0) first = why;
     }
 };
-using NotCutBy = std::map<std::string, NotCut>;  ///< by the strategy's id
+using FailuresByStrategy = std::map<std::string, StrategyFailures>;  ///< by the strategy's id
 
 /// Cuts a surface one stretch after the other, each in the patch that it meets. If a strategy declines a stretch, or
 /// its first result is refused, the next strategy cuts this stretch. The last strategy gets a refused request again
-/// with another nudge, `most_refusals` times.   [worker]
+/// with another nudge, `max_refusals` times.   [worker]
 class LocalCutting {
 public:
-    static constexpr int most_refusals = 6;
+    static constexpr int max_refusals = 6;
 
     /// @param strategies  for each solid, in order of use
     LocalCutting(const TaggedMesh& mesh, std::vector<const ToolSolid*> solids, double tolerance,
                  std::vector<std::vector<NamedStrategy>> strategies)
         : surface_(mesh), solids_(std::move(solids)), tolerance_(tolerance), strategies_(std::move(strategies)) {}
     /// Uses one strategy for all solids, and optionally a second one after it.
-    LocalCutting(const TaggedMesh& mesh, std::vector<const ToolSolid*> solids, double tolerance, AskStrategy ask,
-                 AskStrategy otherwise = {});
+    LocalCutting(const TaggedMesh& mesh, std::vector<const ToolSolid*> solids, double tolerance, StrategyCall call,
+                 StrategyCall otherwise = {});
 
     /// Removes the sweep of a tool on a stretch. Returns whether the surface is correct there; `why` has the reason if
     /// not.
@@ -58,18 +58,18 @@ public:
     /// Replaces the surface by a mesh from a strategy of another kind.
     void replace(const TaggedMesh& mesh) { surface_ = GrowingSurface(mesh); }
     /// Marks a box as stale if a part of the surface lies in it.
-    void give_up(const Box& box, std::string why);
+    void mark_stale(const Box& box, std::string why);
 
     [[nodiscard]] const GrowingSurface& surface() const noexcept { return surface_; }
     [[nodiscard]] double removed() const noexcept { return removed_; }  ///< [m³]
     [[nodiscard]] int refusals() const noexcept { return refusals_; }
     /// Returns the failures and refused results of each strategy.
-    [[nodiscard]] const NotCutBy& refused() const noexcept { return refused_; }
-    [[nodiscard]] const NotCutBy& declined() const noexcept { return declined_; }
+    [[nodiscard]] const FailuresByStrategy& refused() const noexcept { return refused_; }
+    [[nodiscard]] const FailuresByStrategy& declined() const noexcept { return declined_; }
     /// Returns the number of stretches that a strategy did not cut and a later one received.
     [[nodiscard]] int handed_over() const noexcept { return handed_over_; }
     /// Returns the reason of the last one.
-    [[nodiscard]] const std::string& why_handed_over() const noexcept { return why_handed_over_; }
+    [[nodiscard]] const std::string& hand_over_reason() const noexcept { return hand_over_reason_; }
     /// A box in which the surface lacks a cut, and the reason.
     struct Stale {
         Box box{};
@@ -82,14 +82,14 @@ public:
         GrowingSurface::Moment surface;
         double removed = 0.0;  ///< [m³]
         int refusals = 0, handed_over = 0;
-        NotCutBy refused, declined;
+        FailuresByStrategy refused, declined;
         std::vector<Stale> stale;
     };
     [[nodiscard]] Moment moment() {
         return {surface_.moment(), removed_, refusals_, handed_over_, refused_, declined_, stale_};
     }
     /// Restores a snapshot.
-    void go_back(const Moment& moment);
+    void restore(const Moment& moment);
 
 private:
     enum class Attempt { done, refused, ended };
@@ -103,8 +103,8 @@ private:
     std::vector<std::vector<NamedStrategy>> strategies_;
     double removed_ = 0.0;
     int refusals_ = 0, handed_over_ = 0;
-    std::string why_handed_over_;
-    NotCutBy refused_, declined_;
+    std::string hand_over_reason_;
+    FailuresByStrategy refused_, declined_;
     std::vector<Stale> stale_;
 };
 

@@ -46,7 +46,7 @@ public:
     }
 
     /// Returns a snapshot of the values.
-    [[nodiscard]] Pages<T> share() {
+    [[nodiscard]] Pages<T> snapshot() {
         Pages<T> copy;
         copy.pages_.assign(pages_.begin(), pages_.end());
         copy.size_ = size_;
@@ -61,7 +61,7 @@ public:
                 pages.push_back(page);
         return pages;
     }
-    void go_back(const Pages<T>& earlier) {
+    void restore(const Pages<T>& earlier) {
         pages_.clear();
         for (const auto& page : earlier.pages_)
             pages_.push_back(std::const_pointer_cast<typename Pages<T>::Page>(page));

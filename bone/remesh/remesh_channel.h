@@ -20,14 +20,14 @@ struct Hello {
     char plugin_id[100] = {}, plugin_version[100] = {}, kernel[200] = {};
 };
 
-struct Ask {
+struct RequestPacket {
     std::uint64_t number = 0;
     std::uint64_t request_capacity = 0, result_capacity = 0;  ///< [bytes] of the shared memory
     std::uint64_t request_used = 0;
     kerf_remesh_in in{};
 };
 
-struct Answer {
+struct ResultPacket {
     std::uint64_t number = 0;
     std::int32_t status = KERF_FAILED;
     kerf_remesh_out out{};

@@ -143,9 +143,9 @@ std::string RemeshChild::end() {
 
 RemeshResult RemeshChild::lost(const std::string& why) {
     const std::string how = end();
-    if (restarts_ >= most_restarts)
-        return failed(why + ": the process " + how + " and is not started again after " +
-                      std::to_string(most_restarts) + " restarts");
+    if (restarts_ >= max_restarts)
+        return failed(why + ": the process " + how + " and is not started again after " + std::to_string(max_restarts) +
+                      " restarts");
     ++restarts_;
     const std::string fault = spawn();
     return failed(why + ": the process " + how + (fault.empty() ? " and was started again" : "; " + fault));
@@ -165,28 +165,30 @@ RemeshResult RemeshChild::answer_of(const RemeshRequest& request, std::chrono::m
     if (!is_running()) return failed("the remeshing process is no longer running");
     if (!request_.grow(request_bytes(request)) || !result_.grow(result_bytes(request)))
         return failed("the system gives no memory for this mesh");
-    Ask ask;
+    RequestPacket request_packet;
     kerf_arena arena = request_.arena();
-    if (!pack(request, program_.parameters, arena, ask.in)) return failed("the request does not fit its memory");
-    if (program_.tolerance) ask.in.tolerance = *program_.tolerance;
-    ask.number = ++number_;
-    ask.request_capacity = arena.capacity;
-    ask.result_capacity = result_.arena().capacity;
-    ask.request_used = arena.used;
-    if (send(socket_, &ask, sizeof ask, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof ask))
+    if (!pack(request, program_.parameters, arena, request_packet.in))
+        return failed("the request does not fit its memory");
+    if (program_.tolerance) request_packet.in.tolerance = *program_.tolerance;
+    request_packet.number = ++number_;
+    request_packet.request_capacity = arena.capacity;
+    request_packet.result_capacity = result_.arena().capacity;
+    request_packet.request_used = arena.used;
+    if (send(socket_, &request_packet, sizeof request_packet, MSG_NOSIGNAL) !=
+        static_cast<ssize_t>(sizeof request_packet))
         return lost("the request could not be sent");
-    Answer answer;
+    ResultPacket answer;
     const auto end = Clock::now() + limit;
     Received received = receive(socket_, answer, end);
     const bool is_cancelled = received == Received::late;
     if (is_cancelled) {
-        std::atomic_ref(*reinterpret_cast<std::uint32_t*>(arena.base + ask.in.cancel)).store(1);
+        std::atomic_ref(*reinterpret_cast<std::uint32_t*>(arena.base + request_packet.in.cancel)).store(1);
         constexpr auto grace = std::chrono::milliseconds(200);
         received = receive(socket_, answer, Clock::now() + grace);
     }
     const std::string no_answer = "no answer within " + std::to_string(limit.count()) + " ms";
     if (received == Received::late) return lost(no_answer);
-    if (received == Received::closed || answer.number != ask.number) return lost("the answer was cut short");
+    if (received == Received::closed || answer.number != request_packet.number) return lost("the answer was cut short");
     RemeshResult result = unpack(answer.status, answer.out, result_.arena());
     if (result.status == KERF_REMESH_CANCELLED)
         result.message = is_cancelled ? no_answer : "it answers CANCELLED, and was not cancelled";

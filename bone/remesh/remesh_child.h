@@ -26,10 +26,10 @@ struct RemeshProgram {
 
 /// A strategy in a separate process. It is started once, before any loop runs: `posix_spawn` does not delay a running
 /// loop, `fork` would stop it for milliseconds. A child that dies or is late costs one request; it is killed and
-/// started again, `most_restarts` times.   [worker] one thread at a time
+/// started again, `max_restarts` times.   [worker] one thread at a time
 class RemeshChild {
 public:
-    static constexpr int most_restarts = 3;
+    static constexpr int max_restarts = 3;
 
     /// Starts a child. Null on failure; then `error` has the reason, for people.   [main]
     static std::unique_ptr<RemeshChild> start(const RemeshProgram& program, std::string& error);

@@ -38,20 +38,20 @@ RemeshResult failed(const char* why) {
 
 std::uint64_t request_bytes(const RemeshRequest& request) {
     const SurfaceMesh& mesh = request.base.mesh;
-    constexpr std::size_t most_parts = 1 + max_gaps;
+    constexpr std::size_t max_parts = 1 + max_gaps;
     std::uint64_t bytes = 64 + mesh.vertices.size() * (sizeof(Vec3) + 1) +
                           mesh.triangles.size() * (sizeof(Triangle) + 1) +
-                          most_parts * request.cuts.size() * sizeof(kerf_cut);
+                          max_parts * request.cuts.size() * sizeof(kerf_cut);
     for (const ToolSolid* solid : request.solids)
-        bytes += most_parts * (sizeof(kerf_cut_solid) + alignment + 2 * sizeof(kerf_profile_point)) +
+        bytes += max_parts * (sizeof(kerf_cut_solid) + alignment + 2 * sizeof(kerf_profile_point)) +
                  solid->outline().size() * sizeof(kerf_profile_point);
-    constexpr std::uint64_t most_parameters = 256;
-    return bytes + most_parameters * sizeof(double) + 16 * alignment;
+    constexpr std::uint64_t max_parameters = 256;
+    return bytes + max_parameters * sizeof(double) + 16 * alignment;
 }
 
 std::uint64_t result_bytes(const RemeshRequest& request) {
-    constexpr std::uint64_t room = std::uint64_t{256} << 20;  // for walls, which the base does not bound
-    return 4 * request_bytes(request) + room;
+    constexpr std::uint64_t wall_bytes = std::uint64_t{256} << 20;  // for walls, which the base does not bound
+    return 4 * request_bytes(request) + wall_bytes;
 }
 
 bool pack(const RemeshRequest& request, const std::vector<double>& parameters, kerf_arena& arena, kerf_remesh_in& in) {
@@ -72,14 +72,14 @@ bool pack(const RemeshRequest& request, const std::vector<double>& parameters, k
     // A solid in several parts is passed as several solids, and each of its cuts as one cut for each part.
     std::vector<kerf_cut_solid> solids;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> parts_of;  // for each solid: first part, number of parts
-    bool has_room = true;
+    bool fits = true;
     for (const ToolSolid* solid : request.solids) {
         const std::vector<ToolSolid> parts = solid->outline().empty() ? std::vector{*solid} : solid->each_part();
         parts_of.emplace_back(static_cast<std::uint32_t>(solids.size()), static_cast<std::uint32_t>(parts.size()));
         for (const ToolSolid& part : parts) {
             const auto& profile = part.outline();
             const kerf_offset at = append(arena, profile.data(), profile.size());
-            has_room = has_room && (at != 0 || profile.empty());
+            fits = fits && (at != 0 || profile.empty());
             solids.push_back({part.is_prism() ? KERF_SOLID_PRISM : KERF_SOLID_REVOLUTION,
                               static_cast<std::uint32_t>(profile.size()), at, part.thickness(), part.bore()});
         }
@@ -99,7 +99,7 @@ bool pack(const RemeshRequest& request, const std::vector<double>& parameters, k
     const std::uint32_t not_cancelled = 0;
     in.cancel = append(arena, &not_cancelled, 1);
     const auto is_there = [](kerf_offset at, std::size_t count) { return at != 0 || count == 0; };
-    return has_room && is_there(in.base.vertices, mesh.vertices.size()) &&
+    return fits && is_there(in.base.vertices, mesh.vertices.size()) &&
            is_there(in.base.triangles, mesh.triangles.size()) && is_there(in.base.tags, request.base.tags.size()) &&
            is_there(in.base.locked, request.locked.size()) && is_there(in.solids, solids.size()) &&
            is_there(in.cuts, cuts.size()) && is_there(in.params, parameters.size()) && in.cancel != 0;

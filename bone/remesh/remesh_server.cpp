@@ -38,8 +38,8 @@ void be_a_good_child() {
     sigaction(SIGALRM, &action, nullptr);
     const itimerval each_second{{1, 0}, {1, 0}};
     setitimer(ITIMER_REAL, &each_second, nullptr);
-    constexpr rlim_t most_memory = rlim_t{16} << 30;  // [bytes] of address space
-    const rlimit memory{most_memory, most_memory};
+    constexpr rlim_t max_memory = rlim_t{16} << 30;  // [bytes] of address space
+    const rlimit memory{max_memory, max_memory};
     setrlimit(RLIMIT_AS, &memory);
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
@@ -82,19 +82,19 @@ int serve_remeshing(const std::string& module_path, const std::string& strategy,
     SharedMemory request = SharedMemory::of(request_fd), result = SharedMemory::of(result_fd);
     void* cache = remesher->cache_new != nullptr ? remesher->cache_new() : nullptr;
     for (;;) {
-        Ask ask;
-        const ssize_t got = recv(socket_fd, &ask, sizeof ask, 0);
+        RequestPacket request_packet;
+        const ssize_t got = recv(socket_fd, &request_packet, sizeof request_packet, 0);
         if (got < 0 && errno == EINTR) continue;
-        if (got != static_cast<ssize_t>(sizeof ask)) break;  // the parent closed its end
-        Answer answer;
-        answer.number = ask.number;
+        if (got != static_cast<ssize_t>(sizeof request_packet)) break;  // the parent closed its end
+        ResultPacket answer;
+        answer.number = request_packet.number;
         answer.out.size = sizeof answer.out;
-        if (request.map(ask.request_capacity) && result.map(ask.result_capacity)) {
+        if (request.map(request_packet.request_capacity) && result.map(request_packet.result_capacity)) {
             kerf_arena from = request.arena(), to = result.arena();
-            from.used = ask.request_used;
+            from.used = request_packet.request_used;
             to.used = 64;  // an offset of 0 means none
             before();
-            answer.status = call_remesh(*component, ask.in, from, to, answer.out, cache);
+            answer.status = call_remesh(*component, request_packet.in, from, to, answer.out, cache);
             after();
         } else {
             copy_text(answer.out.message, "the shared memory cannot be mapped");

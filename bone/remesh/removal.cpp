@@ -36,10 +36,10 @@ public:
     }
     /// Returns whether a point is deeper than `depth` [m] in one of the sweeps; a negative depth extends the sweeps
     /// outwards.
-    [[nodiscard]] bool holds(Vec3 point, double depth) const {
+    [[nodiscard]] bool contains(Vec3 point, double depth) const {
         const double margin = std::max(0.0, -depth);
         return std::any_of(all_.begin(), all_.end(), [&](const One& one) {
-            return is_in(point, one.box, margin) && one.sweep.holds(point, depth);
+            return is_in(point, one.box, margin) && one.sweep.contains(point, depth);
         });
     }
 
@@ -64,19 +64,20 @@ Vec3 middle_of(const SurfaceMesh& mesh, const Triangle& t) {
     return (c[0] + c[1] + c[2]) / 3.0;
 }
 
-/// Returns the largest faces for which `is_asked` is true, up to a limit of cost. Small faces lie between large ones.
-template <class IsAsked>
-std::vector<std::size_t> largest_faces(const SurfaceMesh& mesh, bool is_patch, const IsAsked& is_asked) {
-    const std::size_t most = is_patch ? 256 : 8192;
+/// Returns the largest faces for which `is_candidate` is true, up to a limit of cost. Small faces lie between large
+/// ones.
+template <class IsCandidate>
+std::vector<std::size_t> largest_faces(const SurfaceMesh& mesh, bool is_patch, const IsCandidate& is_candidate) {
+    const std::size_t largest = is_patch ? 256 : 8192;
     std::vector<std::pair<double, std::size_t>> all;
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-        if (!is_asked(f)) continue;
+        if (!is_candidate(f)) continue;
         const auto c = mesh.corners(mesh.triangles[f]);
         all.emplace_back(-length(cross(c[1] - c[0], c[2] - c[0])), f);
     }
-    if (all.size() > most) {
-        std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(most), all.end());
-        all.resize(most);
+    if (all.size() > largest) {
+        std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(largest), all.end());
+        all.resize(largest);
     }
     std::vector<std::size_t> faces;
     for (const auto& [area, face] : all) faces.push_back(face);
@@ -84,7 +85,7 @@ std::vector<std::size_t> largest_faces(const SurfaceMesh& mesh, bool is_patch, c
     return faces;
 }
 
-std::string at(Vec3 point) { return "at " + place_text(point); }
+std::string at(Vec3 point) { return "at " + position_text(point); }
 
 /// Finds a point of a face in the path of a tool. Depth changes no faster than a point moves, so its value in the
 /// middle bounds it over the whole face. If this bound does not decide, the face is halved, down to `spacing`.
@@ -95,10 +96,10 @@ public:
     [[nodiscard]] std::optional<Vec3> find_in(Vec3 a, Vec3 b, Vec3 c) const {
         const Vec3 middle = (a + b + c) / 3.0;
         const double radius = std::max({length(a - middle), length(b - middle), length(c - middle)});
-        if (swept_->holds(middle, allowed_)) return middle;
-        if (radius <= spacing_ || !swept_->holds(middle, allowed_ - radius)) return std::nullopt;
+        if (swept_->contains(middle, allowed_)) return middle;
+        if (radius <= spacing_ || !swept_->contains(middle, allowed_ - radius)) return std::nullopt;
         // A face on the wall: between points of the wall a convex solid is at most a few times `allowed` deep.
-        if (swept_->holds(a, -allowed_) && swept_->holds(b, -allowed_) && swept_->holds(c, -allowed_))
+        if (swept_->contains(a, -allowed_) && swept_->contains(b, -allowed_) && swept_->contains(c, -allowed_))
             return std::nullopt;
         const double ab = length(b - a), bc = length(c - b), ca = length(a - c);
         if (bc >= ab && bc >= ca) return find_in_halves(b, c, a);
@@ -147,17 +148,17 @@ std::string flaw_of_removal(const RemeshRequest& request, const TaggedMesh& resu
     const SurfaceMesh &before = request.base.mesh, &after = result.mesh;
     const Swept swept(request);
     if (std::string flaw = flaw_of_rest(after, request, swept, allowed); !flaw.empty()) return flaw;
-    const std::vector<std::uint8_t> is_new = new_faces_of(after, before), is_gone = new_faces_of(before, after);
+    const std::vector<std::uint8_t> is_new = new_faces_of(after, before), is_removed = new_faces_of(before, after);
     const TriangleTree base(before), left(after);
     const bool is_patch = !request.locked.empty();
     for (const std::size_t face : largest_faces(after, is_patch, [&](std::size_t f) { return is_new[f] != 0; })) {
         const Vec3 point = middle_of(after, after.triangles[face]);
-        if (base.distance(point, 2.0 * allowed) > allowed && !swept.holds(point, -allowed))
+        if (base.distance(point, 2.0 * allowed) > allowed && !swept.contains(point, -allowed))
             return "a new face lies neither on the mesh as it was nor on what the tool sweeps, " + at(point);
     }
-    for (const std::size_t face : largest_faces(before, is_patch, [&](std::size_t f) { return is_gone[f] != 0; })) {
+    for (const std::size_t face : largest_faces(before, is_patch, [&](std::size_t f) { return is_removed[f] != 0; })) {
         const Vec3 point = middle_of(before, before.triangles[face]);
-        if (left.distance(point, 2.0 * allowed) > allowed && !swept.holds(point, -allowed))
+        if (left.distance(point, 2.0 * allowed) > allowed && !swept.contains(point, -allowed))
             return "bone is missing that the tool did not sweep, " + at(point);
     }
     return {};

@@ -10,7 +10,9 @@ namespace {
 /// Returns points on the surface of a solid, tool frame, at most `apart` from each other.
 std::vector<Vec3> surface_points(const ToolSolid& solid, double apart) {
     std::vector<Vec3> points;
-    const auto steps_for = [&](double way) { return std::max(1, static_cast<int>(std::ceil(way / apart))); };
+    const auto steps_for = [&](double length_along) {
+        return std::max(1, static_cast<int>(std::ceil(length_along / apart)));
+    };
     const double half = 0.5 * solid.thickness();
     const auto add_section = [&](double radius, double z, bool is_end) {
         if (solid.is_prism()) {
@@ -67,7 +69,7 @@ bool SweptBefore::covers(const CutStretch& cut) const {
     if (near.empty()) return false;
     const Swept* last = near.back();  // most points are covered by the same sweep as the last one
     const auto is_in = [this](const Swept& one, Vec3 p) {
-        return meet(one.box, {p, p}) && one.sweep.holds(p, -tolerance_);
+        return meet(one.box, {p, p}) && one.sweep.contains(p, -tolerance_);
     };
     const auto is_covered = [&](Vec3 p) {
         if (is_in(*last, p)) return true;
@@ -88,11 +90,11 @@ bool SweptBefore::covers(const CutStretch& cut) const {
 
 void SweptBefore::add(const CutStretch& cut) {
     const ToolSolid& solid = *solids_[cut.solid];
-    const double way = std::max(largest_motion(solid, cut.from, cut.to), 1e-6);
+    const double length_along = std::max(largest_motion(solid, cut.from, cut.to), 1e-6);
     Box box = swept_box(solid, cut);
     const Vec3 more{tolerance_, tolerance_, tolerance_};
     box = {box.low - more, box.high + more};
-    swept_.push_back(std::make_shared<const Swept>(Swept{Sweep(solid, cut.from, cut.to, way, 0.0), box}));
+    swept_.push_back(std::make_shared<const Swept>(Swept{Sweep(solid, cut.from, cut.to, length_along, 0.0), box}));
 }
 
 }  // namespace kerf

@@ -62,10 +62,10 @@ std::array<Vec3, 3> from_corner(const std::array<Vec3, 3>& t, std::size_t first)
     return {t[first], t[(first + 1) % 3], t[(first + 2) % 3]};
 }
 
-bool do_cross(const SurfaceMesh& mesh, std::uint32_t face, std::uint32_t other, bool needles) {
+bool do_cross(const SurfaceMesh& mesh, std::uint32_t face, std::uint32_t other, bool test_needles) {
     const std::array<Vec3, 3> a = mesh.corners(mesh.triangles[face]), b = mesh.corners(mesh.triangles[other]);
-    const auto is_left_out = [needles](const std::array<Vec3, 3>& t) {
-        return is_flat(t[0], t[1], t[2]) && (!needles || axis_across(t[0], t[1], t[2]) == 3);
+    const auto is_left_out = [test_needles](const std::array<Vec3, 3>& t) {
+        return is_flat(t[0], t[1], t[2]) && (!test_needles || axis_across(t[0], t[1], t[2]) == 3);
     };
     if (is_left_out(a) || is_left_out(b)) return false;
 
@@ -118,12 +118,12 @@ bool is_flat(Vec3 a, Vec3 b, Vec3 c) noexcept {
     return length(cross(b - a, c - a)) <= nanometre * longest;
 }
 
-std::vector<Crossing> crossings_of(const SurfaceMesh& mesh, const TriangleTree& tree, bool needles,
-                                   const std::vector<std::uint8_t>& asked) {
+std::vector<Crossing> crossings_of(const SurfaceMesh& mesh, const TriangleTree& tree, bool test_needles,
+                                   const std::vector<std::uint8_t>& is_tested) {
     std::vector<Crossing> found;
     tree.for_each_near_pair([&](std::uint32_t face, std::uint32_t other) {
-        if (!asked.empty() && asked[face] == 0 && asked[other] == 0) return;
-        if (do_cross(mesh, face, other, needles)) found.push_back({face, other});
+        if (!is_tested.empty() && is_tested[face] == 0 && is_tested[other] == 0) return;
+        if (do_cross(mesh, face, other, test_needles)) found.push_back({face, other});
     });
     std::sort(found.begin(), found.end());
     return found;

@@ -21,7 +21,7 @@ void count(Flaw& flaw, Vec3 at) {
 }
 
 /// Returns the vertices in the order of their positions; equal positions by number.
-std::vector<std::uint32_t> vertices_by_place(const SurfaceMesh& mesh) {
+std::vector<std::uint32_t> vertices_by_position(const SurfaceMesh& mesh) {
     std::vector<std::uint32_t> order(mesh.vertices.size());
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> vertices_by_place(const SurfaceMesh& mesh) {
 }
 
 void count_duplicates(const SurfaceMesh& mesh, SurfaceDiagnosis& found) {
-    const std::vector<std::uint32_t> order = vertices_by_place(mesh);
+    const std::vector<std::uint32_t> order = vertices_by_position(mesh);
     for (std::size_t i = 1; i < order.size(); ++i)
         if (mesh.vertices[order[i]] == mesh.vertices[order[i - 1]])
             count(found.duplicate_vertices, mesh.vertices[order[i]]);
@@ -124,20 +124,20 @@ SurfaceDiagnosis diagnose(const SurfaceMesh& mesh, double unit) {
         if (last - first == 1)
             count(found.open_edges, at);
         else if (last - first > 2)
-            count(found.crowded_edges, at);
+            count(found.nonmanifold_edges, at);
         else if (balance_of(first, last) != 0)
-            count(found.turned_edges, at);
+            count(found.inconsistent_edges, at);
     });
     for (const BorderLoop& loop : border_loops_of(edges)) found.openings.push_back(opening_of(mesh, loop));
     std::stable_sort(found.openings.begin(), found.openings.end(),
                      [](const Opening& a, const Opening& b) { return a.width > b.width; });
     for (const std::uint32_t v : pinched_vertices_of(mesh, edges)) count(found.pinched_vertices, mesh.vertices[v]);
     found.pieces = pieces_in(mesh, edges);
-    found.is_inside_out = found.is_closed() && found.turned_edges.count == 0 && found.volume < 0.0;
+    found.is_inside_out = found.is_closed() && found.inconsistent_edges.count == 0 && found.volume < 0.0;
 
     for (const Crossing& pair : crossings_of(mesh, TriangleTree(mesh))) {
-        found.crossing_places.push_back(mesh.vertices[mesh.triangles[pair[0]][0]]);
-        count(found.crossings, found.crossing_places.back());
+        found.crossing_positions.push_back(mesh.vertices[mesh.triangles[pair[0]][0]]);
+        count(found.crossings, found.crossing_positions.back());
     }
 
     const auto farthest = [](Vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); };
@@ -148,7 +148,7 @@ SurfaceDiagnosis diagnose(const SurfaceMesh& mesh, double unit) {
     return found;
 }
 
-std::string place_text(Vec3 at) {
+std::string position_text(Vec3 at) {
     return "(" + rounded(at.x * 1e3, 1) + ", " + rounded(at.y * 1e3, 1) + ", " + rounded(at.z * 1e3, 1) + ") mm";
 }
 
@@ -161,15 +161,16 @@ std::vector<std::string> to_notes(const SurfaceDiagnosis& d) {
                     (d.is_closed() ? "." : " as far as an open surface has one."));
     const auto say = [&](const Flaw& flaw, const char* one, const char* many) {
         if (flaw.count > 0)
-            notes.push_back("Found " + counted(flaw.count, one, many) + ", the first at " + place_text(flaw.at) + ".");
+            notes.push_back("Found " + counted(flaw.count, one, many) + ", the first at " + position_text(flaw.at) +
+                            ".");
     };
     say(d.duplicate_vertices, "vertex at the place of another", "vertices at the place of another");
     say(d.collapsed_faces, "face with the same corner twice", "faces with the same corner twice");
     say(d.duplicate_faces, "face that is there twice", "faces that are there twice");
     say(d.flat_faces, "face without area", "faces without area");
-    say(d.crowded_edges, "edge of more than two faces", "edges of more than two faces");
+    say(d.nonmanifold_edges, "edge of more than two faces", "edges of more than two faces");
     say(d.pinched_vertices, "vertex where the surface touches itself", "vertices where the surface touches itself");
-    say(d.turned_edges, "edge between faces that look to different sides",
+    say(d.inconsistent_edges, "edge between faces that look to different sides",
         "edges between faces that look to different sides");
     say(d.crossings, "pair of faces that cut through one another", "pairs of faces that cut through one another");
     if (d.open_edges.count > 0) {
@@ -177,16 +178,16 @@ std::vector<std::string> to_notes(const SurfaceDiagnosis& d) {
         if (!d.openings.empty())
             note += ", in " + counted(d.openings.size(), "loop", "loops") + "; the widest is " +
                     rounded(d.openings[0].width * 1e3, 1) + " mm across, " + rounded(d.openings[0].length * 1e3, 1) +
-                    " mm around, at " + place_text(d.openings[0].at);
+                    " mm around, at " + position_text(d.openings[0].at);
         notes.push_back(note + ".");
     }
     if (d.is_inside_out) notes.push_back("Found the surface inside out: its faces look inwards.");
     if (d.pieces.size() > 1) {
         std::string note = "Found " + std::to_string(d.pieces.size()) + " pieces, of";
-        constexpr std::size_t most_named = 5;
-        for (std::size_t i = 0; i < d.pieces.size() && i < most_named; ++i)
+        constexpr std::size_t max_named = 5;
+        for (std::size_t i = 0; i < d.pieces.size() && i < max_named; ++i)
             note += (i == 0 ? " " : ", ") + rounded(d.pieces[i].volume * 1e9, 1);
-        notes.push_back(note + (d.pieces.size() > most_named ? " … mm3." : " mm3."));
+        notes.push_back(note + (d.pieces.size() > max_named ? " … mm3." : " mm3."));
     }
     return notes;
 }

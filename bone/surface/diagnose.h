@@ -39,18 +39,18 @@ struct SurfaceDiagnosis {
     double volume = 0.0;               ///< [m³] signed
     std::vector<SurfacePiece> pieces;  ///< the largest first
 
-    Flaw open_edges;                    ///< with one face only
-    std::vector<Opening> openings;      ///< the widest first
-    Flaw crowded_edges;                 ///< with more than two faces
-    Flaw pinched_vertices;              ///< where parts of the surface touch only in a point
-    Flaw turned_edges;                  ///< between two faces with opposite orientation
-    bool is_inside_out = false;         ///< closed, and its volume is negative
-    Flaw duplicate_vertices;            ///< at exactly the position of an earlier one
-    Flaw duplicate_faces;               ///< with the vertices of an earlier one
-    Flaw collapsed_faces;               ///< with one vertex twice
-    Flaw flat_faces;                    ///< three vertices on a line
-    Flaw crossings;                     ///< pairs of faces that intersect
-    std::vector<Vec3> crossing_places;  ///< [m] one for each pair
+    Flaw open_edges;                       ///< with one face only
+    std::vector<Opening> openings;         ///< the widest first
+    Flaw nonmanifold_edges;                ///< with more than two faces
+    Flaw pinched_vertices;                 ///< where parts of the surface touch only in a point
+    Flaw inconsistent_edges;               ///< between two faces with opposite orientation
+    bool is_inside_out = false;            ///< closed, and its volume is negative
+    Flaw duplicate_vertices;               ///< at exactly the position of an earlier one
+    Flaw duplicate_faces;                  ///< with the vertices of an earlier one
+    Flaw collapsed_faces;                  ///< with one vertex twice
+    Flaw flat_faces;                       ///< three vertices on a line
+    Flaw crossings;                        ///< pairs of faces that intersect
+    std::vector<Vec3> crossing_positions;  ///< [m] one for each pair
 
     double float_step = 0.0;  ///< [m] resolution of a float at the farthest coordinate
     std::string likely_unit;  ///< "m": the size fits no bone, but would in this unit; or empty
@@ -66,6 +66,6 @@ struct SurfaceDiagnosis {
 [[nodiscard]] std::vector<std::string> to_notes(const SurfaceDiagnosis& diagnosis);
 
 /// Returns a position as text: "(12.1, -3.0, 44.7) mm".
-[[nodiscard]] std::string place_text(Vec3 at);
+[[nodiscard]] std::string position_text(Vec3 at);
 
 }  // namespace kerf

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int block_edge = 3;  // samples of a block along each axis
 static_assert(stored_edge % block_edge == 0);
-constexpr double room = 1.0 + 1e-9, least_room = 1e-12;  // [–], [m] margins for rounding
+constexpr double rounding_factor = 1.0 + 1e-9, rounding_margin = 1e-12;  // [–], [m] margins for rounding
 
 /// Returns the distance [m] that may replace larger ones: outside the range, also after rounding.
 double limit_of(DistanceRange needed) noexcept {
@@ -47,7 +47,8 @@ void MeshDistances::fill(const BrickLattice& lattice, DistanceRange needed, Bric
 /// Collects the triangles within `limit` that may be nearest to a point at most `radius` from `centre`.
 void MeshDistances::gather(Vec3 centre, double radius, double limit) {
     of_brick_.clear();
-    const double reach = std::min(limit + radius, tree_->distance(centre, limit) + 2.0 * radius) * room + least_room;
+    const double reach =
+        std::min(limit + radius, tree_->distance(centre, limit) + 2.0 * radius) * rounding_factor + rounding_margin;
     tree_->for_each_within(centre, reach, [&](Vec3 a, Vec3 b, Vec3 c) {
         Candidate one{a, b, c, {}, {}, 0.0};
         one.low = {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
@@ -60,7 +61,7 @@ void MeshDistances::gather(Vec3 centre, double radius, double limit) {
 }
 
 /// Writes the squared distances of a block of samples, at most `limit`² [m²].
-void MeshDistances::measure(const BrickLattice& lattice, Places first, double limit, BrickDistances squares) {
+void MeshDistances::measure(const BrickLattice& lattice, SampleIndex first, double limit, BrickDistances squares) {
     const auto [i0, j0, k0] = first;
     const Vec3 centre = sample(lattice, i0 + 1, j0 + 1, k0 + 1);
     double squared_radius = 0.0;
@@ -68,21 +69,21 @@ void MeshDistances::measure(const BrickLattice& lattice, Places first, double li
         for (const int j : {j0, j0 + 2})
             for (const int k : {k0, k0 + 2})
                 squared_radius = std::max(squared_radius, squared(sample(lattice, i, j, k) - centre));
-    const double radius = std::sqrt(squared_radius) * room + least_room;
+    const double radius = std::sqrt(squared_radius) * rounding_factor + rounding_margin;
 
     // First the distance of the centre, then all candidates at most twice the radius farther.
-    double least = squared(limit + radius);
+    double smallest = squared(limit + radius);
     of_block_.clear();
     for (const Candidate& one : of_brick_) {
         const double to_box = squared_to_box(centre, one.low, one.high);
-        const double farthest = std::sqrt(least) + 2.0 * radius;
+        const double farthest = std::sqrt(smallest) + 2.0 * radius;
         if (to_box > farthest * farthest) continue;
         const double to_triangle = squared_to_triangle(centre, one.a, one.b, one.c);
-        least = std::min(least, to_triangle);
+        smallest = std::min(smallest, to_triangle);
         of_block_.push_back(one);
         of_block_.back().nearest = to_triangle;
     }
-    const double farthest = std::sqrt(least) * room + 2.0 * radius;
+    const double farthest = std::sqrt(smallest) * rounding_factor + 2.0 * radius;
     std::erase_if(of_block_, [&](const Candidate& one) { return one.nearest > farthest * farthest; });
     std::sort(of_block_.begin(), of_block_.end(),
               [](const Candidate& s, const Candidate& t) { return s.nearest < t.nearest; });
@@ -92,14 +93,14 @@ void MeshDistances::measure(const BrickLattice& lattice, Places first, double li
             for (int i = i0; i < i0 + block_edge; ++i) {
                 const Vec3 p = sample(lattice, i, j, k);
                 const double from_centre = length(p - centre);
-                double best = limit * limit, farthest_here = squared(limit + from_centre) * room;
+                double best = limit * limit, farthest_here = squared(limit + from_centre) * rounding_factor;
                 for (const Candidate& one : of_block_) {
                     if (one.nearest > farthest_here) break;  // all later ones are farther
-                    if (squared_to_box(p, one.low, one.high) > best * room) continue;
+                    if (squared_to_box(p, one.low, one.high) > best * rounding_factor) continue;
                     const double square = squared_to_triangle(p, one.a, one.b, one.c);
                     if (square >= best) continue;
                     best = square;
-                    farthest_here = squared(std::sqrt(best) + from_centre) * room;
+                    farthest_here = squared(std::sqrt(best) + from_centre) * rounding_factor;
                 }
                 squares[index_of(i, j, k)] = best;
             }
@@ -113,7 +114,7 @@ void MeshDistances::sign(const BrickLattice& lattice, BrickDistances distances) 
         return n;
     };
     const auto link = [&](std::size_t n, std::size_t m, double apart) {
-        if (!(distances[n] + distances[m] > apart * room + least_room)) return;
+        if (!(distances[n] + distances[m] > apart * rounding_factor + rounding_margin)) return;
         const std::size_t one = root_of(n), other = root_of(m);
         root_[std::max(one, other)] = static_cast<std::uint16_t>(std::min(one, other));
     };

@@ -31,10 +31,10 @@ private:
         Vec3 low, high;  ///< bounding box
         double nearest;  ///< [m] to the centre of the samples
     };
-    using Places = std::array<int, 3>;
+    using SampleIndex = std::array<int, 3>;
 
     void gather(Vec3 centre, double radius, double limit);
-    void measure(const BrickLattice& lattice, Places first, double limit, BrickDistances squares);
+    void measure(const BrickLattice& lattice, SampleIndex first, double limit, BrickDistances squares);
     void sign(const BrickLattice& lattice, BrickDistances distances);
 
     const TriangleTree* tree_;

@@ -9,10 +9,10 @@
 
 namespace kerf {
 
-inline constexpr std::size_t most_corners = 256;  ///< of one polygon
+inline constexpr std::size_t max_corners = 256;  ///< of one polygon
 
 /// Adds a polygon as triangles, by cutting off ears, so that concave corners are kept. A polygon that crosses itself
-/// becomes arbitrary triangles. Pre: 3 … most_corners corners, all existing.
+/// becomes arbitrary triangles. Pre: 3 … max_corners corners, all existing.
 void add_polygon(SurfaceMesh& mesh, const std::vector<std::uint32_t>& corners);
 
 }  // namespace kerf

@@ -42,8 +42,8 @@ public:
         for (;;) {
             std::string_view word = lines_.word();
             if (word.empty()) {
-                if (!goes_on_ || !lines_.next()) return {};
-                goes_on_ = false;
+                if (!continues_ || !lines_.next()) return {};
+                continues_ = false;
                 continue;
             }
             const bool begins_remark = word.starts_with('#');
@@ -54,7 +54,7 @@ public:
             if (is_first_) is_remark_ = begins_remark;
             is_first_ = false;
             if (is_remark_ || !word.ends_with('\\') || !lines_.is_at_end()) return word;
-            goes_on_ = true;
+            continues_ = true;
             word.remove_suffix(1);
             if (!word.empty()) return word;
         }
@@ -62,7 +62,7 @@ public:
 
 private:
     TextLines& lines_;
-    bool is_first_ = true, is_remark_ = false, goes_on_ = false;
+    bool is_first_ = true, is_remark_ = false, continues_ = false;
 };
 
 }  // namespace
@@ -95,7 +95,7 @@ std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error)
             const std::optional<double> weight = number_in(words.next());
             if (weight && *weight != 1.0 && words.next().empty())
                 return refuse("E0643", "gives the vertex a weight other than 1, as of a curved surface.");
-            if (file.mesh.vertices.size() == 3 * most_faces)
+            if (file.mesh.vertices.size() == 3 * max_faces)
                 return refuse("E0642", "is one vertex too many: 150 million at most.");
             file.mesh.vertices.push_back(at);
         } else if (word == "f" || word == "fo") {  // an older keyword
@@ -108,12 +108,12 @@ std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error)
                 if (*index == 0 || at < 0 || at >= count)
                     return refuse("E0646", "names vertex " + std::to_string(*index) + "; before it there are " +
                                                std::to_string(count) + ".");
-                if (corners.size() == most_corners)
-                    return refuse("E0643", "is a face of more than " + std::to_string(most_corners) + " corners.");
+                if (corners.size() == max_corners)
+                    return refuse("E0643", "is a face of more than " + std::to_string(max_corners) + " corners.");
                 corners.push_back(static_cast<std::uint32_t>(at));
             }
             if (corners.size() < 3) return refuse("E0643", "is a face of fewer than three corners.");
-            if (file.mesh.triangles.size() + corners.size() > most_faces)
+            if (file.mesh.triangles.size() + corners.size() > max_faces)
                 return refuse("E0642", "is one face too many: 50 million at most.");
             add_polygon(file.mesh, corners);
         } else if (word == "surf" || word == "bzp" || word == "bsp" || word == "cdc" || word == "call") {

@@ -174,7 +174,7 @@ std::optional<Header> read_header(std::string_view bytes, SurfaceError& error) {
 }
 
 /// Returns the smallest size of a row [bytes], to check a count against the size of the file.
-std::size_t least_size(const Element& element, Form form) noexcept {
+std::size_t min_size(const Element& element, Form form) noexcept {
     if (form == Form::text) return element.properties.size();
     std::size_t sum = 0;
     for (const Property& p : element.properties) sum += size_of(p.count_type.value_or(p.type));
@@ -217,7 +217,7 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
             return std::nullopt;
         }
         if (element.properties.empty()) continue;
-        if (element.count > header->data.size() / least_size(element, header->form)) return truncated(element);
+        if (element.count > header->data.size() / min_size(element, header->form)) return truncated(element);
         const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
         const std::array<std::size_t, 3> axes{index_of(element, "x"), index_of(element, "y"), index_of(element, "z")};
         const std::size_t list = std::min(index_of(element, "vertex_indices"), index_of(element, "vertex_index"));
@@ -228,12 +228,12 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
                 error = malformed("the vertices have no x, y and z.");
                 return std::nullopt;
             }
-            if (element.count > 3 * most_faces) {
+            if (element.count > 3 * max_faces) {
                 error = {"E0642", "the file has more than 150 million vertices.",
                          "Export the surface with fewer faces."};
                 return std::nullopt;
             }
-            file.holds_floats = element.properties[axes[0]].type == Number::float32;
+            file.has_floats = element.properties[axes[0]].type == Number::float32;
             file.mesh.vertices.reserve(element.count);
         }
         if (is_face && (list == none || !element.properties[list].count_type)) {
@@ -251,9 +251,9 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
                 if (!property.count_type) continue;
                 const bool is_polygon = is_face && p == list;
                 if (!(*value >= 0.0 && *value <= 4294967295.0) || *value != std::floor(*value) ||
-                    (is_polygon && *value > static_cast<double>(most_corners))) {
+                    (is_polygon && *value > static_cast<double>(max_corners))) {
                     error = malformed("row " + std::to_string(r + 1) + " of `" + element.name + "` has a list of " +
-                                      (is_polygon ? "more than " + std::to_string(most_corners) + " corners"
+                                      (is_polygon ? "more than " + std::to_string(max_corners) + " corners"
                                                   : "an impossible length") +
                                       ".");
                     return std::nullopt;
@@ -290,7 +290,7 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
                 error = malformed("face " + std::to_string(r + 1) + " has fewer than three corners.");
                 return std::nullopt;
             }
-            if (file.mesh.triangles.size() + corners.size() > most_faces) {
+            if (file.mesh.triangles.size() + corners.size() > max_faces) {
                 error = {"E0642", "the file has more than 50 million faces.", "Export the surface with fewer faces."};
                 return std::nullopt;
             }

@@ -44,7 +44,7 @@ SurfaceError not_finite(std::size_t face) {
 std::optional<SurfaceFile> read_binary(std::string_view bytes, std::size_t count, SurfaceError& error) {
     SurfaceFile file;
     if (!read_claims(bytes.substr(0, 80), file, error)) return std::nullopt;
-    file.holds_floats = true;
+    file.has_floats = true;
     file.mesh.vertices.reserve(3 * count);
     file.mesh.triangles.reserve(count);
     for (std::size_t f = 0; f < count; ++f) {
@@ -94,7 +94,7 @@ std::optional<SurfaceFile> read_text(std::string_view bytes, SurfaceError& error
             if (known != 3)
                 return malformed("ends a face with " + std::to_string(known) + " corners; three are needed.");
             known = 0;
-            if (file.mesh.triangles.size() == most_faces) {
+            if (file.mesh.triangles.size() == max_faces) {
                 error = {"E0642", "the file has more than 50 million faces.", "Export the surface with fewer faces."};
                 return std::nullopt;
             }
@@ -149,7 +149,7 @@ std::optional<SurfaceFile> read_stl(std::string_view bytes, SurfaceError& error)
     } else if (bytes.size() - promised >= face_size) {
         error = {"E0643", "the file holds more faces than the " + std::to_string(count) + " it promises.",
                  "Export the surface again."};
-    } else if (count > most_faces) {
+    } else if (count > max_faces) {
         error = {"E0642", "the file has more than 50 million faces.", "Export the surface with fewer faces."};
     } else {
         file = read_binary(bytes, count, error);

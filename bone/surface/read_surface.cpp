@@ -13,7 +13,7 @@
 namespace kerf {
 namespace {
 
-constexpr std::uintmax_t most_bytes = 1'000'000'000;
+constexpr std::uintmax_t max_bytes = 1'000'000'000;
 
 bool ends_in(const std::string& name, std::string_view ending) {
     if (name.size() < ending.size()) return false;
@@ -36,7 +36,7 @@ std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& di
     std::error_code wrong;
     const std::uintmax_t size = std::filesystem::file_size(file, wrong);
     if (wrong) return refuse({"E0640", "the file cannot be read.", "Check who may read it."});
-    if (size > most_bytes)
+    if (size > max_bytes)
         return refuse(
             {"E0642", "the file has more than 1 GB.", "Export the surface with fewer faces, or cut out the bone."});
     try {

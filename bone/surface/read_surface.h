@@ -25,7 +25,7 @@ namespace kerf {
 /// The contents of a file, in its own unit and frame.
 struct SurfaceFile {
     SurfaceMesh mesh;
-    bool holds_floats = false;   ///< coordinates were stored as 32-bit floats, with 24 significant bits
+    bool has_floats = false;     ///< coordinates were stored as 32-bit floats, with 24 significant bits
     std::optional<bool> is_ras;  ///< from the header's `SPACE=`: RAS, otherwise LPS; none: missing
     std::optional<double> unit;  ///< [m] from the header's `UNITS=`; none: missing
     bool has_topology = false;   ///< faces refer to common vertices by number; STL repeats vertices
@@ -46,6 +46,6 @@ struct SurfaceError {
 /// Reads a file by the ending of its name, in upper or lower case. Never throws.   [main]
 [[nodiscard]] std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& diagnostics);
 
-inline constexpr std::size_t most_faces = 50'000'000;
+inline constexpr std::size_t max_faces = 50'000'000;
 
 }  // namespace kerf

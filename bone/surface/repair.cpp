@@ -42,8 +42,8 @@ bool has_border(const std::vector<HalfEdge>& edges) {
 void drop_collapsed(SurfaceMesh& mesh, std::vector<std::string>& notes) {
     const std::size_t before = mesh.triangles.size();
     std::erase_if(mesh.triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
-    if (const std::size_t gone = before - mesh.triangles.size(); gone > 0)
-        notes.push_back("Left out " + counted(gone, "face", "faces") + " with the same corner twice.");
+    if (const std::size_t removed_count = before - mesh.triangles.size(); removed_count > 0)
+        notes.push_back("Left out " + counted(removed_count, "face", "faces") + " with the same corner twice.");
 }
 
 /// Among faces with the same three vertices, opposite faces cancel. One face of the majority remains, if any.
@@ -168,7 +168,7 @@ std::optional<SurfaceError> close_holes(SurfaceMesh& mesh, double up_to, std::ve
                       rounded(std::ceil(widest * 1e4) * 0.1, 1) + " mm}`";
         return SurfaceError{"E0649",
                             "the surface is open: " + counted(left, "hole", "holes") + ", the widest " +
-                                rounded(widest * 1e3, 1) + " mm across, at " + place_text(at) +
+                                rounded(widest * 1e3, 1) + " mm across, at " + position_text(at) +
                                 "; what is inside must be closed.",
                             advice + "."};
     }
@@ -222,7 +222,7 @@ std::optional<SurfaceError> make_faces_agree(SurfaceMesh& mesh, std::vector<std:
                         "E0651",
                         "the faces cannot all look outwards: going round along the surface one comes back "
                         "on its other side, near " +
-                            place_text(a) + ".",
+                            position_text(a) + ".",
                         "Mend the surface in the program that made it."};
                 }
             }
@@ -245,8 +245,8 @@ std::optional<SurfaceError> check_edges(const SurfaceMesh& mesh) {
     for_each_edge(edges, [&](const HalfEdge* first, const HalfEdge* last) {
         if (balance_of(first, last) == 0) return;
         if (count++ == 0)
-            wrong =
-                SurfaceError{"E0650", place_text(0.5 * (mesh.vertices[first->low] + mesh.vertices[first->high])), ""};
+            wrong = SurfaceError{"E0650", position_text(0.5 * (mesh.vertices[first->low] + mesh.vertices[first->high])),
+                                 ""};
     });
     if (wrong) {
         wrong->message = counted(count, "edge", "edges") +
@@ -368,7 +368,7 @@ std::optional<SurfaceError> turn_pieces(SurfaceMesh& mesh, InnerPieces inner, st
             if (inner == InnerPieces::unsaid)
                 return SurfaceError{"E0653",
                                     "a piece of " + rounded(volume * 1e9, 1) + " mm3 lies inside another, at " +
-                                        place_text(parts[p].mesh.vertices[0]) +
+                                        position_text(parts[p].mesh.vertices[0]) +
                                         ", and its faces say that there is bone on both sides of it.",
                                     "If it is a cavity, write `repair: {inner: hollow}`; if it bounds nothing, "
                                     "`repair: {inner: solid}`."};
@@ -405,22 +405,23 @@ std::size_t weld(SurfaceMesh& mesh) {
     };
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
     std::vector<std::uint32_t> name(order.size());
-    std::size_t gone = 0;
+    std::size_t removed_count = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const bool is_again = i > 0 && mesh.vertices[order[i]] == mesh.vertices[order[i - 1]];
         name[order[i]] = is_again ? name[order[i - 1]] : order[i];
-        gone += is_again;
+        removed_count += is_again;
     }
-    if (gone > 0) rename(mesh, name);
-    return gone;
+    if (removed_count > 0) rename(mesh, name);
+    return removed_count;
 }
 
 std::optional<SurfaceError> repair(SurfaceMesh& mesh, const RepairRules& rules, std::vector<std::string>& notes) {
     drop_collapsed(mesh, notes);
     drop_duplicates(mesh, notes);
     if (has_border(half_edges_of(mesh))) {
-        if (const std::size_t gone = weld(mesh); gone > 0)
-            notes.push_back("Made " + counted(gone, "vertex", "vertices") + " one with another at the same place.");
+        if (const std::size_t removed_count = weld(mesh); removed_count > 0)
+            notes.push_back("Made " + counted(removed_count, "vertex", "vertices") +
+                            " one with another at the same place.");
         join_borders(mesh, notes);
         drop_collapsed(mesh, notes);
         drop_duplicates(mesh, notes);
@@ -437,21 +438,21 @@ std::optional<SurfaceError> repair(SurfaceMesh& mesh, const RepairRules& rules, 
 
 SurfaceMesh taken_cavities(SurfaceMesh& mesh) {
     std::vector<Part> parts = parts_of(mesh);
-    SurfaceMesh rooms;
-    if (parts.size() < 2) return rooms;
+    SurfaceMesh found_cavities;
+    if (parts.size() < 2) return found_cavities;
     find_nesting(parts);
     std::vector<std::uint8_t> is_inner(parts.size(), 0);
     for (std::size_t p = 0; p < parts.size(); ++p) {
         if (parts[p].around.empty()) continue;
         is_inner[p] = 1;
         turn(mesh, parts[p]);
-        for (const std::uint32_t f : parts[p].faces) rooms.triangles.push_back(mesh.triangles[f]);
+        for (const std::uint32_t f : parts[p].faces) found_cavities.triangles.push_back(mesh.triangles[f]);
     }
-    if (rooms.triangles.empty()) return rooms;
-    rooms.vertices = mesh.vertices;
-    drop_unused_vertices(rooms);
+    if (found_cavities.triangles.empty()) return found_cavities;
+    found_cavities.vertices = mesh.vertices;
+    drop_unused_vertices(found_cavities);
     drop(mesh, parts, is_inner);
-    return rooms;
+    return found_cavities;
 }
 
 }  // namespace kerf

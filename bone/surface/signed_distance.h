@@ -19,14 +19,16 @@ public:
 
     /// Returns the distance, or ±`limit` [m] if the surface is farther than that.
     [[nodiscard]] double operator()(Vec3 p, double limit = HUGE_VAL) {
-        constexpr double room = 1.0 + 1e-9, least_room = 1e-12;  // [–], [m] margins for rounding
+        constexpr double rounding_factor = 1.0 + 1e-9, rounding_margin = 1e-12;  // [–], [m] margins for rounding
         const Answer& last = answers_[(next_ + remembered - 1) % remembered];
-        const double bound =
-            last.is_exact ? (std::abs(last.distance) + length(p - last.at)) * room + least_room : HUGE_VAL;
+        const double bound = last.is_exact
+                                 ? (std::abs(last.distance) + length(p - last.at)) * rounding_factor + rounding_margin
+                                 : HUGE_VAL;
         Answer answer{p, tree_->distance(p, std::min(limit, bound)), false};
         answer.is_exact = answer.distance < limit;
         const auto on_same_side = [&](const Answer& other) {
-            return answer.distance + std::abs(other.distance) > length(p - other.at) * room + least_room;
+            return answer.distance + std::abs(other.distance) >
+                   length(p - other.at) * rounding_factor + rounding_margin;
         };
         // The last result first, then earlier ones back to the previous row of samples.
         bool is_known = false;

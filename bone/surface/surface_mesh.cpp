@@ -39,18 +39,18 @@ double signed_volume_of(const SurfaceMesh& mesh) noexcept {
 
 void drop_unused_vertices(SurfaceMesh& mesh) {
     constexpr std::uint32_t unused = 0xffffffff;
-    std::vector<std::uint32_t> place(mesh.vertices.size(), unused);
+    std::vector<std::uint32_t> new_index(mesh.vertices.size(), unused);
     for (const Triangle& t : mesh.triangles)
-        for (const std::uint32_t v : t) place[v] = 0;
+        for (const std::uint32_t v : t) new_index[v] = 0;
     std::uint32_t count = 0;
-    for (std::size_t v = 0; v < place.size(); ++v) {
-        if (place[v] == unused) continue;
+    for (std::size_t v = 0; v < new_index.size(); ++v) {
+        if (new_index[v] == unused) continue;
         mesh.vertices[count] = mesh.vertices[v];
-        place[v] = count++;
+        new_index[v] = count++;
     }
     mesh.vertices.resize(count);
     for (Triangle& t : mesh.triangles)
-        for (std::uint32_t& v : t) v = place[v];
+        for (std::uint32_t& v : t) v = new_index[v];
 }
 
 }  // namespace kerf

@@ -24,8 +24,8 @@ struct WallSample {
 /// Returns the thinnest sample; nothing without samples.
 [[nodiscard]] std::optional<WallSample> thinnest(const std::vector<WallSample>& walls);
 /// Returns the thickness [m] below which a given fraction [–] of the area lies; 0 without samples.
-[[nodiscard]] double thickness_at(const std::vector<WallSample>& walls, double share);
+[[nodiscard]] double thickness_at(const std::vector<WallSample>& walls, double fraction);
 /// Returns the fraction [–] of the area that is thinner than `limit` [m].
-[[nodiscard]] double share_under(const std::vector<WallSample>& walls, double limit);
+[[nodiscard]] double fraction_under(const std::vector<WallSample>& walls, double limit);
 
 }  // namespace kerf

@@ -15,8 +15,8 @@ constexpr std::size_t deepest = 64;
 // Beyond this many of its radii a group counts as a dipole.
 constexpr double far_radii = 3.0;
 
-Vec3 least(Vec3 a, Vec3 b) noexcept { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-Vec3 most(Vec3 a, Vec3 b) noexcept { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+Vec3 min_corner(Vec3 a, Vec3 b) noexcept { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
+Vec3 max_corner(Vec3 a, Vec3 b) noexcept { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
 /// Returns the signed solid angle seen from p, 2π at most.
 double solid_angle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
@@ -54,16 +54,16 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t i = first; i < first + count; ++i) {
         const Item& t = items_[i];
         for (const Vec3 p : {t.a, t.b, t.c}) {
-            node.low = least(node.low, p);
-            node.high = most(node.high, p);
+            node.low = min_corner(node.low, p);
+            node.high = max_corner(node.high, p);
         }
         const Vec3 normal = 0.5 * cross(t.b - t.a, t.c - t.a), centre = (t.a + t.b + t.c) / 3.0;
         node.area = node.area + normal;
         area += length(normal);
         weighted = weighted + length(normal) * centre;
         plain = plain + centre;
-        low_centre = least(low_centre, t.a + t.b + t.c);
-        high_centre = most(high_centre, t.a + t.b + t.c);
+        low_centre = min_corner(low_centre, t.a + t.b + t.c);
+        high_centre = max_corner(high_centre, t.a + t.b + t.c);
     }
     node.centre = area > 0.0 ? weighted / area : plain / static_cast<double>(count);
     double radius = 0.0;
@@ -72,7 +72,7 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t count) {
             radius = std::max(radius, squared(p - node.centre));
     node.radius = std::sqrt(radius);
     nodes_.push_back(node);
-    if (count <= most_in_leaf) return;
+    if (count <= max_in_leaf) return;
 
     // Splits in half across the longest extent of the centres; equal centres by number.
     const Vec3 extent = high_centre - low_centre;
@@ -209,8 +209,8 @@ std::optional<TriangleTree::Hit> TriangleTree::first_hit(Vec3 origin, Vec3 direc
 }
 
 bool TriangleTree::meet(const Item& a, const Item& b) noexcept {
-    const Vec3 low_a = least(a.a, least(a.b, a.c)), high_a = most(a.a, most(a.b, a.c));
-    const Vec3 low_b = least(b.a, least(b.b, b.c)), high_b = most(b.a, most(b.b, b.c));
+    const Vec3 low_a = min_corner(a.a, min_corner(a.b, a.c)), high_a = max_corner(a.a, max_corner(a.b, a.c));
+    const Vec3 low_b = min_corner(b.a, min_corner(b.b, b.c)), high_b = max_corner(b.a, max_corner(b.b, b.c));
     return low_a.x <= high_b.x && low_b.x <= high_a.x && low_a.y <= high_b.y && low_b.y <= high_a.y &&
            low_a.z <= high_b.z && low_b.z <= high_a.z;
 }

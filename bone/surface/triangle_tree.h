@@ -70,7 +70,7 @@ private:
         Vec3 a, b, c;
         std::uint32_t face = 0;
     };
-    static constexpr std::uint32_t most_in_leaf = 4;
+    static constexpr std::uint32_t max_in_leaf = 4;
 
     void build(std::uint32_t first, std::uint32_t count);
     [[nodiscard]] static bool meet(const Node& a, const Node& b) noexcept {

@@ -84,7 +84,7 @@ struct Filing {
     }
     void commit(const Held<RoundFile>&, const BoneQuery&, const Advance& advance, State&,
                 Actions& actions) const noexcept {
-        if (advance.carried_by(KERF_CUT) > 0) actions.cut();
+        if (advance.force_of_kind(KERF_CUT) > 0) actions.cut();
     }
 };
 

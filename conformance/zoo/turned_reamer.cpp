@@ -86,7 +86,7 @@ struct Reaming {
                 Actions& actions) const noexcept {
         const double feed = std::hypot(advance.rate[0], advance.rate[1], advance.rate[2]);
         state.is_turning = std::abs(advance.rate[5]) > 2 * pi / 5e-3 * feed && std::abs(advance.rate[5]) > 0.1;
-        if (state.is_turning && advance.carried_by(KERF_CUT) > 0) actions.cut();
+        if (state.is_turning && advance.force_of_kind(KERF_CUT) > 0) actions.cut();
     }
 };
 

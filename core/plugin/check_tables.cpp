@@ -73,11 +73,12 @@ std::string got(const std::string& field, const std::string& value, const std::s
 
 // ---- texts and counts ---------------------------------------------------------------------------------------------
 
-std::string fault_of_text(const std::string& field, const char* text, std::size_t most, bool may_be_empty) {
+std::string fault_of_text(const std::string& field, const char* text, std::size_t maximum, bool may_be_empty) {
     if (text == nullptr)
         return got(field, "null", may_be_empty ? "a text, which may be empty" : "a text", "Fill it in.");
-    const std::size_t size = strnlen(text, most + 1);
-    if (size > most) return got(field, "over " + std::to_string(most) + " bytes", "at most that many", "Shorten it.");
+    const std::size_t size = strnlen(text, maximum + 1);
+    if (size > maximum)
+        return got(field, "over " + std::to_string(maximum) + " bytes", "at most that many", "Shorten it.");
     if (size == 0 && !may_be_empty) return got(field, "empty", "a text", "Fill it in.");
     const std::string_view view(text, size);
     if (!is_utf8(view))
@@ -102,9 +103,9 @@ std::string fault_of_id(const std::string& field, const char* id) {
 
 std::string fault_of_help(const char* help) { return fault_of_text("help", help, max_sentence, false); }
 
-std::string fault_of_count(const std::string& field, std::uint32_t count, std::uint32_t most, const void* table) {
-    if (count > most)
-        return got(field, std::to_string(count), "at most " + std::to_string(most),
+std::string fault_of_count(const std::string& field, std::uint32_t count, std::uint32_t maximum, const void* table) {
+    if (count > maximum)
+        return got(field, std::to_string(count), "at most " + std::to_string(maximum),
                    "Give the number of rows in the table, as in `std::size(table)`.");
     if (count > 0 && table == nullptr)
         return got(field, std::to_string(count) + " with a null table", "a table of as many rows",
@@ -124,7 +125,7 @@ std::string fault_of_size(const char* structure, std::uint32_t size, std::size_t
 
 /// Reports the first id that two rows have in common.
 template <class Row>
-std::string fault_of_twins(const Row* rows, std::uint32_t count) {
+std::string fault_of_duplicates(const Row* rows, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i)
         for (std::uint32_t j = 0; j < i; ++j)
             if (std::strcmp(rows[i].id, rows[j].id) == 0)
@@ -175,10 +176,10 @@ std::string fault_of_row(const kerf_drive& row) {
     if (std::string fault = fault_of_help(row.help); !fault.empty()) return fault;
     if (std::string fault = fault_of_unit(row.display_unit, row.dimension); !fault.empty()) return fault;
     if (std::string fault = fault_of_range(row); !fault.empty()) return fault;
-    const double most = std::max(std::abs(row.min), std::abs(row.max));
-    if (!(row.least >= 0.0 && row.least <= most))
+    const double maximum = std::max(std::abs(row.min), std::abs(row.max));
+    if (!(row.least >= 0.0 && row.least <= maximum))
         return got("least", value_text(row.least, row.display_unit),
-                   value_text(0.0, row.display_unit) + " … " + value_text(most, row.display_unit),
+                   value_text(0.0, row.display_unit) + " … " + value_text(maximum, row.display_unit),
                    "Set it within, or the tool takes no bone at any value.");
     return {};
 }
@@ -198,8 +199,8 @@ std::string fault_of_row(const kerf_event& row) {
 /// Checks a table whose rows have ids: its count, each row, and that each id occurs once.
 template <class Row>
 std::string fault_of_table(const char* table, const char* one, const Row* rows, std::uint32_t count,
-                           std::uint32_t most) {
-    if (std::string fault = fault_of_count(std::string(table) + " count", count, most, rows); !fault.empty())
+                           std::uint32_t maximum) {
+    if (std::string fault = fault_of_count(std::string(table) + " count", count, maximum, rows); !fault.empty())
         return fault;
     for (std::uint32_t i = 0; i < count; ++i) {
         std::string name = std::string(one) + " " + std::to_string(i) + ": ";
@@ -207,7 +208,7 @@ std::string fault_of_table(const char* table, const char* one, const Row* rows, 
         name = std::string(one) + " `" + rows[i].id + "`: ";
         if (std::string fault = fault_of_row(rows[i]); !fault.empty()) return name + fault;
     }
-    if (std::string fault = fault_of_twins(rows, count); !fault.empty()) return std::string(table) + ": " + fault;
+    if (std::string fault = fault_of_duplicates(rows, count); !fault.empty()) return std::string(table) + ": " + fault;
     return {};
 }
 

@@ -70,7 +70,7 @@ struct ComponentInfo {
     /// "kerf.burring.displace"
     [[nodiscard]] std::string full_id() const { return plugin + "." + id; }
     /// Returns whether `word` is a strategy's full id or the last words of it: "displace", "burring.displace".
-    [[nodiscard]] bool is_meant_by(const std::string& word) const {
+    [[nodiscard]] bool matches_id(const std::string& word) const {
         const std::string full = full_id();
         return full == word || full.ends_with("." + word);
     }

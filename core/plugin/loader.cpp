@@ -24,7 +24,7 @@ namespace kerf {
 namespace {
 
 /// An open library and the entry that it exports.
-struct Opened {
+struct OpenLibrary {
     void* handle = nullptr;
     const kerf_entry* entry = nullptr;
     std::string fault;
@@ -38,8 +38,8 @@ std::string linker_error(const std::string& path) {
     return plain(why);
 }
 
-Opened open_library(const std::string& path) {
-    Opened opened;
+OpenLibrary open_library(const std::string& path) {
+    OpenLibrary opened;
     dlerror();
     opened.handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (opened.handle == nullptr) {
@@ -57,9 +57,9 @@ Opened open_library(const std::string& path) {
 }
 
 /// Runs in the child: loads a plugin, reads its tables and unloads it. Returns the fault, or an empty text.
-std::string try_here(const std::string& path, const TrialReport& report) {
+std::string run_trial(const std::string& path, const TrialReport& report) {
     report.does("while it was loaded");
-    Opened opened = open_library(path);
+    OpenLibrary opened = open_library(path);
     if (opened.fault.empty()) {
         report.does("while its tables were read");
         if (const std::string id = plugin_id_of(*opened.entry); !id.empty()) report.is_named(id);
@@ -89,13 +89,13 @@ Plugin::Plugin(void* handle, const kerf_entry* entry, std::string path, std::uni
     : handle_(handle), entry_(entry), path_(std::move(path)), host_(std::move(host)) {}
 
 Plugin::~Plugin() {
-    forget_components(entry_);
+    unregister_components(entry_);
     dlclose(handle_);
 }
 
 PluginLoad load_tried_plugin(const std::string& path) {
     const LoadingNote note(path);
-    Opened opened = open_library(path);
+    OpenLibrary opened = open_library(path);
     PluginLoad load;
     if (opened.fault.empty()) {
         load.plugin_id = plugin_id_of(*opened.entry);
@@ -112,7 +112,7 @@ PluginLoad load_tried_plugin(const std::string& path) {
         dlclose(opened.handle);
         return load;
     }
-    remember_components(*opened.entry, path);
+    register_components(*opened.entry, path);
     load.plugin = std::shared_ptr<Plugin>(new Plugin(opened.handle, opened.entry, path, std::move(host)));
     return load;
 }
@@ -127,7 +127,7 @@ std::vector<PluginLoad> load_plugins(const std::vector<std::string>& paths) {
         else
             loads[i].refusal = named_plugin(paths[i]) + fault;
     }
-    const std::vector<Trial> trials = can_try() ? try_in_child(to_try, &try_here) : std::vector<Trial>(to_try.size());
+    const std::vector<Trial> trials = can_try() ? try_in_child(to_try, &run_trial) : std::vector<Trial>(to_try.size());
     std::size_t tried = 0;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (!loads[i].refusal.empty()) continue;

@@ -68,7 +68,7 @@ private:
 
 int terminate_pipe = -1;  // a terminate handler can reach globals alone
 
-std::string words_of_exception() {
+std::string exception_text() {
     try {
         if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
     } catch (const std::exception& e) {
@@ -80,7 +80,7 @@ std::string words_of_exception() {
 }
 
 /// Confines the child: its own process group, so that its children end with it; no core file; no terminal.
-void confine(int words) {
+void confine(int stderr_fd) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     const rlimit no_core{0, 0}, short_files{max_written, max_written};
@@ -89,7 +89,7 @@ void confine(int words) {
     if (const int nothing = open("/dev/null", O_RDWR); nothing >= 0) {
         dup2(nothing, STDIN_FILENO);
         dup2(nothing, STDOUT_FILENO);
-        dup2(words >= 0 ? words : nothing, STDERR_FILENO);
+        dup2(stderr_fd >= 0 ? stderr_fd : nothing, STDERR_FILENO);
     }
 }
 
@@ -112,33 +112,33 @@ public:
 
     /// Returns one trial for each path that the child began. If it did not finish all, the last trial ended it.
     [[nodiscard]] std::vector<Trial> run();
-    [[nodiscard]] bool has_come_back() const noexcept { return has_come_back_; }
+    [[nodiscard]] bool has_finished() const noexcept { return has_finished_; }
 
 private:
     struct Ended {
         int status = 0;
         bool has_hung = false;
     };
-    [[noreturn]] void work(int pipe, int words) const;
+    [[noreturn]] void work(int pipe, int stderr_fd) const;
     [[nodiscard]] bool take_message(int pipe);
     [[nodiscard]] Ended follow(pid_t child, int pipe);
-    [[nodiscard]] std::string ending(const Ended& ended, int words) const;
+    [[nodiscard]] std::string ending(const Ended& ended, int stderr_fd) const;
 
     const std::vector<std::string>& paths_;
     const TryOne& try_one_;
     std::chrono::milliseconds limit_;
     std::vector<Trial> trials_;
-    std::string does_, thrown_;
-    bool has_thrown_ = false, has_come_back_ = false;
+    std::string activity_, thrown_;
+    bool has_thrown_ = false, has_finished_ = false;
 };
 
-void TrialChild::work(int pipe, int words) const {
-    confine(words);
+void TrialChild::work(int pipe, int stderr_fd) const {
+    confine(stderr_fd);
     for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGHUP})
         std::signal(signal, SIG_DFL);
     terminate_pipe = pipe;
     std::set_terminate([] {
-        TrialReport(terminate_pipe).send('t', words_of_exception());
+        TrialReport(terminate_pipe).send('t', exception_text());
         std::abort();
     });
     const TrialReport report(pipe);
@@ -147,7 +147,7 @@ void TrialChild::work(int pipe, int words) const {
         try {
             report.send('r', try_one_(path, report));
         } catch (...) {
-            report.send('t', words_of_exception());
+            report.send('t', exception_text());
             _exit(1);
         }
     }
@@ -166,11 +166,11 @@ bool TrialChild::take_message(int pipe) {
     text.resize(head.size);
     if (head.what == 'b' && trials_.size() < paths_.size()) {
         trials_.emplace_back();
-        does_.clear();
+        activity_.clear();
     }
-    if (head.what == 'e') has_come_back_ = true;
+    if (head.what == 'e') has_finished_ = true;
     if (trials_.empty()) return true;
-    if (head.what == 'd') does_ = text;
+    if (head.what == 'd') activity_ = text;
     if (head.what == 'n') trials_.back().plugin_id = text;
     if (head.what == 'r') trials_.back().refusal = text;
     if (head.what == 't') {
@@ -180,7 +180,7 @@ bool TrialChild::take_message(int pipe) {
     return true;
 }
 
-std::string TrialChild::ending(const Ended& ended, int words) const {
+std::string TrialChild::ending(const Ended& ended, int stderr_fd) const {
     const int status = ended.status;
     std::string what;
     if (ended.has_hung)
@@ -193,9 +193,9 @@ std::string TrialChild::ending(const Ended& ended, int words) const {
         what = std::string("crashed (") + strsignal(WTERMSIG(status)) + ")";
     else
         what = "ended the program with exit code " + std::to_string(WEXITSTATUS(status));
-    what += " " + (does_.empty() ? "while it was loaded" : does_) + ".";
+    what += " " + (activity_.empty() ? "while it was loaded" : activity_) + ".";
     std::array<char, 500> written{};
-    if (const ssize_t size = pread(words, written.data(), written.size(), 0); size > 0 && !has_thrown_) {
+    if (const ssize_t size = pread(stderr_fd, written.data(), written.size(), 0); size > 0 && !has_thrown_) {
         std::string first(written.data(), static_cast<std::size_t>(size));
         first.resize(std::min(first.find('\n'), first.size()));
         what += " It wrote " + quoted_plain(first) + ".";
@@ -208,16 +208,16 @@ std::vector<Trial> TrialChild::run() {
     if (pipe2(ends, O_CLOEXEC) != 0) return {};
     const Descriptor out(ends[0]);
     Descriptor in(ends[1]);
-    const Descriptor words(memfd_create("kerf-trial", MFD_CLOEXEC));
+    const Descriptor stderr_fd(memfd_create("kerf-trial", MFD_CLOEXEC));
     std::fflush(nullptr);  // else an `exit` in the child would write the buffers a second time
     const pid_t child = fork();
     if (child < 0) return {};
-    if (child == 0) work(in.get(), words.get());
+    if (child == 0) work(in.get(), stderr_fd.get());
     in = Descriptor();
 
     const Ended ended = follow(child, out.get());
     kill(-child, SIGKILL);  // ends the child's own children
-    if (!has_come_back_ && !trials_.empty()) trials_.back().refusal = ending(ended, words.get());
+    if (!has_finished_ && !trials_.empty()) trials_.back().refusal = ending(ended, stderr_fd.get());
     return std::move(trials_);
 }
 
@@ -226,11 +226,11 @@ std::vector<Trial> TrialChild::run() {
 TrialChild::Ended TrialChild::follow(pid_t child, int pipe) {
     constexpr int slice = 20;  // [ms] max delay until an end without a closed pipe is noticed
     Ended ended;
-    bool is_open = true, is_gone = false;
+    bool is_open = true, has_ended = false;
     auto deadline = Clock::now() + limit_;
-    while (!is_gone) {
+    while (!has_ended) {
         pollfd ready{is_open ? pipe : -1, POLLIN, 0};
-        const int count = poll(&ready, 1, has_come_back_ ? 1 : slice);
+        const int count = poll(&ready, 1, has_finished_ ? 1 : slice);
         if (count > 0) {
             is_open = take_message(pipe);
             deadline = Clock::now() + limit_;
@@ -240,8 +240,8 @@ TrialChild::Ended TrialChild::follow(pid_t child, int pipe) {
             ended.has_hung = true;
             kill(child, SIGKILL);
         }
-        const pid_t gone = waitpid(child, &ended.status, WNOHANG);
-        is_gone = gone == child || (gone < 0 && errno != EINTR);
+        const pid_t waited_pid = waitpid(child, &ended.status, WNOHANG);
+        has_ended = waited_pid == child || (waited_pid < 0 && errno != EINTR);
     }
     return ended;
 }
@@ -259,7 +259,7 @@ std::vector<Trial> try_in_child(const std::vector<std::string>& paths, const Try
                                 std::chrono::milliseconds limit) {
     TrialChild all(paths, try_one, limit);
     std::vector<Trial> trials = all.run();
-    if (all.has_come_back() || trials.empty()) {
+    if (all.has_finished() || trials.empty()) {
         trials.resize(paths.size());  // no child could be started: the caller's own loading reports the fault
         return trials;
     }

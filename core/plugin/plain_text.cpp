@@ -25,9 +25,9 @@ Character front_of(std::string_view text) noexcept {
         if ((byte(i) & 0xc0u) != 0x80u) return {};
         code = code << 6 | (byte(i) & 0x3fu);
     }
-    constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    constexpr std::uint32_t minimum[] = {0, 0, 0x80, 0x800, 0x10000};
     const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
-    if (code < least[size] || code > 0x10ffff || is_surrogate) return {};
+    if (code < minimum[size] || code > 0x10ffff || is_surrogate) return {};
     return {size, code};
 }
 
@@ -76,8 +76,8 @@ std::string plain(std::string_view text) {
 }
 
 std::string quoted_plain(std::string_view text) {
-    constexpr std::size_t most = 60;
-    std::string_view kept = text.substr(0, most);
+    constexpr std::size_t maximum = 60;
+    std::string_view kept = text.substr(0, maximum);
     while (kept.size() < text.size() && !kept.empty() &&
            (static_cast<unsigned char>(text[kept.size()]) & 0xc0u) == 0x80u)
         kept.remove_suffix(1);

@@ -21,22 +21,22 @@ std::atomic<std::uint64_t> count_now{0};
 thread_local bool is_calling = false;
 std::atomic<ThrowHandler> throw_handler{nullptr};
 
-class CallNote {
+class CallScope {
 public:
-    CallNote(PluginCall call, const kerf_component& component) noexcept {
+    CallScope(PluginCall call, const kerf_component& component) noexcept {
         component_now.store(&component, std::memory_order_relaxed);
         count_now.store(count_now.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
         call_now.store(static_cast<std::uint32_t>(call), std::memory_order_release);
         is_calling = true;
         std::atomic_signal_fence(std::memory_order_seq_cst);
     }
-    ~CallNote() {
+    ~CallScope() {
         std::atomic_signal_fence(std::memory_order_seq_cst);
         is_calling = false;
         call_now.store(0, std::memory_order_release);
     }
-    CallNote(const CallNote&) = delete;
-    CallNote& operator=(const CallNote&) = delete;
+    CallScope(const CallScope&) = delete;
+    CallScope& operator=(const CallScope&) = delete;
 };
 
 /// Ends the program within the call, so that the handler can name it.
@@ -55,14 +55,14 @@ public:
 }
 
 // An entry of a list that only grows, so that a signal handler may walk it at any time.
-struct Remembered {
+struct RegisteredPlugin {
     PluginName name;
     const kerf_entry* entry;
     const kerf_component* first;
     std::atomic<std::size_t> count;
-    Remembered* next;
+    RegisteredPlugin* next;
 };
-std::atomic<Remembered*> newest{nullptr};
+std::atomic<RegisteredPlugin*> newest{nullptr};
 
 }  // namespace
 
@@ -84,7 +84,7 @@ const char* to_text(PluginCall call) noexcept {
 }
 
 kerf_status call_shape(const kerf_component& tool, const double* parameters, kerf_tool_shape& out) noexcept {
-    const CallNote note(PluginCall::shape, tool);
+    const CallScope note(PluginCall::shape, tool);
     try {
         return tool.tool->shape(parameters, &out);
     } catch (...) {
@@ -93,7 +93,7 @@ kerf_status call_shape(const kerf_component& tool, const double* parameters, ker
 }
 
 void call_begin(const kerf_component& law, const kerf_tick_in& in, void* state) noexcept {
-    const CallNote note(PluginCall::begin, law);
+    const CallScope note(PluginCall::begin, law);
     try {
         law.force->begin(&in, state);
     } catch (...) {
@@ -102,7 +102,7 @@ void call_begin(const kerf_component& law, const kerf_tick_in& in, void* state) 
 }
 
 kerf_status call_resist(const kerf_component& law, const kerf_tick_in& in, const void* state, kerf_law& out) noexcept {
-    const CallNote note(PluginCall::resist, law);
+    const CallScope note(PluginCall::resist, law);
     try {
         return law.force->resist(&in, state, &out);
     } catch (...) {
@@ -112,7 +112,7 @@ kerf_status call_resist(const kerf_component& law, const kerf_tick_in& in, const
 
 kerf_status call_commit(const kerf_component& law, const kerf_tick_in& in, const kerf_advance& advance, void* state,
                         kerf_commit_out& out) noexcept {
-    const CallNote note(PluginCall::commit, law);
+    const CallScope note(PluginCall::commit, law);
     try {
         return law.force->commit(&in, &advance, state, &out);
     } catch (...) {
@@ -122,7 +122,7 @@ kerf_status call_commit(const kerf_component& law, const kerf_tick_in& in, const
 
 kerf_status call_remesh(const kerf_component& strategy, const kerf_remesh_in& in, const kerf_arena& from,
                         kerf_arena& to, kerf_remesh_out& out, void* cache) noexcept {
-    const CallNote note(PluginCall::remesh, strategy);
+    const CallScope note(PluginCall::remesh, strategy);
     try {
         return strategy.remesher->remesh(&in, &from, &to, &out, cache);
     } catch (...) {
@@ -139,27 +139,27 @@ bool is_calling_plugin() noexcept { return is_calling; }
 
 void set_throw_handler(ThrowHandler handler) noexcept { throw_handler.store(handler); }
 
-void remember_components(const kerf_entry& entry, const std::string& path) {
-    auto remembered = std::make_unique<Remembered>();
-    remembered->name = {
+void register_components(const kerf_entry& entry, const std::string& path) {
+    auto registered = std::make_unique<RegisteredPlugin>();
+    registered->name = {
         plain(entry.plugin_id), plain(std::filesystem::path(path).filename().string()), plain(path), {}};
     for (std::uint32_t i = 0; i < entry.component_count; ++i)
-        remembered->name.components.push_back(plain(entry.components[i].id));
-    remembered->entry = &entry;
-    remembered->first = entry.components;
-    remembered->count.store(entry.component_count);
-    remembered->next = newest.load();
-    newest.store(remembered.release());
+        registered->name.components.push_back(plain(entry.components[i].id));
+    registered->entry = &entry;
+    registered->first = entry.components;
+    registered->count.store(entry.component_count);
+    registered->next = newest.load();
+    newest.store(registered.release());
 }
 
-void forget_components(const kerf_entry* entry) noexcept {
-    for (Remembered* r = newest.load(); r != nullptr; r = r->next)
+void unregister_components(const kerf_entry* entry) noexcept {
+    for (RegisteredPlugin* r = newest.load(); r != nullptr; r = r->next)
         if (r->entry == entry) r->count.store(0);
 }
 
 ComponentName name_of(const kerf_component* component) noexcept {
     const auto at = reinterpret_cast<std::uintptr_t>(component);
-    for (const Remembered* r = newest.load(); r != nullptr; r = r->next) {
+    for (const RegisteredPlugin* r = newest.load(); r != nullptr; r = r->next) {
         const auto first = reinterpret_cast<std::uintptr_t>(r->first);
         const std::size_t count = r->count.load();
         if (at >= first && at < first + count * sizeof(kerf_component))

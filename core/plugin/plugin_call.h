@@ -49,8 +49,8 @@ struct PluginName {
     std::string id, file, path;
     std::vector<std::string> components;
 };
-void remember_components(const kerf_entry& entry, const std::string& path);  // [main]
-void forget_components(const kerf_entry* entry) noexcept;                    // [main] before it is unloaded
+void register_components(const kerf_entry& entry, const std::string& path);  // [main]
+void unregister_components(const kerf_entry* entry) noexcept;                // [main] before it is unloaded
 
 /// The plugin and the id of a component; null for a component of no loaded plugin.
 struct ComponentName {

@@ -9,15 +9,15 @@ namespace kerf::simulated_hand {
 
 namespace {
 
-constexpr int substeps = 20;         // of the plant per tick
-constexpr double letting_go = 10.0;  // [1/s] decay of the lean when the tip runs ahead [assumed]
-constexpr double let_go = 0.2e-3;    // [m] lean below which the plan continues from the tip [assumed]
-constexpr double patience = 3e-3;    // [m] lag at which the plan waits [assumed]
-constexpr double surprise = 0.5e-3;  // [m] lead of the tip over the plan at which the lean decays [assumed]
-constexpr double arrived = 0.2e-3;   // [m] distance from a leg's end that counts as reached [assumed]
+constexpr int substeps = 20;                 // of the plant per tick
+constexpr double letting_go = 10.0;          // [1/s] decay of the lean when the tip runs ahead [assumed]
+constexpr double release_fraction = 0.2e-3;  // [m] lean below which the plan continues from the tip [assumed]
+constexpr double patience = 3e-3;            // [m] lag at which the plan waits [assumed]
+constexpr double surprise = 0.5e-3;          // [m] lead of the tip over the plan at which the lean decays [assumed]
+constexpr double arrived = 0.2e-3;           // [m] distance from a leg's end that counts as reached [assumed]
 
-constexpr double correcting = 1.0;        // [1/s] correction of a tip off the leg [assumed]
-constexpr double farthest_beside = 3e-3;  // [m] maximum offset of the aim: 2 N on a drill in a hole [assumed]
+constexpr double correcting = 1.0;   // [1/s] correction of a tip off the leg [assumed]
+constexpr double max_offset = 3e-3;  // [m] maximum offset of the aim: 2 N on a drill in a hole [assumed]
 // [–] Pull, as a fraction of device friction, from which friction is fully compensated [assumed].
 constexpr double unfelt = 0.02;
 constexpr double turning = 1.0;       // [rad/s] of the wrist [assumed]
@@ -71,7 +71,7 @@ Plant in_bone(Plant plant, double force_scale) noexcept {
     return plant;
 }
 
-double Leg::least_regripping() const noexcept {
+double Leg::min_regrip_time() const noexcept {
     return regrip > 0.0 ? std::max(0.0, std::ceil(std::abs(turn) / regrip) - 1.0) * regrip / turning_back : 0.0;
 }
 
@@ -98,8 +98,8 @@ Pose SimulatedHand::reported() const noexcept {
 
 Vec3 SimulatedHand::along() const noexcept {
     if (is_done()) return {};
-    const Vec3 way = intent_.legs[leg_].target.position - leg_start_;
-    return length(way) > 0.0 ? normalized(way) : Vec3{};
+    const Vec3 leg_vector = intent_.legs[leg_].target.position - leg_start_;
+    return length(leg_vector) > 0.0 ? normalized(leg_vector) : Vec3{};
 }
 
 const std::string& SimulatedHand::awaited_event() const noexcept {
@@ -129,7 +129,7 @@ bool SimulatedHand::turn(const Leg& leg, double felt_torque) {
     return true;
 }
 
-void SimulatedHand::think(const Felt& felt) {
+void SimulatedHand::think(const SensedTool& felt) {
     const Vec3 tip = felt.world_from_tool.position;
     const Vec3 seen = seen_[seen_at_] - leg_start_;
     const double planned = planned_[seen_at_], felt_torque = felt_torque_[seen_at_];
@@ -145,26 +145,26 @@ void SimulatedHand::think(const Felt& felt) {
 
     const Leg& leg = intent_.legs[leg_];
     rotation_ = turned_towards(rotation_, leg.target.rotation, turning * dt_);
-    const bool goes_on = turn(leg, felt_torque);
+    const bool is_advancing = turn(leg, felt_torque);
     if (leg.turn != 0.0 && (has_felt_event || std::copysign(1.0, leg.turn) * felt_torque >= leg.until_torque))
         is_turn_over_ = true;
     const double total = length(leg.target.position - leg_start_);
     const Vec3 along = this->along();
     const double seen_at = dot(seen, along), lag = planned - seen_at;
 
-    if (lag < patience && goes_on) plan_ = std::min(total, plan_ + leg.speed * dt_);
+    if (lag < patience && is_advancing) plan_ = std::min(total, plan_ + leg.speed * dt_);
     if (lag < -surprise) {
         lean_ -= letting_go * lean_ * dt_;
-        if (lean_ < let_go) plan_ += letting_go * (std::min(total, seen_at) - plan_) * dt_;
-    } else if (goes_on) {
+        if (lean_ < release_fraction) plan_ += letting_go * (std::min(total, seen_at) - plan_) * dt_;
+    } else if (is_advancing) {
         lean_ =
             std::clamp(lean_ + plant_.leaning / plant_.arm_stiffness * lag * dt_, 0.0, leg.push / plant_.arm_stiffness);
     }
-    beside_ = beside_ - (correcting * dt_) * (seen - seen_at * along);
-    if (const double far = length(beside_); far > farthest_beside) beside_ = (farthest_beside / far) * beside_;
+    offset_ = offset_ - (correcting * dt_) * (seen - seen_at * along);
+    if (const double far = length(offset_); far > max_offset) offset_ = (max_offset / far) * offset_;
 
     const std::size_t last = intent_.legs.size() - 1;
-    if (leg.stop_aside > 0.0 && leg_ < last && length(seen - seen_at * along) > leg.stop_aside)
+    if (leg.skip_distance > 0.0 && leg_ < last && length(seen - seen_at * along) > leg.skip_distance)
         begin(last, tip, tip);
     else if (is_turn_over_ && !is_regripping_)
         begin(leg_ + 1, leg_start_ + plan_ * along, tip);
@@ -191,17 +191,17 @@ void SimulatedHand::begin(std::size_t leg, Vec3 from, Vec3 tip) {
     std::fill(felt_event_.begin(), felt_event_.end(), false);
 }
 
-Pose SimulatedHand::step(const DeviceCommand& command, const Felt& felt) {
+Pose SimulatedHand::step(const DeviceCommand& command, const SensedTool& felt) {
     think(felt);
     const Setpoint& spring = command.setpoint;
-    const Vec3 aim = leg_start_ + (plan_ + lean_) * along() + beside_;
+    const Vec3 aim = leg_start_ + (plan_ + lean_) * along() + offset_;
     const double most = is_done() ? HUGE_VAL : intent_.legs[leg_].push;
     const double mass = plant_.arm_mass + plant_.device_mass;
     const double h = dt_ / substeps;
     for (int i = 0; i < substeps; ++i) {
         const Vec3 pull = pulled(plant_.arm_stiffness * (aim - position_), most, plant_.device_friction);
         Vec3 force_on_hand = linear(command.wrench);
-        if (plant_.asks_setpoint) {
+        if (plant_.renders_setpoint) {
             Vec3 f = spring.stiffness * (spring.position - position_) + spring.damping * (spring.velocity - velocity_);
             if (const double strength = length(f); strength > spring.limit) f = (spring.limit / strength) * f;
             force_on_hand = spring.carried + f;

@@ -24,7 +24,7 @@ struct Plant {
     double resolution = 30e-6;      ///< [m] of one encoder count
     double turn_resolution = 0.0;   ///< [rad] of one count about the handle's z axis; 0: no such encoder
     /// The device closes the spring itself, 20 times a tick. Otherwise it keeps the force constant for a tick.
-    bool asks_setpoint = false;
+    bool renders_setpoint = false;
 };
 
 /// Returns an arm whose stiffness and lean in bone do not depend on the device or its force scale: 5 N/mm, but at most
@@ -37,7 +37,7 @@ struct Leg {
     double speed = 10e-3;  ///< [m/s] intended
     double push = 0.0;     ///< [N] maximum force on the tool, device newtons
     /// [m] seen distance of the tip from the leg at which the hand skips to the last leg; 0: never.
-    double stop_aside = 0.0;
+    double skip_distance = 0.0;
     double turn = 0.0;  ///< [rad] about the handle's z axis, right-handed, from the leg's start; the leg ends with it
     double turning = 3.0;  ///< [rad/s] of that turn
     /// [N·m] resisting torque above which the turn pauses.
@@ -49,11 +49,11 @@ struct Leg {
     /// Returns whether the turn can end before its angle.
     [[nodiscard]] bool can_end_early() const noexcept { return until_torque < HUGE_VAL || !until_event.empty(); }
     /// Returns the minimum time that the wrist needs to turn back in this leg [s].
-    [[nodiscard]] double least_regripping() const noexcept;
+    [[nodiscard]] double min_regrip_time() const noexcept;
 };
 
 /// Pose, torque and events of the tool that the hand sees and feels, whatever the device renders.
-struct Felt {
+struct SensedTool {
     Pose world_from_tool = identity_pose();
     double torque = 0.0;     ///< [N·m] of the hand on the tool about its z, unscaled
     bool has_event = false;  ///< the event that ends the leg's turn has just happened
@@ -83,10 +83,10 @@ public:
     SimulatedHand(const Plant& plant, const Intent& intent, const Pose& start, double dt);
 
     /// Advances by one tick under the force of the device. Returns the pose that the encoders report then.
-    Pose step(const DeviceCommand& command, const Felt& felt);
+    Pose step(const DeviceCommand& command, const SensedTool& felt);
     /// Advances by one tick with the tool's tip at `tip` [m] and no torque about the shaft.
     Pose step(const DeviceCommand& command, Vec3 tip) {
-        return step(command, Felt{.world_from_tool = {tip, reported().rotation}});
+        return step(command, SensedTool{.world_from_tool = {tip, reported().rotation}});
     }
     /// Advances by one tick in air, where the tip moves with the handle.
     Pose step(const DeviceCommand& command) { return step(command, reported().position); }
@@ -101,7 +101,7 @@ public:
     [[nodiscard]] const std::string& awaited_event() const noexcept;
 
 private:
-    void think(const Felt& felt);
+    void think(const SensedTool& felt);
     /// Turns the driver on, or the wrist back. Returns false while it waits.
     [[nodiscard]] bool turn(const Leg& leg, double felt_torque);
     void begin(std::size_t leg, Vec3 from, Vec3 tip);
@@ -115,7 +115,7 @@ private:
     double turned_ = 0.0;    ///< [rad] turn of the driver relative to the wrist, about its z axis
     double plan_ = 0.0;      ///< [m] along the leg: planned position
     double lean_ = 0.0;      ///< [m] along the leg: additional stretch of the arm's spring
-    Vec3 beside_{};          ///< [m] offset of the aim from the leg that brings the tip onto it
+    Vec3 offset_{};          ///< [m] offset of the aim from the leg that brings the tip onto it
     Vec3 leg_start_;         ///< planned end of the last leg
     double turn_end_ = 0.0;  ///< [rad] `turned_` at the end of this leg
     double grip_ = 0.0;      ///< [rad] `turned_` when the wrist gripped last

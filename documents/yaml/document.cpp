@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t largest_file = 1u << 20;  // [byte]
 constexpr std::size_t deepest_level = 64;
 constexpr std::size_t longest_line_shown = 240;  // [byte]
-constexpr int most_controls_shown = 5;
+constexpr int max_controls_shown = 5;
 
 bool starts_character(char byte) noexcept { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }
 
@@ -76,7 +76,7 @@ std::string without_controls(std::string text, Report& report) {
         const std::optional<LookAlike> found = find_control(std::string_view(text).substr(at));
         if (!found) return text;
         at += found->at;
-        if (++reported <= most_controls_shown)
+        if (++reported <= max_controls_shown)
             report.error(Code::not_text, {at, found->size},
                          "The file holds " + code_point_text(found->code) + " (" + found->name +
                              "), a character that shows nothing. Remove it.");
@@ -388,11 +388,11 @@ std::optional<TextSpan> Document::replaced_by(TextSpan now) const {
     return found != replaced_.end() ? std::optional(found->second) : std::nullopt;
 }
 
-SourcePlace Document::place(TextSpan span) const {
+SourcePosition Document::place(TextSpan span) const {
     if (span.source > 0) return added_[span.source - 1].place({span.begin, span.size});
     const std::size_t at = std::min(span.begin, text_.size());
     const std::size_t index = line_of(at);
-    SourcePlace place;
+    SourcePosition place;
     place.file = file_;
     place.line = static_cast<int>(index) + 1;
     place.column = characters(std::string_view(text_).substr(line_begins_[index], at - line_begins_[index])) + 1;
@@ -422,7 +422,7 @@ Reason Report::because(TextSpan span, std::string message) const {
 }
 
 bool Report::is_reported(const std::string& code, TextSpan span, const std::string& message) const {
-    const SourcePlace place = document_.place(span);
+    const SourcePosition place = document_.place(span);
     return std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& d) {
         return d.message == message && d.code == code && d.place.file == place.file && d.place.line == place.line &&
                d.place.column == place.column;
@@ -431,11 +431,11 @@ bool Report::is_reported(const std::string& code, TextSpan span, const std::stri
 
 void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write,
                  std::optional<Reason> reason) {
-    if (++shown_ > most_shown + 1) return;
-    if (shown_ == most_shown + 1) {
+    if (++shown_ > max_shown + 1) return;
+    if (shown_ == max_shown + 1) {
         level = Diagnostic::Level::error;
         code = Code::too_many_errors;
-        message = "There are more than " + std::to_string(most_shown) +
+        message = "There are more than " + std::to_string(max_shown) +
                   " errors; the others are not shown. Correct these first.";
         write.clear();
         reason.reset();

@@ -43,7 +43,7 @@ public:
 
     const std::string& file() const noexcept { return file_; }
     const std::string& text() const noexcept { return text_; }
-    SourcePlace place(TextSpan span) const;
+    SourcePosition place(TextSpan span) const;
     std::string source_line(TextSpan span) const;     ///< empty when too long to show
     std::size_t line_begin(int line) const noexcept;  ///< of a line counted from 0
 
@@ -77,10 +77,10 @@ public:
     Reason because(TextSpan span, std::string message) const;  ///< a reason that stands in this document
     bool has_error() const noexcept { return errors_ > 0; }
     int errors() const noexcept { return errors_; }
-    bool is_full() const noexcept { return shown_ > most_shown; }
+    bool is_full() const noexcept { return shown_ > max_shown; }
 
 private:
-    static constexpr int most_shown = 100;
+    static constexpr int max_shown = 100;
 
     [[nodiscard]] bool is_reported(const std::string& code, TextSpan span, const std::string& message) const;
     void add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write,

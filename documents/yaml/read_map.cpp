@@ -18,7 +18,7 @@ namespace kerf {
 namespace {
 
 constexpr std::size_t longest_word = 48;  // longer ones are no slip of the finger
-constexpr std::size_t most_candidates = 200;
+constexpr std::size_t max_candidates = 200;
 
 /// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -112,7 +112,7 @@ std::string closest(std::string_view word, const std::vector<std::string>& candi
     if (word.size() > longest_word) return {};
     std::string best;
     std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
-    for (std::size_t i = 0; i < std::min(candidates.size(), most_candidates); ++i) {
+    for (std::size_t i = 0; i < std::min(candidates.size(), max_candidates); ++i) {
         const std::string& candidate = candidates[i];
         if (candidate.size() > longest_word || is_other_side(word, candidate)) continue;
         const std::size_t distance = edit_distance(word, candidate);

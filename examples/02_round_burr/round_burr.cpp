@@ -89,7 +89,7 @@ struct Burring {
     }
     void commit(const Held<RoundBurr>& burr, const BoneQuery&, const Advance& advance, State& state, Signals& signals,
                 Actions& actions) const noexcept {
-        const double cutting = advance.carried_by(KERF_CUT);
+        const double cutting = advance.force_of_kind(KERF_CUT);
         signals = {.thrust = cutting, .speed = state.cutter.speed()};
         if (state.cutter.cutting.removes_bone()) actions.cut();
         state.cutter.step(motor, burr.speed, cutting * burr.diameter / 2, burr.tick.dt, slowest_cut, actions);

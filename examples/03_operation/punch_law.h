@@ -101,7 +101,7 @@ struct Crushing {
     }
     void commit(const Held<Punch>&, const BoneQuery&, const Advance& advance, State& state, Signals& signals,
                 Actions& actions) const noexcept {
-        signals.push = advance.carried_by_id(1);
+        signals.push = advance.force_of_channel(1);
         if (signals.push > 0) actions.cut();
         if (signals.push > 0 && !state.is_in_bone) actions.event(Happened::entered);
         state.is_in_bone = state.is_in_bone || signals.push > 0;

@@ -25,10 +25,10 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", outcome.error.c_str());
         return 2;
     }
-    double most_thrust = 0.0;
-    while (run->step()) most_thrust = std::max(most_thrust, run->last().thrust);  // `step(sample)` for a device
+    double max_thrust = 0.0;
+    while (run->step()) max_thrust = std::max(max_thrust, run->last().thrust);  // `step(sample)` for a device
     outcome = run->finish();
     std::printf("%s after %.1f s, at most %.1f N\n", kerf::to_text(outcome.summary.verdict), outcome.summary.duration,
-                most_thrust);
+                max_thrust);
     return outcome.summary.verdict == kerf::Verdict::pass ? 0 : 1;
 }

@@ -97,7 +97,7 @@ struct RingSaw {
     }
     void commit(const Held<Trephine>&, const BoneQuery&, const Advance& advance, State&, Signals& signals,
                 Actions& actions) const noexcept {
-        signals.thrust = advance.carried_by_id(0);
+        signals.thrust = advance.force_of_channel(0);
         if (signals.thrust > 0) actions.cut();
     }
 };

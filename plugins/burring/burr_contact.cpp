@@ -11,8 +11,8 @@ namespace kerf::burring {
 namespace {
 
 constexpr std::size_t head_rings = 6, neck_rings = 3, slot_neck = wide_count, neck_slots = 3;
-static_assert(slot_neck + neck_slots <= ContactPoints::most_slots && 2 * wide_count + 2 <= KERF_MAX_CHANNELS &&
-              1 + head_rings * column_count + neck_rings * azimuth_count <= ContactPoints::most);
+static_assert(slot_neck + neck_slots <= ContactPoints::max_slots && 2 * wide_count + 2 <= KERF_MAX_CHANNELS &&
+              1 + head_rings * column_count + neck_rings * azimuth_count <= ContactPoints::max_points);
 constexpr double facing_head = 0.4, facing_neck = 0.05;  // cosines between the normals from which on bone supports head
                                                          // and neck
 
@@ -59,12 +59,13 @@ ContactPoints touching_points(const BurrHead& head, double length, const BurrPar
 void add_contact(const BurrHead& head, const ContactPoints& points, const BurrParameters& law, const BoneQuery& bone,
                  const Turning& turning, double speed, const Carried& last, Channels& channels) noexcept {
     Contact contact(points);
-    contact.ask(bone, head.widest_radius());
+    contact.query_bone(bone, head.widest_radius());
     const bool rubs = last.by_neck > 0.0, sticks = last.by_head > 0.0;
     Vec6 follow{};
     if (turning.cutting.removes_bone()) follow[5] = -turning.sense * law.friction * head.neck_radius;
-    const std::size_t room = KERF_MAX_CHANNELS - channels.count(), friction = (rubs ? 1 : 0) + (sticks ? 2 : 0);
-    contact.write(channels, id_contact, std::min(friction, room), follow);
+    const std::size_t free_channels = KERF_MAX_CHANNELS - channels.count(),
+                      friction = (rubs ? 1 : 0) + (sticks ? 2 : 0);
+    contact.write(channels, id_contact, std::min(friction, free_channels), follow);
 
     // A turning neck uses nearly all friction against its turn, and little against its motion.
     if (rubs && channels.count() < KERF_MAX_CHANNELS)

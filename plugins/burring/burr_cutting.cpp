@@ -13,11 +13,11 @@ constexpr double min_rate = 1e-6;  // [m/s] of a negligible chip
 
 /// Sums over the points of a sector that are at the front.
 struct Sector {
-    double least_gap = std::numeric_limits<double>::infinity();  ///< [m]
-    double width = 0.0;                                          ///< [m] of blade times relative resistance
-    Vec6 normal{};                                               ///< Σ of width times the rate along the normal
-    Vec6 against{};                                              ///< Σ of the force against the turn [N, N·m]
-    double pressed = 0.0;                                        ///< [N] Σ of the force along the normals
+    double min_gap = std::numeric_limits<double>::infinity();  ///< [m]
+    double width = 0.0;                                        ///< [m] of blade times relative resistance
+    Vec6 normal{};                                             ///< Σ of width times the rate along the normal
+    Vec6 against{};                                            ///< Σ of the force against the turn [N, N·m]
+    double pressed = 0.0;                                      ///< [N] Σ of the force along the normals
 };
 
 bool is_cut_channel(const kerf_channel& channel) noexcept {
@@ -35,13 +35,13 @@ void add_cutting(const EdgePoints& points, const EdgesInBone& in_bone, const Bur
     const auto sector_of = [&](std::size_t i) { return is_fading ? wide_sector(points[i].sector) : points[i].sector; };
     for (std::size_t i = 0; i < points.count(); ++i)
         if (in_bone.resisted[i] > 0.0) {
-            double& least = sectors[sector_of(i)].least_gap;
-            least = std::min(least, in_bone.gap[i]);
+            double& smallest = sectors[sector_of(i)].min_gap;
+            smallest = std::min(smallest, in_bone.gap[i]);
         }
     for (std::size_t i = 0; i < points.count(); ++i) {
         const EdgePoint& point = points[i];
         Sector& sector = sectors[sector_of(i)];
-        if (in_bone.resisted[i] <= 0.0 || in_bone.gap[i] > sector.least_gap + left_behind) continue;
+        if (in_bone.resisted[i] <= 0.0 || in_bone.gap[i] > sector.min_gap + max_cutting_gap) continue;
         const double width = in_bone.resisted[i] * point.width;
         const Vec6 into = rate_at(point.at, points.outwards(i)),
                    back = rate_at(point.at, -turning.sense * point.turning);
@@ -64,7 +64,7 @@ void add_cutting(const EdgePoints& points, const EdgesInBone& in_bone, const Bur
         ChannelSum sum;
         sum.add(sector.width * thrust.edge, sector.width * thrust.chip / turning.blade_rate,
                 thrust.edge_depth * turning.blade_rate);
-        sum.write(d, turning.cutting.fraction, sector.least_gap, channel);
+        sum.write(d, turning.cutting.fraction, sector.min_gap, channel);
 
         // Force against the turn per newton of normal force at the same points. So `follow` never exceeds the blades'
         // force, even if the burr jerks.

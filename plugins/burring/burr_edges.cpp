@@ -26,7 +26,8 @@ std::size_t EdgePoints::sector_of(const MeridianPoint& at, double along, double 
 }
 
 EdgePoints::EdgePoints(const BurrHead& head, const BurrParameters& law, const BoneQuery& bone) noexcept {
-    const auto rings = static_cast<std::size_t>(std::min(law.edge_points, static_cast<double>(most))) / column_count;
+    const auto rings =
+        static_cast<std::size_t>(std::min(law.edge_points, static_cast<double>(max_points))) / column_count;
     const double meridian = head.meridian(), ring = meridian / static_cast<double>(rings);
     const double deepest = 0.25 * head.widest_radius();
     for (std::size_t column = 0; column < column_count; ++column) {
@@ -42,14 +43,14 @@ EdgePoints::EdgePoints(const BurrHead& head, const BurrParameters& law, const Bo
             point.sector = sector_of(p, along, meridian, column);
             width_ += point.width;
             inside_[count_] = std::min(bone.wall_error() + p.sagitta(bone.voxel()), deepest);
-            asked_[count_] = point.at - inside_[count_] * outwards_[count_];
+            sample_point_[count_] = point.at - inside_[count_] * outwards_[count_];
             ++count_;
         }
     }
 }
 
 void EdgesInBone::sample(const EdgePoints& points, const BurrParameters& law, const BoneQuery& bone) noexcept {
-    std::array<kerf_bone_sample, EdgePoints::most> found;
+    std::array<kerf_bone_sample, EdgePoints::max_points> found;
     const std::size_t count = points.count();
     points.sample(bone, {found.data(), count});
     for (std::size_t i = 0; i < count; ++i) {

@@ -20,8 +20,8 @@ inline constexpr std::size_t wide_count = 1 + azimuth_count;        ///< the end
 [[nodiscard]] constexpr std::size_t wide_sector(std::size_t sector) noexcept {
     return sector < wide_count ? sector : sector - azimuth_count;
 }
-inline constexpr double left_behind = 0.1e-3;  ///< [m] points this much farther from bone than the nearest one do not
-                                               ///< cut yet
+inline constexpr double max_cutting_gap = 0.1e-3;  ///< [m] points this much farther from bone than the nearest one do
+                                                   ///< not cut yet
 
 /// A point of the head's surface.
 struct EdgePoint {
@@ -38,7 +38,7 @@ struct EdgePoint {
 /// that a flat bone surface does not meet a whole ring at once.
 class EdgePoints {
 public:
-    static constexpr std::size_t most = 336;
+    static constexpr std::size_t max_points = 336;
 
     EdgePoints() = default;
     EdgePoints(const BurrHead& head, const BurrParameters& law, const BoneQuery& bone) noexcept;
@@ -52,17 +52,17 @@ public:
     [[nodiscard]] double inside(std::size_t i) const noexcept { return inside_[i]; }
     /// Samples bone at all points, along their normals.   [haptic, nonblocking]
     void sample(const BoneQuery& bone, std::span<kerf_bone_sample> out) const noexcept {
-        bone.sample({asked_.data(), count_}, {outwards_.data(), count_}, out);
+        bone.sample({sample_point_.data(), count_}, {outwards_.data(), count_}, out);
     }
     /// Returns the sector of a point of the head.
     [[nodiscard]] static std::size_t sector_of(const MeridianPoint& at, double along, double meridian,
                                                std::size_t column) noexcept;
 
 private:
-    std::array<EdgePoint, most> point_;
-    std::array<Vec3, most> outwards_, asked_;
+    std::array<EdgePoint, max_points> point_;
+    std::array<Vec3, max_points> outwards_, sample_point_;
     std::size_t count_ = 0;
-    std::array<double, most> inside_;
+    std::array<double, max_points> inside_;
     double width_ = 0.0;
 };
 
@@ -71,9 +71,10 @@ private:
 
 /// Bone at the points in this tick.
 struct EdgesInBone {
-    std::array<double, EdgePoints::most> resisted;  ///< [–] resistance of each point, relative to the reference tissue
-    std::array<double, EdgePoints::most> gap;       ///< [m] to bone, along the point's normal
-    double engaged = 0.0;                           ///< [m] of blade in bone
+    std::array<double, EdgePoints::max_points>
+        resisted;  ///< [–] resistance of each point, relative to the reference tissue
+    std::array<double, EdgePoints::max_points> gap;  ///< [m] to bone, along the point's normal
+    double engaged = 0.0;                            ///< [m] of blade in bone
 
     void sample(const EdgePoints& points, const BurrParameters& law, const BoneQuery& bone) noexcept;
 };

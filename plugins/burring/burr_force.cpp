@@ -81,8 +81,8 @@ void BurrCutting::commit(const AnyBurr& burr, const BoneQuery&, const Noted<Note
     const double dt = burr.tick.dt;
     const Turning turning = turning_of(state, tool.spindle_speed);
     const BurrHead& head = state.prepared.head;
-    const double share = 1.0 - exp_exact(-dt / steadying_time);
-    for (std::size_t i = 0; i < state.rate.size(); ++i) state.rate[i] += share * (advance.rate[i] - state.rate[i]);
+    const double weight = 1.0 - exp_exact(-dt / steadying_time);
+    for (std::size_t i = 0; i < state.rate.size(); ++i) state.rate[i] += weight * (advance.rate[i] - state.rate[i]);
     state.carried = Carried(advance);
 
     // Load on the motor: the blades, and friction of the neck. A head that does not cut must break loose.
@@ -90,7 +90,7 @@ void BurrCutting::commit(const AnyBurr& burr, const BoneQuery&, const Noted<Note
     const double cut = cutting_torque(advance, turning.sense);
     const double load = cut + friction * (state.carried.by_neck * head.neck_radius +
                                           state.carried.by_head * 2.0 / 3.0 * head.widest_radius());
-    signals.cutting_force = advance.carried_by(KERF_CUT);
+    signals.cutting_force = advance.force_of_kind(KERF_CUT);
     signals.side_pull = length(linear(advance.following));
     signals.chip_thickness = mean_chip(advance, turning);
     signals.engagement = advance.notes.engaged / state.prepared.edges.width();
@@ -105,7 +105,7 @@ void BurrCutting::commit(const AnyBurr& burr, const BoneQuery&, const Noted<Note
     // While the burr cuts, `follow` contains the bone's torque, so the reaction is only the motor's excess.
     const double sense = cutter.speed() != 0.0 ? cutter.speed() : tool.spindle_speed;
     state.reaction = std::copysign(1.0, sense) *
-                     (cutter.cutting.removes_bone() ? cutter.motor.reaction_beyond(load) : cutter.motor.torque);
+                     (cutter.cutting.removes_bone() ? cutter.motor.excess_torque(load) : cutter.motor.torque);
 }
 
 }  // namespace kerf::burring

@@ -40,8 +40,8 @@ double bending_stress(const TwistDrill& drill, const Advance& advance) noexcept 
     };
     add(advance.following.data(), 1.0);
     for (std::size_t c = 0; c < advance.channel.size(); ++c) add(advance.channel[c].d, -advance.lambda[c]);
-    double most2 = 0.0;  // [Pa²]
-    const auto look_at = [&](double z) {
+    double max_squared = 0.0;  // [Pa²]
+    const auto evaluate_at = [&](double z) {
         double mx = 0.0, my = 0.0;
         for (std::size_t i = 0; i < count; ++i) {
             if (load[i].z < z) continue;
@@ -49,11 +49,11 @@ double bending_stress(const TwistDrill& drill, const Advance& advance) noexcept 
             my += load[i].my - z * load[i].fx;
         }
         const double d = 2.0 * drill.bit_radius_at(z), per_moment = 64.0 / (pi * d * d * d);
-        most2 = std::max(most2, (mx * mx + my * my) * per_moment * per_moment);
+        max_squared = std::max(max_squared, (mx * mx + my * my) * per_moment * per_moment);
     };
-    for (std::size_t i = 0; i < count; ++i) look_at(load[i].z);
-    if (count > 0) look_at(-drill.length);
-    return std::sqrt(most2);
+    for (std::size_t i = 0; i < count; ++i) evaluate_at(load[i].z);
+    if (count > 0) evaluate_at(-drill.length);
+    return std::sqrt(max_squared);
 }
 
 }  // namespace kerf::drilling

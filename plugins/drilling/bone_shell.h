@@ -12,9 +12,9 @@
 namespace kerf::drilling {
 
 /// A straight ray through bone that starts at a point on a cone.
-struct WayOut {
-    Vec3 from, along;  ///< tool frame [m]; unit
-    double least;      ///< [–] sin p, p the cone's half angle; lower limit of n̂·ẑ
+struct Ray {
+    Vec3 from, along;   ///< tool frame [m]; unit
+    double min_cosine;  ///< [–] sin p, p the cone's half angle; lower limit of n̂·ẑ
 };
 
 /// The shell at the far side of a ray: the last bone that has more than half of the ray's greatest strength.
@@ -39,23 +39,23 @@ struct Shell {
 /// Source: 4π m by yield lines [johansen-1962]; σ [reilly-burstein-1975]; docs/models/drilling.md.
 class Shells {
 public:
-    static constexpr std::size_t most = 32;
+    static constexpr std::size_t max_rays = 32;
 
-    /// Samples at most `most` rays. `step` [m] is the distance between samples on a ray, which has 32 at most.
+    /// Samples at most `max_rays` rays. `step` [m] is the distance between samples on a ray, which has 32 at most.
     /// `friction` [–] is that of the tip on bone.   [haptic, nonblocking]
-    Shells(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone) noexcept;
+    Shells(std::span<const Ray> rays, double step, double friction, const BoneQuery& bone) noexcept;
 
-    [[nodiscard]] const Shell& on(std::size_t way) const noexcept { return shell_[way]; }
+    [[nodiscard]] const Shell& on(std::size_t ray) const noexcept { return shell_[ray]; }
 
 private:
-    static constexpr std::size_t most_steps = 32;
+    static constexpr std::size_t max_steps = 32;
     /// Samples of the bone on a ray, one for each step.
     struct Section {
-        std::array<double, most_steps> strength;  ///< [Pa] bone strength times bone fraction; 0 in air
-        std::array<double, most_steps> bone;      ///< [–] bone fraction
-        double strongest = 0.0;                   ///< [Pa]
-        std::size_t begins = 0;                   ///< step at which bone begins
-        std::size_t ends = 0;                     ///< step at which bone ends; 0: none yet
+        std::array<double, max_steps> strength;  ///< [Pa] bone strength times bone fraction; 0 in air
+        std::array<double, max_steps> bone;      ///< [–] bone fraction
+        double strongest = 0.0;                  ///< [Pa]
+        std::size_t begins = 0;                  ///< step at which bone begins
+        std::size_t ends = 0;                    ///< step at which bone ends; 0: none yet
 
         void add(std::size_t step, double sigma, double engagement) noexcept;
         /// Returns the last run of strong steps: its first step, and one past its last.
@@ -64,20 +64,20 @@ private:
     };
     /// Rays that reached a far side, and where their shells lie on them.
     struct Ended {
-        std::array<std::size_t, most> way;
-        std::array<double, most> near, far;  ///< [m]
+        std::array<std::size_t, max_rays> ray;
+        std::array<double, max_rays> near, far;  ///< [m]
         std::size_t count = 0;
     };
-    using Sections = std::array<Section, most>;
+    using Sections = std::array<Section, max_rays>;
 
-    void follow(std::span<const WayOut> ways, double step, const BoneQuery& bone, Sections& sections,
+    void follow(std::span<const Ray> rays, double step, const BoneQuery& bone, Sections& sections,
                 Ended& ended) noexcept;
-    static void find_sides(std::span<const WayOut> ways, double step, const BoneQuery& bone, const Sections& sections,
+    static void find_sides(std::span<const Ray> rays, double step, const BoneQuery& bone, const Sections& sections,
                            Ended& ended) noexcept;
-    void tell(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone,
-              const Sections& sections, const Ended& ended) noexcept;
+    void find_loads(std::span<const Ray> rays, double step, double friction, const BoneQuery& bone,
+                    const Sections& sections, const Ended& ended) noexcept;
 
-    std::array<Shell, most> shell_;
+    std::array<Shell, max_rays> shell_;
 };
 
 }  // namespace kerf::drilling

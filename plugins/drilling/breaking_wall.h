@@ -21,13 +21,13 @@ public:
     [[nodiscard]] bool is_there() const noexcept { return shell_.load > 0.0; }
     /// Returns the intact fraction of a shell [–]. It is 0 up to 1.25 times the load that broke the wall and 1 from 1.5
     /// times on, where the crack has not spread [judgement]. It is 1 for another wall.
-    [[nodiscard]] double is_left_of(const Shell& shell) const noexcept;
+    [[nodiscard]] double fraction_intact(const Shell& shell) const noexcept;
     /// Records that `shell` broke.
     /// @return true if this break is to be reported: once a wall, and never for a sliver
     bool break_out(const Shell& shell) noexcept;
-    /// Moves the wall against the tool, which moved at `rate` [m/s, rad/s] for `dt` [s]. `is_in_it` is true while the
-    /// tip presses on the broken wall. The wall is forgotten when the tip is two radii (4 `within`) away.
-    void go(const Vec6& rate, double dt, bool is_in_it) noexcept;
+    /// Moves the wall against the tool, which moved at `rate` [m/s, rad/s] for `dt` [s]. `is_pressed_on` is true while
+    /// the tip presses on the broken wall. The wall is forgotten when the tip is two radii (4 `within`) away.
+    void move_with_tip(const Vec6& rate, double dt, bool is_pressed_on) noexcept;
     [[nodiscard]] double within() const noexcept { return within_; }
 
 private:
@@ -50,29 +50,29 @@ public:
                 const BrokenWall& broken) noexcept;
 
     /// Returns the fraction of a piece's crushing force that resists [–].
-    [[nodiscard]] double share(std::size_t piece) const noexcept { return share_[piece]; }
-    /// Returns the ray to the strongest wall that breaks, or `no_way`.
+    [[nodiscard]] double resisting_fraction(std::size_t piece) const noexcept { return resisting_fraction_[piece]; }
+    /// Returns the ray to the strongest wall that breaks, or `no_ray`.
     [[nodiscard]] std::size_t breaks_on() const noexcept { return breaks_on_; }
     [[nodiscard]] bool is_broken() const noexcept { return is_broken_; }  ///< the tip presses on broken bone
-    static constexpr std::size_t no_way = 2 * WallAhead::most_pieces;
+    static constexpr std::size_t no_ray = 2 * WallAhead::max_pieces;
 
 private:
     /// Pieces of one side, in line, in one shell.
     struct Group {
-        std::size_t way = no_way;  ///< to the shell before the rearmost piece, which sees its full thickness
+        std::size_t ray = no_ray;  ///< to the shell before the rearmost piece, which sees its full thickness
         double crushes = 0.0;      ///< [N] crushing force of the intact part
         double left = 1.0;         ///< [–] intact fraction
     };
     struct Pressed {
         bool is_in_shell = false;
-        std::size_t way = no_way;  ///< to the shell; `no_way` at its far side
+        std::size_t ray = no_ray;  ///< to the shell; `no_ray` at its far side
     };
     [[nodiscard]] static Pressed pressed_by(std::size_t piece, const WallAhead& wall) noexcept;
-    [[nodiscard]] static std::size_t whole_of(std::size_t way, std::size_t piece_behind, const WallAhead& wall,
+    [[nodiscard]] static std::size_t whole_of(std::size_t ray, std::size_t piece_behind, const WallAhead& wall,
                                               double within) noexcept;
 
-    std::array<double, WallAhead::most_pieces> share_;
-    std::size_t breaks_on_ = no_way;
+    std::array<double, WallAhead::max_pieces> resisting_fraction_;
+    std::size_t breaks_on_ = no_ray;
     bool is_broken_ = false;
 };
 

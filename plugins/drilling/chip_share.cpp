@@ -10,12 +10,12 @@ EvenChip::EvenChip(double feed_per_lip, double edge_depth) noexcept
       edge_depth_(edge_depth),
       built_up_(built_up_at(thickness_, edge_depth)) {}
 
-Taken EvenChip::taken(double share, double behind) const noexcept {
-    const double chip = std::max(0.0, share - behind / thickness_);
+ChipFraction EvenChip::taken(double fraction, double behind) const noexcept {
+    const double chip = std::max(0.0, fraction - behind / thickness_);
     return {chip, chip < 1.0 ? built_up_at(chip * thickness_, edge_depth_) / built_up_ : 1.0};
 }
 
-std::array<double, lip_count> share_of_lips(double lag, double feed) noexcept {
+std::array<double, lip_count> lip_fractions(double lag, double feed) noexcept {
     if (lag <= 0.0) return {1.0, 1.0};
     const double second = feed > 0.0 ? std::max(0.0, 1.0 - 2.0 * lag / feed) : 0.0;
     return {2.0 - second, second};

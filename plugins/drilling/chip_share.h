@@ -23,17 +23,18 @@ struct Travel {
     void advance(const Vec6& rate, double dt, double n) noexcept {
         feed_rate = std::max(0.0, rate[2]);
         last = rate;
-        const double turns = n * dt, share = std::min(1.0, lip_count * turns), slow_share = std::min(1.0, turns / 1.5);
+        const double turns = n * dt, weight = std::min(1.0, lip_count * turns),
+                     slow_weight = std::min(1.0, turns / 1.5);
         for (std::size_t i = 0; i < mean.size(); ++i) {
-            mean[i] += share * (rate[i] - mean[i]);
-            over_turns[i] += slow_share * (rate[i] - over_turns[i]);
-            steady[i] += slow_share * (over_turns[i] - steady[i]);
+            mean[i] += weight * (rate[i] - mean[i]);
+            over_turns[i] += slow_weight * (rate[i] - over_turns[i]);
+            steady[i] += slow_weight * (over_turns[i] - steady[i]);
         }
     }
 };
 
 /// Chip and edge force of a piece of an edge, as fractions of an even chip's [–].
-struct Taken {
+struct ChipFraction {
     double chip;  ///< above 1 where other pieces take less
     double edge;  ///< 1 at most
 };
@@ -47,7 +48,7 @@ public:
     /// the foremost piece. The other lip left this piece's front half a turn ago.
     ///
     ///     c = max(0, c_0 − g/t),   edge: min(1, (1 − e^(−c t/t_e))/(1 − e^(−t/t_e))),   t = max(f/2, t_e)
-    [[nodiscard]] Taken taken(double share, double behind) const noexcept;
+    [[nodiscard]] ChipFraction taken(double weight, double behind) const noexcept;
 
 private:
     double thickness_, edge_depth_, built_up_;
@@ -57,6 +58,6 @@ private:
 /// lip cannot reach.
 ///
 ///     t_2 = max(0, f/2 − G),   t_1 = f − t_2,    G the lag of the second lip, f the feed per revolution
-[[nodiscard]] std::array<double, lip_count> share_of_lips(double lag, double feed_per_revolution) noexcept;
+[[nodiscard]] std::array<double, lip_count> lip_fractions(double lag, double feed_per_revolution) noexcept;
 
 }  // namespace kerf::drilling

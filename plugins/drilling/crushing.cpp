@@ -20,7 +20,7 @@ namespace {
 /// crushing force moves the tip by 0.7 w, and 95 % of it by 3 w.
 constexpr double onset = 1e-6;
 constexpr double deepest_spring = 0.1e-3;  // [m] [judgement]
-constexpr double let_go = 0.1;             // [–] of the force at the beginning, or of the crushing force [judgement]
+constexpr double release_fraction = 0.1;   // [–] of the force at the beginning, or of the crushing force [judgement]
 constexpr double nowhere = 1e300;          // [m]
 constexpr double all_of_it = 0.95;         // [–] of the crushing force; the rest takes 3 w [judgement]
 
@@ -29,7 +29,7 @@ double in_bone(const kerf_bone_sample& here) noexcept { return std::min(1.0, 2.0
 
 }  // namespace
 
-Standing::Standing(const Advance& advance) noexcept {
+TipLoad::TipLoad(const Advance& advance) noexcept {
     for (std::size_t i = 0; i < advance.channel.size(); ++i) {
         const kerf_channel& channel = advance.channel[i];
         if (channel.id < id_contact || channel.id >= id_contact + tip_slots || advance.lambda[i] <= 0.0) continue;
@@ -47,9 +47,9 @@ CrushingTip::CrushingTip(const TwistDrill& drill, const DrillParameters& law, co
     std::uint8_t part = 0;
     for (const Cone& cone : cones) whole += cone.z - cone.end();
     for (const Cone& cone : cones) {
-        const double share = (cone.z - cone.end()) / whole;
+        const double fraction = (cone.z - cone.end()) / whole;
         add_cone(cone, drill.runout,
-                 1 + static_cast<std::size_t>(static_cast<double>(most_cone_rings - cones.count) * share), part);
+                 1 + static_cast<std::size_t>(static_cast<double>(max_cone_rings - cones.count) * fraction), part);
         if (cone.straight > 0.0) ++part;
     }
     on_cones_ = count_;
@@ -58,12 +58,12 @@ CrushingTip::CrushingTip(const TwistDrill& drill, const DrillParameters& law, co
         if (straight > 0.0) add_straight(cone.outer + drill.runout, cone.end(), straight);
     }
     for (std::size_t i = 0; i < on_cones_; ++i) {
-        asked_[i] = place_[i].at;
+        sample_point_[i] = point_[i].at;
         direction_[i] = {0, 0, 1};
     }
     for (std::size_t i = 0; i < count_; ++i) {
-        asked_[on_cones_ + i] = place_[i].at;
-        direction_[on_cones_ + i] = place_[i].out;
+        sample_point_[on_cones_ + i] = point_[i].at;
+        direction_[on_cones_ + i] = point_[i].out;
     }
 }
 
@@ -77,7 +77,7 @@ void CrushingTip::add_cone(const Cone& cone, double runout, std::size_t rings, s
     };
     for (std::size_t ring = 0; ring < rings; ++ring) {
         if (ring % rings_of_piece == 0) {
-            KERF_ASSERT(piece_rings_ < most_piece_rings, "few enough cones");
+            KERF_ASSERT(piece_rings_ < max_piece_rings, "few enough cones");
             part_[piece_rings_++] = part;
         }
         piece_ring_[count_ / azimuth_count] = static_cast<std::uint8_t>(piece_rings_ - 1);
@@ -97,15 +97,15 @@ void CrushingTip::add_straight(double radius, double from, double length) noexce
 
 void CrushingTip::add_ring(double radius, double z, SinCos slope, double height, double ahead, double across,
                            double rubs) noexcept {
-    constexpr double share = 1.0 / static_cast<double>(azimuth_count);
+    constexpr double fraction = 1.0 / static_cast<double>(azimuth_count);
     for (const auto& [x, y] : azimuths) {
         const Vec3 out{x, y, 0.0}, at = radius * out + Vec3{0, 0, z};
-        place_[count_++] = {at,
+        point_[count_++] = {at,
                             out,
                             slope,
                             height,
-                            share * ahead,
-                            share * 2.0 * pi * radius * height,
+                            fraction * ahead,
+                            fraction * 2.0 * pi * radius * height,
                             rate_at(at, across * out + Vec3{0, 0, 1}),
                             rubs};
     }
@@ -119,31 +119,31 @@ CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, const WallAhead& wall,
         if (here.engagement > 0.0) ahead.gap = std::min(ahead.gap, here.gap);
     for (std::size_t i = 0; i < on_cones_; ++i) {
         const kerf_bone_sample& here = samples[i];
-        const Place& place = place_[i];
-        const double share = in_bone(here) * std::clamp(1.0 - (here.gap - ahead.gap) / place.height, 0.0, 1.0);
-        ahead.force[i] = share > 0.0 ? share * place.ahead * place.rubs * crushing_pressure(here, tissues) : 0.0;
+        const TipPoint& point = point_[i];
+        const double fraction = in_bone(here) * std::clamp(1.0 - (here.gap - ahead.gap) / point.height, 0.0, 1.0);
+        ahead.force[i] = fraction > 0.0 ? fraction * point.ahead * point.rubs * crushing_pressure(here, tissues) : 0.0;
     }
-    give_way(ahead, wall, broken);
+    limit_by_walls(ahead, wall, broken);
     return ahead;
 }
 
-void CrushingTip::give_way(Ahead& ahead, const WallAhead& wall, const BrokenWall& broken) const noexcept {
-    std::array<double, WallAhead::most_pieces> crushes{};
+void CrushingTip::limit_by_walls(Ahead& ahead, const WallAhead& wall, const BrokenWall& broken) const noexcept {
+    std::array<double, WallAhead::max_pieces> crushes{};
     for (std::size_t i = 0; i < on_cones_; ++i) crushes[piece_of(i)] += ahead.force[i];
     const std::size_t count = piece_rings_ * azimuth_count;
     const PressedWall pressed({crushes.data(), count}, {part_.data(), piece_rings_}, wall, broken);
-    for (std::size_t n = 0; n < count; ++n) ahead.share[n] = pressed.share(n);
+    for (std::size_t n = 0; n < count; ++n) ahead.fraction[n] = pressed.resisting_fraction(n);
     ahead.met = {pressed.breaks_on(), pressed.is_broken()};
-    for (std::size_t i = 0; i < on_cones_; ++i) ahead.sum += ahead.force[i] *= ahead.share[piece_of(i)];
+    for (std::size_t i = 0; i < on_cones_; ++i) ahead.sum += ahead.force[i] *= ahead.fraction[piece_of(i)];
 }
 
-void CrushingTip::look(WallAhead& wall, const BoneQuery& bone) const noexcept {
+void CrushingTip::sample_side(WallAhead& wall, const BoneQuery& bone) const noexcept {
     // For each piece, the first point in bone, or its first point.
-    std::array<Vec3, most_cone_rings> at{};
-    std::array<kerf_bone_sample, most_cone_rings> here;
+    std::array<Vec3, max_cone_rings> at{};
+    std::array<kerf_bone_sample, max_cone_rings> here;
     const std::size_t rings = on_cones_ / azimuth_count;
-    const auto on_ring = [&](std::size_t ring) -> const Place& {
-        return place_[ring * azimuth_count + wall.next_side()];
+    const auto on_ring = [&](std::size_t ring) -> const TipPoint& {
+        return point_[ring * azimuth_count + wall.next_side()];
     };
     for (std::size_t ring = 0; ring < rings; ++ring) at[ring] = on_ring(ring).at;
     bone.sample({at.data(), rings}, Vec3{0, 0, 1}, {here.data(), rings});
@@ -153,65 +153,65 @@ void CrushingTip::look(WallAhead& wall, const BoneQuery& bone) const noexcept {
         const std::size_t n = piece_ring_[ring];
         const bool is_in = in_bone(here[ring]) > 0.0, is_first = ring == 0 || piece_ring_[ring - 1] != n;
         if (!is_first && (is_in_bone[n] || !is_in)) continue;
-        const Place& place = on_ring(ring);
-        pieces[n] = {place.at, place.slope.cos * place.out + Vec3{0, 0, place.slope.sin}};
+        const TipPoint& point = on_ring(ring);
+        pieces[n] = {point.at, point.slope.cos * point.out + Vec3{0, 0, point.slope.sin}};
         is_in_bone[n] = is_in;
     }
-    wall.look({pieces.data(), piece_rings_}, step_, friction_, bone);
+    wall.sample_side({pieces.data(), piece_rings_}, step_, friction_, bone);
 }
 
-bool CrushingTip::begins(const Standing& standing, const WallAhead& wall, const BrokenWall& broken,
+bool CrushingTip::begins(const TipLoad& tip_load, const WallAhead& wall, const BrokenWall& broken,
                          const BoneQuery& bone) const noexcept {
-    if (standing.force <= 0.0 && standing.depth <= deepest_spring) return false;
-    std::array<kerf_bone_sample, most_on_cones> samples;
-    bone.sample({asked_.data(), on_cones_}, Vec3{0, 0, 1}, {samples.data(), on_cones_});
+    if (tip_load.force <= 0.0 && tip_load.depth <= deepest_spring) return false;
+    std::array<kerf_bone_sample, max_on_cones> samples;
+    bone.sample({sample_point_.data(), on_cones_}, Vec3{0, 0, 1}, {samples.data(), on_cones_});
     const Ahead ahead = ahead_of({samples.data(), on_cones_}, wall, broken, bone.tissue_count());
-    return (ahead.sum > 0.0 || ahead.met.is_broken) && (standing.force >= ahead.sum || standing.depth > deepest_spring);
+    return (ahead.sum > 0.0 || ahead.met.is_broken) && (tip_load.force >= ahead.sum || tip_load.depth > deepest_spring);
 }
 
-CrushingTip::Met CrushingTip::add_to(Channels& channels, const WallAhead& wall, const BrokenWall& broken,
-                                     const BoneQuery& bone) const noexcept {
+CrushingTip::PressedWalls CrushingTip::add_to(Channels& channels, const WallAhead& wall, const BrokenWall& broken,
+                                              const BoneQuery& bone) const noexcept {
     const std::size_t asked = on_cones_ + count_;
-    std::array<kerf_bone_sample, most_on_cones + most> samples;
-    bone.sample({asked_.data(), asked}, {direction_.data(), asked}, {samples.data(), asked});
+    std::array<kerf_bone_sample, max_on_cones + max_points> samples;
+    bone.sample({sample_point_.data(), asked}, {direction_.data(), asked}, {samples.data(), asked});
     const Ahead ahead = ahead_of({samples.data(), on_cones_}, wall, broken, bone.tissue_count());
     if (ahead.sum <= 0.0 && !ahead.met.is_broken) return ahead.met;
     if (ahead.sum > 0.0) add_ahead(ahead, channels);
-    for (std::size_t way = 0; way < std::size(ways_across); ++way)
-        add_aside({samples.data() + on_cones_, count_}, ahead, bone.tissue_count(), way, channels);
+    for (std::size_t direction = 0; direction < std::size(transverse_directions); ++direction)
+        add_aside({samples.data() + on_cones_, count_}, ahead, bone.tissue_count(), direction, channels);
     return ahead.met;
 }
 
 void CrushingTip::add_ahead(const Ahead& ahead, Channels& channels) const noexcept {
     Vec6 along{};
     for (std::size_t i = 0; i < on_cones_; ++i)
-        for (std::size_t k = 0; k < 6; ++k) along[k] += ahead.force[i] / ahead.sum * place_[i].along[k];
+        for (std::size_t k = 0; k < 6; ++k) along[k] += ahead.force[i] / ahead.sum * point_[i].along[k];
     ChannelSum sum;
     sum.add(ahead.sum, 0.0, onset);
     sum.write(along, 1.0, ahead.gap, channels.add(KERF_CUT, id_crush));
 }
 
-void CrushingTip::add_aside(Samples samples, const Ahead& ahead, std::uint32_t tissues, std::size_t way,
+void CrushingTip::add_aside(Samples samples, const Ahead& ahead, std::uint32_t tissues, std::size_t direction,
                             Channels& channels) const noexcept {
-    const auto facing = [&](std::size_t i) { return dot(place_[i].out, ways_across[way]); };
-    double least = nowhere;
+    const auto facing = [&](std::size_t i) { return dot(point_[i].out, transverse_directions[direction]); };
+    double smallest = nowhere;
     for (std::size_t i = 0; i < count_; ++i)
-        if (samples[i].engagement > 0.0 && facing(i) > 0.0) least = std::min(least, samples[i].gap);
-    if (least == nowhere) return;
+        if (samples[i].engagement > 0.0 && facing(i) > 0.0) smallest = std::min(smallest, samples[i].gap);
+    if (smallest == nowhere) return;
     double force = 0.0, moment = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
-        const double share = in_bone(samples[i]) * (1.0 - (samples[i].gap - least) / play_);
-        if (facing(i) <= 0.0 || share <= 0.0) continue;
-        const double whole = i < on_cones_ ? ahead.share[piece_of(i)] : 1.0;
-        const double here = whole * share * facing(i) * place_[i].aside * crushing_pressure(samples[i], tissues);
+        const double fraction = in_bone(samples[i]) * (1.0 - (samples[i].gap - smallest) / play_);
+        if (facing(i) <= 0.0 || fraction <= 0.0) continue;
+        const double whole = i < on_cones_ ? ahead.fraction[piece_of(i)] : 1.0;
+        const double here = whole * fraction * facing(i) * point_[i].aside * crushing_pressure(samples[i], tissues);
         force += here;
-        moment += here * place_[i].at.z;
+        moment += here * point_[i].at.z;
     }
     if (force <= 0.0) return;
     ChannelSum sum;
     sum.add(force, 0.0, onset);
-    sum.write(rate_at({0, 0, moment / force}, ways_across[way]), 1.0, least,
-              channels.add(KERF_CUT, id_crush_side + static_cast<std::uint32_t>(way)));
+    sum.write(rate_at({0, 0, moment / force}, transverse_directions[direction]), 1.0, smallest,
+              channels.add(KERF_CUT, id_crush_side + static_cast<std::uint32_t>(direction)));
 }
 
 bool is_crushed(const Advance& advance) noexcept {
@@ -220,12 +220,12 @@ bool is_crushed(const Advance& advance) noexcept {
     return false;
 }
 
-bool goes_on_crushing(const Advance& advance, double begun) noexcept {
+bool continues_crushing(const Advance& advance, double begun) noexcept {
     for (std::size_t i = 0; i < advance.channel.size(); ++i) {
         const kerf_channel& channel = advance.channel[i];
-        const bool crushes = channel.id == id_crush ||
-                             (channel.id >= id_crush_side && channel.id < id_crush_side + std::size(ways_across));
-        if (crushes && advance.lambda[i] > let_go * std::min(channel.tau, begun)) return true;
+        const bool crushes = channel.id == id_crush || (channel.id >= id_crush_side &&
+                                                        channel.id < id_crush_side + std::size(transverse_directions));
+        if (crushes && advance.lambda[i] > release_fraction * std::min(channel.tau, begun)) return true;
     }
     return false;
 }

@@ -15,11 +15,11 @@
 namespace kerf::drilling {
 
 /// The contact load of the tip in one tick.
-struct Standing {
+struct TipLoad {
     double force = 0.0;  ///< [N] along the shaft
     double depth = 0.0;  ///< [m] of the deepest contact channel with a force
 
-    explicit Standing(const Advance& advance) noexcept;
+    explicit TipLoad(const Advance& advance) noexcept;
 };
 
 /// The still tip in bone. It crushes bone at one pressure along the normal of its cones, and rubs along their slope:
@@ -38,33 +38,33 @@ public:
 
     /// Returns whether the tip starts to crush bone. It does when the push exceeds the crushing force, when contact is
     /// deeper than any contact spring allows, or when the wall is broken already.   [haptic, nonblocking]
-    [[nodiscard]] bool begins(const Standing& standing, const WallAhead& wall, const BrokenWall& broken,
+    [[nodiscard]] bool begins(const TipLoad& tip_load, const WallAhead& wall, const BrokenWall& broken,
                               const BoneQuery& bone) const noexcept;
     /// Samples the walls ahead of the next of the tip's sides.   [haptic, nonblocking]
-    void look(WallAhead& wall, const BoneQuery& bone) const noexcept;
+    void sample_side(WallAhead& wall, const BoneQuery& bone) const noexcept;
     /// Walls that the tip presses on in a tick.
-    struct Met {
-        std::size_t breaks_on = PressedWall::no_way;  ///< ray to the wall that breaks; `no_way`: all bone is crushed
+    struct PressedWalls {
+        std::size_t breaks_on = PressedWall::no_ray;  ///< ray to the wall that breaks; `no_ray`: all bone is crushed
         bool is_broken = false;                       ///< the tip presses on broken bone
     };
     /// Adds a cut channel along the mean normal of the crushed surface, and one in each of four directions across the
     /// shaft.
     /// @param wall    its present samples
     /// @param broken  the wall that has broken   [haptic, nonblocking]
-    Met add_to(Channels& channels, const WallAhead& wall, const BrokenWall& broken,
-               const BoneQuery& bone) const noexcept;
+    PressedWalls add_to(Channels& channels, const WallAhead& wall, const BrokenWall& broken,
+                        const BoneQuery& bone) const noexcept;
 
 private:
-    static constexpr std::size_t most_cone_rings = 24, most_straight_rings = 4 * TwistDrill::most_lands;
-    static constexpr std::size_t most_on_cones = azimuth_count * most_cone_rings,
-                                 most = most_on_cones + azimuth_count * most_straight_rings;
+    static constexpr std::size_t max_cone_rings = 24, max_straight_rings = 4 * TwistDrill::max_lands;
+    static constexpr std::size_t max_on_cones = azimuth_count * max_cone_rings,
+                                 max_points = max_on_cones + azimuth_count * max_straight_rings;
     /// This many adjacent rings of a cone, at one azimuth, form a piece. A piece breaks out as a whole.
-    static constexpr std::size_t rings_of_piece = 3, most_piece_rings = WallAhead::pieces_of_side;
-    [[nodiscard]] std::size_t piece_of(std::size_t place) const noexcept {
-        return piece_ring_[place / azimuth_count] * azimuth_count + place % azimuth_count;
+    static constexpr std::size_t rings_of_piece = 3, max_piece_rings = WallAhead::pieces_of_side;
+    [[nodiscard]] std::size_t piece_of(std::size_t point) const noexcept {
+        return piece_ring_[point / azimuth_count] * azimuth_count + point % azimuth_count;
     }
     /// A sample point on a cone or on the straight section behind it. It represents an eighth of a ring.
-    struct Place {
+    struct TipPoint {
         Vec3 at, out;   ///< [m]; unit, away from the shaft
         SinCos slope;   ///< of the cone's half angle
         double height;  ///< [m] of its ring
@@ -75,10 +75,11 @@ private:
     };
     /// Along the shaft: the crushing force of each point and their sum [N], and the smallest gap to bone [m].
     struct Ahead {
-        std::array<double, most_on_cones> force;
+        std::array<double, max_on_cones> force;
         double sum = 0.0, gap = 0.0;
-        std::array<double, WallAhead::most_pieces> share;  ///< [–] fraction of each piece's crushing force that resists
-        Met met;
+        std::array<double, WallAhead::max_pieces>
+            fraction;  ///< [–] fraction of each piece's crushing force that resists
+        PressedWalls met;
     };
     using Samples = std::span<const kerf_bone_sample>;
 
@@ -91,17 +92,18 @@ private:
                   double rubs) noexcept;
     [[nodiscard]] Ahead ahead_of(Samples ahead, const WallAhead& wall, const BrokenWall& broken,
                                  std::uint32_t tissues) const noexcept;
-    void give_way(Ahead& ahead, const WallAhead& wall, const BrokenWall& broken) const noexcept;
+    void limit_by_walls(Ahead& ahead, const WallAhead& wall, const BrokenWall& broken) const noexcept;
     void add_ahead(const Ahead& ahead, Channels& channels) const noexcept;
-    void add_aside(Samples aside, const Ahead& ahead, std::uint32_t tissues, std::size_t way,
+    void add_aside(Samples aside, const Ahead& ahead, std::uint32_t tissues, std::size_t direction,
                    Channels& channels) const noexcept;
 
-    std::array<Place, most> place_;  ///< cone points first, then points of straight sections
+    std::array<TipPoint, max_points> point_;  ///< cone points first, then points of straight sections
     std::size_t on_cones_ = 0, count_ = 0;
-    std::array<std::uint8_t, most_cone_rings> piece_ring_{};  ///< index of the ring of pieces that each ring belongs to
-    std::array<std::uint8_t, most_piece_rings> part_{};       ///< index of the part that each ring of pieces belongs to
+    std::array<std::uint8_t, max_cone_rings> piece_ring_{};  ///< index of the ring of pieces that each ring belongs to
+    std::array<std::uint8_t, max_piece_rings> part_{};       ///< index of the part that each ring of pieces belongs to
     std::size_t piece_rings_ = 0;
-    std::array<Vec3, most_on_cones + most> asked_, direction_;  ///< cone points ahead, then all points outwards
+    std::array<Vec3, max_on_cones + max_points> sample_point_,
+        direction_;      ///< cone points ahead, then all points outwards
     double play_ = 0.0;  ///< [m] gap to bone at which a point no longer presses sideways
     double step_ = 0.0;  ///< [m] sampling step for wall thickness
     double friction_ = 0.0;
@@ -112,6 +114,6 @@ private:
 /// Returns whether bone under crushing still supports the tip. It does with more than a tenth of the crushing force, or
 /// of `begun` [N], the force at which crushing began, whichever is smaller. Below that the tip is back on the contact
 /// spring, which such a force hardly compresses.   [haptic, nonblocking]
-[[nodiscard]] bool goes_on_crushing(const Advance& advance, double begun) noexcept;
+[[nodiscard]] bool continues_crushing(const Advance& advance, double begun) noexcept;
 
 }  // namespace kerf::drilling

@@ -70,7 +70,7 @@ Outline StepBit::outline() const noexcept {
 TwistDrill ProfileBit::drill() const noexcept {
     TwistDrill drill = point();
     drill.shank_diameter = shank_diameter;
-    while (drill.corner_count < TwistDrill::most_corners && corner_depth[drill.corner_count] > 0.0) {
+    while (drill.corner_count < TwistDrill::max_corners && corner_depth[drill.corner_count] > 0.0) {
         drill.corners[drill.corner_count] = {corner_depth[drill.corner_count],
                                              0.5 * corner_diameter[drill.corner_count]};
         ++drill.corner_count;
@@ -97,7 +97,7 @@ Outline ProfileBit::outline() const noexcept {
                           ", or a degree of half angle more: ", in_mm(2.0 * (last.radius + slightest * longer)), ".");
         last = drill.corners[i];
     }
-    for (std::size_t i = drill.corner_count; i < TwistDrill::most_corners; ++i) {
+    for (std::size_t i = drill.corner_count; i < TwistDrill::max_corners; ++i) {
         const char nth[] = {static_cast<char>('1' + i), '\0'},
                    missing[] = {static_cast<char>('1' + drill.corner_count), '\0'};
         if (corner_depth[i] > 0.0 || corner_diameter[i] > 0.0)

@@ -176,7 +176,7 @@ struct StepBit : DrillBit {
 
 struct ProfileBit : DrillBit {
     double shank_diameter;
-    std::array<double, TwistDrill::most_corners> corner_depth, corner_diameter;
+    std::array<double, TwistDrill::max_corners> corner_depth, corner_diameter;
 
 private:
     static constexpr const char* depth_id[] = {"depth_1", "depth_2", "depth_3", "depth_4",
@@ -229,7 +229,7 @@ public:
                      .source = "as the tool is"}),
                 corner<I>()...);
         }
-        (std::make_index_sequence<TwistDrill::most_corners>{});
+        (std::make_index_sequence<TwistDrill::max_corners>{});
     }
     [[nodiscard]] TwistDrill drill() const noexcept;
     [[nodiscard]] Outline outline() const noexcept;

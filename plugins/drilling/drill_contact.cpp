@@ -14,9 +14,9 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr std::size_t near_levels = 8, far_levels = 16, most_cones = TwistDrill::most_corners + 1,
-                      most_walls = TwistDrill::most_lands - 1;
-static_assert((near_levels + far_levels + most_cones + most_walls) * azimuth_count <= ContactPoints::most);
+constexpr std::size_t near_levels = 8, far_levels = 16, max_cones = TwistDrill::max_corners + 1,
+                      max_walls = TwistDrill::max_lands - 1;
+static_assert((near_levels + far_levels + max_cones + max_walls) * azimuth_count <= ContactPoints::max_points);
 constexpr double grazing = 0.05;  // cosine between the normals from which on bone supports the shank
 /// Contact slots: one for each azimuth of the still tip, which is stiff, and one for each quadrant of the shank, which
 /// bends. Front and rear of the shank have separate slots, so that the law contains the hole's stiffness against tilt.
@@ -90,20 +90,20 @@ double crushing_force(const TwistDrill& drill, const kerf_bone_sample& bone, std
 /// there is such a point.
 bool hold_bent_shank(const HoleLine& hole, const ContactPoints& points, Contact& contact) noexcept {
     bool is_bent = false;
-    for (const Contact::Deep& one : contact.deep()) {
+    for (const Contact::DeepPoint& one : contact.deep()) {
         if (points.outwards(one.point).z != 0.0) continue;  // of the tip
-        contact.hold(one, hole.gone(points.at(one.point), points.outwards(one.point)));
+        contact.hold(one, hole.offset(points.at(one.point), points.outwards(one.point)));
         is_bent = true;
     }
     return is_bent;
 }
 
 /// Limits the force on the shank to the bone's crushing force.
-void crush_beside_shank(const TwistDrill& drill, const BoneQuery& bone, const ContactPoints& points,
-                        Contact& contact) noexcept {
-    std::array<std::size_t, ContactPoints::most> pressed;
-    std::array<Vec3, ContactPoints::most> at;
-    std::array<kerf_bone_sample, ContactPoints::most> here;
+void limit_shank_contact(const TwistDrill& drill, const BoneQuery& bone, const ContactPoints& points,
+                         Contact& contact) noexcept {
+    std::array<std::size_t, ContactPoints::max_points> pressed;
+    std::array<Vec3, ContactPoints::max_points> at;
+    std::array<kerf_bone_sample, ContactPoints::max_points> here;
     std::size_t count = 0;
     for (std::size_t i = 0; i < points.count(); ++i) {
         if (points.outwards(i).z != 0.0 || contact.depth(i) <= 0.0 || !contact.faces_bone(i)) continue;
@@ -113,7 +113,7 @@ void crush_beside_shank(const TwistDrill& drill, const BoneQuery& bone, const Co
     if (count == 0) return;
     bone.sample({at.data(), count}, Vec3{0, 0, 1}, {here.data(), count});
     for (std::size_t n = 0; n < count; ++n)
-        contact.bear_at_most(pressed[n], crushing_force(drill, here[n], bone.tissue_count()));
+        contact.limit_force(pressed[n], crushing_force(drill, here[n], bone.tissue_count()));
 }
 
 /// Adds friction of the contact force in the last tick. A turning drill uses nearly all friction against its turn, and
@@ -132,9 +132,9 @@ bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Dri
                  const BoneQuery& bone, const Turning& turning, const HoleLine& hole, const Carried& last,
                  Channels& channels) noexcept {
     Contact contact(points);
-    contact.ask(bone, drill.widest_radius());
+    contact.query_bone(bone, drill.widest_radius());
     const bool is_bent = hold_bent_shank(hole, points, contact);
-    crush_beside_shank(drill, bone, points, contact);
+    limit_shank_contact(drill, bone, points, contact);
     const bool rubs = last.by_shank > 0.0, sticks = last.by_tip > 0.0;
     Vec6 follow{};
     if (turning.cutting.removes_bone())

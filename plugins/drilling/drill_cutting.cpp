@@ -17,26 +17,28 @@ namespace {
 
 constexpr double azimuth[SideEdges::azimuths][2] = {
     {1, 0}, {cos_45, cos_45}, {cos_45, -cos_45}};  // components along the motion and across it
-static_assert(std::size(ways_across) == SideEdges::ways);
+static_assert(std::size(transverse_directions) == SideEdges::directions);
 
 /// Points of a land lie inside the hole that it has cut. There the land runs free, and the hole moves with it. This
 /// subtracts the unused part of the play from a land's gap to the front. A cone at the front has no gap. Then the land
 /// behind it has none either.
-void take_up_play(const SideEdges& edges, Vec3 way, const OwnHoles& holes, kerf_bone_sample* of_way) noexcept {
+void take_up_play(const SideEdges& edges, Vec3 direction, const OwnHoles& holes,
+                  kerf_bone_sample* of_direction) noexcept {
     double of_cones = 1e300;
-    const kerf_bone_sample* at = of_way;
+    const kerf_bone_sample* at = of_direction;
     for (const SideEdges::Level& level : edges.levels())
         for (std::size_t a = 0; a < SideEdges::azimuths; ++a, ++at)
             if (!level.is_land && at->engagement > 0.0) of_cones = std::min(of_cones, at->gap);
     const OwnHole* hole_of_land = holes.data();
     for (const SideEdges::Level& level : edges.levels()) {
-        const double gone = level.is_land ? (hole_of_land++)->along(way) / level.inside : 0.0;  // [–] used play
+        const double used_play =
+            level.is_land ? (hole_of_land++)->along(direction) / level.inside : 0.0;  // [–] used play
         for (const auto& [along, across] : azimuth) {
-            kerf_bone_sample& here = *of_way++;
+            kerf_bone_sample& here = *of_direction++;
             if (!level.is_land) continue;
             const double hole = level.radius + level.inside, aside = across * level.radius;
             const double play = std::sqrt(hole * hole - aside * aside) - along * level.radius;
-            const double left = std::min(of_cones, play * std::clamp(1.0 - gone, 0.0, 1.0));
+            const double left = std::min(of_cones, play * std::clamp(1.0 - used_play, 0.0, 1.0));
             here.gap = std::max(0.0, here.gap - (play - left));
         }
     }
@@ -78,12 +80,12 @@ SideEdges::SideEdges(const TwistDrill& drill, const DrillParameters& law, const 
             level_[level_count_++] = {cone.outer - inside, cone.end(), land, 1.0, true, inside + drill.runout};
     }
     std::size_t i = 0;
-    for (const Vec3 way : ways_across) {
-        const Vec3 across = cross(Vec3{0, 0, 1}, way);
+    for (const Vec3 direction : transverse_directions) {
+        const Vec3 across = cross(Vec3{0, 0, 1}, direction);
         for (const Level& level : levels())
             for (const auto& at : azimuth) {
-                const Vec3 radial = level.radius * (at[0] * way + at[1] * across);
-                direction_[i] = way;
+                const Vec3 radial = level.radius * (at[0] * direction + at[1] * across);
+                direction_[i] = direction;
                 point_[i++] = {radial.x, radial.y, level.z};
             }
     }
@@ -92,10 +94,10 @@ SideEdges::SideEdges(const TwistDrill& drill, const DrillParameters& law, const 
 void add_feed_cutting(Edges& e, const DrillParameters& law, const Turning& turning, const Travel& travel,
                       Channels& channels) noexcept {
     const EdgeSet k = law.edges();
-    const double least = e.least_gap();
+    const double smallest = e.min_gap();
     const double per_rate = 1.0 / (lip_count * turning.n);  // feed per lip and feed rate [s]
 
-    e.share_out(travel, turning.n, least, k.thrust.edge_depth);
+    e.divide_feed(travel, turning.n, smallest, k.thrust.edge_depth);
     ChannelSum axial;
     double engaged_width = 0.0, full_width = 0.0;
     for (std::size_t i = 0; i < e.count; ++i) {
@@ -105,13 +107,13 @@ void add_feed_cutting(Edges& e, const DrillParameters& law, const Turning& turni
         const auto [chip, edge] = e.takes[i];
         if (chip <= 0.0) continue;
         if (i >= e.lip_points) {
-            const double width = m * e.places.chisel_width;
+            const double width = m * e.layout.chisel_width;
             axial.add(edge * width * k.chisel.edge, chip * width * k.chisel.chip * per_rate,
                       k.chisel.edge_depth / per_rate);
             continue;
         }
         const LipElement& el = e.element(i);
-        const double width = e.places.rake_factor[e.place_on_lip(i)] * m * el.width, nz = el.normal_axial;
+        const double width = e.layout.rake_factor[e.index_on_lip(i)] * m * el.width, nz = el.normal_axial;
         axial.add(edge * width * k.thrust.edge * nz, chip * width * k.thrust.chip * nz * nz * per_rate,
                   k.thrust.edge_depth / (per_rate * nz));
         engaged_width += m * el.width;
@@ -123,7 +125,7 @@ void add_feed_cutting(Edges& e, const DrillParameters& law, const Turning& turni
     const EdgeForces forces = edge_forces(e, law, turning.n, travel.feed_rate);
     if (kerf_channel* feed = channels.add(KERF_CUT, id_feed)) {
         const double per_newton = 1.0 / forces.thrust();
-        axial.write(scaled(per_newton, forces.normal), turning.cutting.fraction, least, feed);
+        axial.write(scaled(per_newton, forces.normal), turning.cutting.fraction, smallest, feed);
         const Vec6 follow = scaled(per_newton, forces.cutting);
         std::copy(follow.begin(), follow.end(), feed->follow);
         if (!turning.cutting.removes_bone())
@@ -137,30 +139,30 @@ void add_feed_cutting(Edges& e, const DrillParameters& law, const Turning& turni
         const SinCos relief = sin_cos_exact(law.relief_angle);
         heel->d[2] = 1.0;
         heel->eta = law.heel_stiffness * per_rate * engaged_width / full_width;
-        heel->gap = least + turning.turns * 2.0 * pi * e.drill.radius() * relief.sin / relief.cos;
+        heel->gap = smallest + turning.turns * 2.0 * pi * e.drill.radius() * relief.sin / relief.cos;
     }
 }
 
 void add_side_cutting(const SideEdges& edges, const DrillParameters& law, const BoneQuery& bone, const Turning& turning,
                       const Travel& travel, const OwnHoles& holes, Channels& channels) noexcept {
-    constexpr double share_of_turn = 1.0 / 8.0;
-    std::array<kerf_bone_sample, SideEdges::most> sample;
+    constexpr double fraction_of_turn = 1.0 / 8.0;
+    std::array<kerf_bone_sample, SideEdges::max_points> sample;
     edges.ask(bone, sample);  // one query for all directions
-    const std::size_t per_way = edges.levels().size() * SideEdges::azimuths;
+    const std::size_t per_direction = edges.levels().size() * SideEdges::azimuths;
 
     const EdgeSet k = law.edges();
     const EvenChip even(travel.feed_rate / (lip_count * turning.n), k.thrust.edge_depth);
     kerf_bone_sample* next = sample.data();
-    for (std::size_t n = 0; n < SideEdges::ways; ++n) {
-        take_up_play(edges, ways_across[n], holes, next);
-        double least = 1e300;
-        for (const kerf_bone_sample* one = next; one < next + per_way; ++one)
-            if (one->engagement > 0.0) least = std::min(least, one->gap);
+    for (std::size_t n = 0; n < SideEdges::directions; ++n) {
+        take_up_play(edges, transverse_directions[n], holes, next);
+        double smallest = 1e300;
+        for (const kerf_bone_sample* one = next; one < next + per_direction; ++one)
+            if (one->engagement > 0.0) smallest = std::min(smallest, one->gap);
 
         ChannelSum sum;
         SideWork work;
         double z = 0.0, total = 0.0;
-        const Vec6 along = rate_at({0, 0, edges.levels().back().z}, ways_across[n]);
+        const Vec6 along = rate_at({0, 0, edges.levels().back().z}, transverse_directions[n]);
         const double sideways = std::max(0.0, dot(along, travel.steady));  // [m/s]
         for (const SideEdges::Level& level : edges.levels()) {
             SideRing ring = ring_of(level, sideways, turning.n, travel.mean[2]);
@@ -168,15 +170,15 @@ void add_side_cutting(const SideEdges& edges, const DrillParameters& law, const 
                 const kerf_bone_sample& here = *next++;
                 const double m = resistance(here, bone.tissue_count(), law.reference_density);
                 if (m <= 0.0) continue;
-                const auto [chip, edge] = even.taken(1.0, here.gap - least);
+                const auto [chip, edge] = even.taken(1.0, here.gap - smallest);
                 if (chip <= 0.0) continue;
-                const double width = m * lip_count * level.width * share_of_turn;
+                const double width = m * lip_count * level.width * fraction_of_turn;
                 const double facing = azimuth[a][0] * level.normal_radial, per_rate = facing / (lip_count * turning.n);
                 sum.add(edge * width * k.thrust.edge * facing, chip * width * k.thrust.chip * facing * per_rate,
                         k.thrust.edge_depth / per_rate);
                 z += edge * width * level.z;
                 total += edge * width;
-                Met& met = a == 0 ? ring.ahead : ring.beside;
+                Resistance& met = a == 0 ? ring.ahead : ring.sideways;
                 const double share = a == 0 ? m : 0.5 * m;
                 met.chip += share * chip;
                 met.edge += share * edge;
@@ -187,10 +189,10 @@ void add_side_cutting(const SideEdges& edges, const DrillParameters& law, const 
         kerf_channel* channel = channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n));
         if (channel == nullptr) continue;
         const Vec3 at{0, 0, z / total};
-        sum.write(rate_at(at, ways_across[n]), turning.cutting.fraction, least, channel);
+        sum.write(rate_at(at, transverse_directions[n]), turning.cutting.fraction, smallest, channel);
         const double push = force_at(sum, std::max(sideways, dot(along, travel.last)));
         if (push <= 0.0) continue;
-        const Vec3 pull = (-work.across / push) * cross(Vec3{0, 0, 1}, ways_across[n]);
+        const Vec3 pull = (-work.across / push) * cross(Vec3{0, 0, 1}, transverse_directions[n]);
         const Vec6 follow = make_vec6(pull, cross(at, pull) - Vec3{0, 0, work.torque / push});
         std::copy(follow.begin(), follow.end(), channel->follow);
     }

@@ -23,7 +23,7 @@ struct Turning {
 };
 
 /// One hole for each land, from the tip backwards.
-using OwnHoles = std::array<OwnHole, TwistDrill::most_lands>;
+using OwnHoles = std::array<OwnHole, TwistDrill::max_lands>;
 
 /// Adds the channels of lips, chisel edge and heel, and divides the feed among the edges.   [haptic, nonblocking]
 void add_feed_cutting(Edges& edges, const DrillParameters& law, const Turning& turning, const Travel& travel,
@@ -38,16 +38,17 @@ public:
         double inside = 0.0;  ///< [m] distance of a land's points inside the hole that it has cut
         [[nodiscard]] double normal_axial() const noexcept { return std::sqrt(1.0 - normal_radial * normal_radial); }
     };
-    static constexpr std::size_t most_levels = 16, ways = 4, azimuths = 3;  ///< `azimuths` for each level and direction
-    static constexpr std::size_t most = ways * most_levels * azimuths;
+    static constexpr std::size_t max_levels = 16, directions = 4,
+                                 azimuths = 3;  ///< `azimuths` for each level and direction
+    static constexpr std::size_t max_points = directions * max_levels * azimuths;
 
     SideEdges() = default;
     SideEdges(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept;
 
     [[nodiscard]] std::span<const Level> levels() const noexcept { return {level_.data(), level_count_}; }
     /// Samples all points: direction by direction, level by level.
-    void ask(const BoneQuery& bone, std::array<kerf_bone_sample, most>& out) const noexcept {
-        const std::size_t count = ways * level_count_ * azimuths;
+    void ask(const BoneQuery& bone, std::array<kerf_bone_sample, max_points>& out) const noexcept {
+        const std::size_t count = directions * level_count_ * azimuths;
         bone.sample({point_.data(), count}, {direction_.data(), count}, {out.data(), count});
     }
     /// Moves the lands in their holes at `rate` for `dt` [s], while the front advances by `advance` ≥ 0 [m] into bone.
@@ -55,9 +56,9 @@ public:
     void move_in_holes(const Vec6& rate, double dt, double advance, OwnHoles& holes) const noexcept;
 
 private:
-    std::array<Level, most_levels> level_;
+    std::array<Level, max_levels> level_;
     std::size_t level_count_ = 0;
-    std::array<Vec3, most> point_, direction_;
+    std::array<Vec3, max_points> point_, direction_;
 };
 
 /// Adds the channels of sideways cutting by the cones' flanks and the lands, averaged over a turn.

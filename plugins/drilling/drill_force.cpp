@@ -38,7 +38,7 @@ double breakaway_torque(Edges& edges, const DrillParameters& law, double push, b
     const double edge_depth = law.edge_depth;
     const auto at = [&](double chip) {
         const double feed_rate = lip_count * n * chip;
-        edges.share_out({feed_rate, {}}, n, edges.least_gap(), edge_depth);
+        edges.divide_feed({feed_rate, {}}, n, edges.min_gap(), edge_depth);
         return edge_forces(edges, law, n, feed_rate);
     };
     const EdgeForces thin = at(built_up * edge_depth);
@@ -52,20 +52,20 @@ double breakaway_torque(Edges& edges, const DrillParameters& law, double push, b
 void crush_or_rest(double dt, const BoneQuery& bone, const Noted<DrillCutting::Notes>& advance,
                    DrillCutting::State& state, Actions& actions) noexcept {
     const DrillCutting::Notes& notes = advance.notes;
-    const Standing standing(advance);
-    const bool breaks = state.crushes && notes.breaks_on != PressedWall::no_way && is_crushed(advance),
+    const TipLoad tip_load(advance);
+    const bool breaks = state.crushes && notes.breaks_on != PressedWall::no_ray && is_crushed(advance),
                is_in_broken = state.crushes && notes.is_broken;
     if (breaks && state.broken.break_out(state.wall.on(notes.breaks_on))) actions.event(Happened::wall_broken);
-    state.broken.go(advance.rate, dt, breaks || is_in_broken);
-    if (state.crushes || standing.force > 0.0 || state.broken.is_there())
-        state.prepared.tip.look(state.wall, bone);
+    state.broken.move_with_tip(advance.rate, dt, breaks || is_in_broken);
+    if (state.crushes || tip_load.force > 0.0 || state.broken.is_there())
+        state.prepared.tip.sample_side(state.wall, bone);
     else
         state.wall.forget();
     if (state.crushes) {
-        state.crushes = breaks || is_in_broken || goes_on_crushing(advance, state.crushing_from);
-    } else if (state.prepared.tip.begins(standing, state.wall, state.broken, bone)) {
+        state.crushes = breaks || is_in_broken || continues_crushing(advance, state.crushing_from);
+    } else if (state.prepared.tip.begins(tip_load, state.wall, state.broken, bone)) {
         state.crushes = true;
-        state.crushing_from = standing.force;
+        state.crushing_from = tip_load.force;
         if (!state.broken.is_there()) actions.event(Happened::crushing);
     }
 }
@@ -81,23 +81,23 @@ void DrillCutting::begin(const AnyDrill& tool, const BoneQuery& bone, State& sta
     p.touching = touching_points(p.drill, *this, bone, false);
     p.tip = {p.drill, *this, bone};
     state.broken = BrokenWall(0.5 * p.drill.widest_radius());
-    p.bending_share = 1.0 - exp_exact(-tool.tick.dt / bending_time);
+    p.bending_weight = 1.0 - exp_exact(-tool.tick.dt / bending_time);
 }
 
 DrillCutting::Notes DrillCutting::resist(const AnyDrill& tool, const BoneQuery& bone, const State& state,
                                          Channels& channels) const noexcept {
     const Turning turning = turning_of(state, tool.tick.dt);
-    const auto& [drill, edge_places, sides, touching_in_cut, touching, tip, bending_share] = state.prepared;
+    const auto& [drill, edge_layout, sides, touching_in_cut, touching, tip, bending_weight] = state.prepared;
     Notes notes;
     if (turning.cutting.resists()) {
-        Edges edges(drill, edge_places, *this, bone, state.angle);
+        Edges edges(drill, edge_layout, *this, bone, state.angle);
         notes.engagement = edges.engagement();
         add_feed_cutting(edges, *this, turning, state.travel, channels);
         if (turning.cutting.removes_bone())
             add_side_cutting(sides, *this, bone, turning, state.travel, state.holes, channels);
     }
     if (state.crushes) {
-        const CrushingTip::Met met = tip.add_to(channels, state.wall, state.broken, bone);
+        const CrushingTip::PressedWalls met = tip.add_to(channels, state.wall, state.broken, bone);
         notes.breaks_on = met.breaks_on;
         notes.is_broken = met.is_broken;
     }
@@ -129,13 +129,13 @@ void DrillCutting::commit(const AnyDrill& tool, const BoneQuery& bone, const Not
     for (std::size_t c = 0; c < advance.channel.size(); ++c) {
         const std::uint32_t id = advance.channel[c].id;
         if (id == id_feed) feed_thrust = advance.lambda[c];
-        const bool is_edge = id == id_feed || (id >= id_side && id < id_side + SideEdges::ways);
+        const bool is_edge = id == id_feed || (id >= id_side && id < id_side + SideEdges::directions);
         if (removes_bone && is_edge) load -= advance.channel[c].follow[5] * advance.lambda[c];
     }
     if (!removes_bone) {
         Edges edges(drill, state.prepared.edges, *this, bone, state.angle);
         engaged = edges.engagement();
-        load += breakaway_torque(edges, *this, advance.pushed_along(), state.cutter.speed() < 0.0);
+        load += breakaway_torque(edges, *this, advance.axial_thrust(), state.cutter.speed() < 0.0);
     }
     const bool is_cutting = removes_bone && feed_thrust > 0.0;
     const double front = is_cutting      ? state.travel.feed_rate
@@ -148,7 +148,7 @@ void DrillCutting::commit(const AnyDrill& tool, const BoneQuery& bone, const Not
     signals.engagement = engaged;
     signals.drive_power = 2.0 * pi * turning.speed * load;
     signals.spindle_speed = state.cutter.speed();
-    state.bending_stress += state.prepared.bending_share * (bending_stress(drill, advance) - state.bending_stress);
+    state.bending_stress += state.prepared.bending_weight * (bending_stress(drill, advance) - state.bending_stress);
     signals.bending_stress = state.bending_stress;
     const bool is_overbent = state.bending_stress > (state.is_overbent ? straight_again : 1.0) * bit.yield_strength;
     if (is_overbent && !state.is_overbent) actions.event(Happened::bit_overbent);
@@ -163,7 +163,7 @@ void DrillCutting::commit(const AnyDrill& tool, const BoneQuery& bone, const Not
     const Spindle& motor = state.cutter.motor;
     const bool cuts = motor.speed >= slowest_cut;  // in reverse the edges rub
     const double sense = motor.speed != 0.0 ? motor.speed : bit.spindle_speed;
-    state.reaction = std::copysign(1.0, sense) * (cuts ? motor.reaction_beyond(load) : motor.torque);
+    state.reaction = std::copysign(1.0, sense) * (cuts ? motor.excess_torque(load) : motor.torque);
     if (cuts) {
         state.crushes = false;
         state.wall.forget();

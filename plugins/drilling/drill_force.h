@@ -20,11 +20,11 @@ struct DrillCutting : DrillParameters {
     /// Geometry that depends on parameters and grid only.
     struct Prepared {
         TwistDrill drill{};
-        EdgePlaces edges;
+        EdgeLayout edges;
         SideEdges sides;
         ContactPoints touching_in_cut, touching;  ///< while the tip removes or crushes bone; otherwise
         CrushingTip tip;
-        double bending_share = 0.0;  ///< [–] weight of one tick in the average bending stress
+        double bending_weight = 0.0;  ///< [–] weight of one tick in the average bending stress
     };
     struct State {
         double angle = 0.0;  ///< [rad] of the first lip about the shaft
@@ -44,7 +44,7 @@ struct DrillCutting : DrillParameters {
     };
     struct Notes {
         double engagement = 0.0;                      ///< [–] fraction of the edges in bone
-        std::size_t breaks_on = PressedWall::no_way;  ///< ray to the wall that breaks before a still tip
+        std::size_t breaks_on = PressedWall::no_ray;  ///< ray to the wall that breaks before a still tip
         bool is_bent = false;                         ///< the shank does not fit into its hole
         bool is_broken = false;                       ///< a wall has broken before the tip
     };

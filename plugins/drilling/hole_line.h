@@ -21,7 +21,7 @@ struct HoleLine {
         along_y += rate[3] * dt - turn * before.along_x;
     }
     /// Returns the distance [m] of a point of the tool from the line, along the unit vector `outwards`.
-    [[nodiscard]] double gone(Vec3 at, Vec3 outwards) const noexcept {
+    [[nodiscard]] double offset(Vec3 at, Vec3 outwards) const noexcept {
         return -((x + along_x * at.z) * outwards.x + (y + along_y * at.z) * outwards.y);
     }
 };

@@ -30,7 +30,7 @@ struct OwnHole {
         y *= play / away;
     }
     /// Returns the offset [m] along a unit vector across the shaft. It is the used part of the play.
-    [[nodiscard]] double along(Vec3 way) const noexcept { return x * way.x + y * way.y; }
+    [[nodiscard]] double along(Vec3 direction) const noexcept { return x * direction.x + y * direction.y; }
 };
 
 }  // namespace kerf::drilling

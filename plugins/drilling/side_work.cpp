@@ -25,7 +25,7 @@ SideWork side_work(const SideRing& ring, const EdgeCoefficients& cutting) noexce
     for (std::size_t i = 0; i < nodes && facing[i] > ring.fed; ++i) {
         const double thickness = ring.thickness * (facing[i] - ring.fed);
         const double built_up = built_up_at(ring.thickness * (facing[i] + ring.fed), cutting.edge_depth) - fed;
-        const Met& met = i < nodes_ahead ? ring.ahead : ring.beside;
+        const Resistance& met = i < nodes_ahead ? ring.ahead : ring.sideways;
         const double force = met.edge * cutting.edge * built_up + met.chip * cutting.chip * thickness;
         sum.across += facing[i] * force;
         sum.torque += force;

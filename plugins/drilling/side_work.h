@@ -19,17 +19,17 @@ struct SideWork {
 };
 
 /// Bone resistance times the fraction of an even chip, and of its edge force [–].
-struct Met {
+struct Resistance {
     double chip = 0.0, edge = 0.0;
 };
 
 /// A ring of edges that moves sideways.
 struct SideRing {
-    double radius = 0.0;     ///< [m]
-    double width = 0.0;      ///< [m] of one lip's edge
-    double thickness = 0.0;  ///< [m] chip thickness in the direction of motion, n_r s/(lips n)
-    double fed = 0.0;        ///< [–] part of it that the feed removes, κ = n_z v_z/(n_r s); 0 for a land
-    Met ahead{}, beside{};   ///< in the direction of motion, and the average of 45° to either side
+    double radius = 0.0;             ///< [m]
+    double width = 0.0;              ///< [m] of one lip's edge
+    double thickness = 0.0;          ///< [m] chip thickness in the direction of motion, n_r s/(lips n)
+    double fed = 0.0;                ///< [–] part of it that the feed removes, κ = n_z v_z/(n_r s); 0 for a land
+    Resistance ahead{}, sideways{};  ///< in the direction of motion, and the average of 45° to either side
 };
 
 /// Returns the force and torque of the ring beyond those of the lips' feed, which removes up to 2 κ at an azimuth:

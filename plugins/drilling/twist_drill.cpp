@@ -47,8 +47,8 @@ namespace {
 void add_edge(Lip& lip, const Cone& cone, double b, double from, double pitch) noexcept {
     const SinCos p = cone.half_angle;
     const double first = std::sqrt(from * from - b * b), last = std::sqrt(cone.outer * cone.outer - b * b);
-    const double room = static_cast<double>(largest_element_count - lip.count);
-    const auto count = static_cast<std::size_t>(std::clamp(std::ceil((last - first) / pitch - 1e-9), 1.0, room));
+    const double capacity = static_cast<double>(largest_element_count - lip.count);
+    const auto count = static_cast<std::size_t>(std::clamp(std::ceil((last - first) / pitch - 1e-9), 1.0, capacity));
     const double ds = (last - first) / static_cast<double>(count);
     for (std::size_t i = 0; i < count; ++i) {
         LipElement& e = lip.element[lip.count++];
@@ -76,7 +76,7 @@ Lip make_lip(const TwistDrill& drill, double pitch) noexcept {
     return lip;
 }
 
-Vec3 place_of(const LipElement& e, double half_web, double cos_angle, double sin_angle) noexcept {
+Vec3 position_of(const LipElement& e, double half_web, double cos_angle, double sin_angle) noexcept {
     return {e.along * cos_angle - half_web * sin_angle, e.along * sin_angle + half_web * cos_angle, e.z};
 }
 

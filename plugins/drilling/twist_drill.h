@@ -20,11 +20,12 @@ inline constexpr double azimuths[azimuth_count][2] = {{1, 0},  {cos_45, cos_45},
                                                       {-1, 0}, {-cos_45, -cos_45}, {0, -1}, {cos_45, -cos_45}};
 
 /// The four directions across the shaft.
-inline constexpr Vec3 ways_across[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+inline constexpr Vec3 transverse_directions[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
 
-/// Returns the number of rings on each cone, 1 … `most`, from a total for all cones.
-[[nodiscard]] constexpr std::size_t rings_on_each(std::size_t cones, std::size_t room, std::size_t most) noexcept {
-    return std::clamp<std::size_t>(room / cones, 1, most);
+/// Returns the number of rings on each cone, 1 … `max_rings`, from a total for all cones.
+[[nodiscard]] constexpr std::size_t rings_on_each(std::size_t cones, std::size_t total_rings,
+                                                  std::size_t max_rings) noexcept {
+    return std::clamp<std::size_t>(total_rings / cones, 1, max_rings);
 }
 
 /// A cone that the lips sweep.
@@ -49,9 +50,9 @@ struct OutlineCorner {
 
 /// Geometry of a drill with two lips. Tool frame: origin at the tip, +z out of the tip.
 struct TwistDrill {
-    static constexpr std::size_t most_corners = 8;
-    static constexpr std::size_t most_lands =
-        most_corners / 2 + 1;  ///< one for each cone that a wall follows, and one behind the last
+    static constexpr std::size_t max_corners = 8;
+    static constexpr std::size_t max_lands =
+        max_corners / 2 + 1;  ///< one for each cone that a wall follows, and one behind the last
 
     double diameter;      ///< [m]
     double point_angle;   ///< [rad] full
@@ -60,7 +61,7 @@ struct TwistDrill {
     double corner;        ///< [–] length over diameter of the land behind a cone, which cuts sideways
     double runout = 0.0;  ///< [m] distance of the tip from the axis of rotation, towards the first lip
     double helix_angle = 28.0 * 3.14159265358979323846 / 180.0;  ///< [rad] of the flutes at the diameter
-    std::array<OutlineCorner, most_corners> corners = {};        ///< behind the point, backwards; radii do not decrease
+    std::array<OutlineCorner, max_corners> corners = {};         ///< behind the point, backwards; radii do not decrease
     std::size_t corner_count = 0;
     double shank_diameter = 0.0;  ///< [m] behind the head, if thinner; 0: as wide as the head
     SinCos half_point =
@@ -83,7 +84,7 @@ struct TwistDrill {
     }
     /// The cone of the point, and the cones behind it.
     struct Cones {
-        std::array<Cone, most_corners + 1> cone;
+        std::array<Cone, max_corners + 1> cone;
         std::size_t count = 0;
         [[nodiscard]] const Cone* begin() const noexcept { return cone.data(); }
         [[nodiscard]] const Cone* end() const noexcept { return cone.data() + count; }
@@ -136,6 +137,6 @@ struct Lip {
 [[nodiscard]] Lip make_lip(const TwistDrill& drill, double pitch) noexcept;
 
 /// Returns the position [m] of an element at the spindle angle (cos, sin), tool frame.   [any] pure.
-[[nodiscard]] Vec3 place_of(const LipElement& element, double half_web, double cos_angle, double sin_angle) noexcept;
+[[nodiscard]] Vec3 position_of(const LipElement& element, double half_web, double cos_angle, double sin_angle) noexcept;
 
 }  // namespace kerf::drilling

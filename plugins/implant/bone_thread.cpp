@@ -14,7 +14,7 @@ namespace kerf::implant {
 
 namespace {
 
-constexpr double beside_core = 0.08e-3;  // [m] outside the core: there the bone removed by the core itself ends
+constexpr double core_clearance = 0.08e-3;  // [m] outside the core: there the bone removed by the core itself ends
 
 /// Engagement of a crest in the wall of its hole.
 struct Bite {
@@ -33,13 +33,13 @@ struct Bite {
 
 }  // namespace
 
-ThreadPlaces::ThreadPlaces(const ScrewThread& thread) noexcept {
-    ThreadPiece pieces[most_pieces];
+ThreadPoints::ThreadPoints(const ScrewThread& thread) noexcept {
+    ThreadPiece pieces[max_pieces];
     count = make_pieces(thread, pieces);
     for (int i = 0; i < count; ++i) {
         const auto n = static_cast<std::size_t>(i);
-        const double z = pieces[i].place.z, radius = thread.mean_radius(z);
-        way[n] = {pieces[i].place.x / radius, pieces[i].place.y / radius, z};
+        const double z = pieces[i].point.z, radius = thread.mean_radius(z);
+        direction[n] = {pieces[i].point.x / radius, pieces[i].point.y / radius, z};
         outer[n] = 0.5 * thread.outer_at(z);
         core[n] = 0.5 * thread.core_at(z);
         grip[n] = pieces[i].length;
@@ -47,57 +47,61 @@ ThreadPlaces::ThreadPlaces(const ScrewThread& thread) noexcept {
     piece = pieces[0].length;
 }
 
-double ThreadPlaces::moved_in(const ThreadTrack& track) const noexcept {
+double ThreadPoints::moved_in(const ThreadTrack& track) const noexcept {
     if (!track.is_there()) return 0.0;
-    const double at = track.depth_of({0, 0, way[0].z}) / piece;
+    const double at = track.depth_of({0, 0, direction[0].z}) / piece;
     return (std::floor(at + 0.5) - at) * piece;
 }
 
-BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, const ThreadTrack& track,
+BoneThread::BoneThread(const ThreadPoints& thread_points, const ScrewThread& thread, const ThreadTrack& track,
                        const HoleBefore& hole, const ScrewParameters& law, const BoneQuery& bone) noexcept {
-    const auto count = static_cast<std::size_t>(places.count);
-    const double moved = places.moved_in(track);
+    const auto count = static_cast<std::size_t>(thread_points.count);
+    const double moved = thread_points.moved_in(track);
     const SinCos turned = sin_cos_exact(moved / thread.advance());
-    std::array<Vec3, 2 * most_pieces> place{};  // the middle of the crests in bone, then next to the core
-    std::array<Bite, most_pieces> bites{};
+    std::array<Vec3, 2 * max_pieces> point{};  // the middle of the crests in bone, then next to the core
+    std::array<Bite, max_pieces> bites{};
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec3& way = places.way[i];
-        const Vec3 out{turned.cos * way.x - turned.sin * way.y, turned.sin * way.x + turned.cos * way.y, 0.0};
-        const Vec3 on_axis{0, 0, way.z + moved};
-        bites[i] = Bite(places.outer[i], places.core[i], hole.radius_at(on_axis.z), law.yield_strain);
-        place[i] = on_axis + bites[i].middle * out;
-        place[count + i] = on_axis + (places.core[i] + beside_core) * out;
+        const Vec3& direction = thread_points.direction[i];
+        const Vec3 out{turned.cos * direction.x - turned.sin * direction.y,
+                       turned.sin * direction.x + turned.cos * direction.y, 0.0};
+        const Vec3 on_axis{0, 0, direction.z + moved};
+        bites[i] = Bite(thread_points.outer[i], thread_points.core[i], hole.radius_at(on_axis.z), law.yield_strain);
+        point[i] = on_axis + bites[i].middle * out;
+        point[count + i] = on_axis + (thread_points.core[i] + core_clearance) * out;
     }
-    std::array<kerf_bone_sample, 2 * most_pieces> found;
-    bone.sample(std::span<const Vec3>(place.data(), 2 * count), Vec3{0, 0, 1}, {found.data(), 2 * count});
+    std::array<kerf_bone_sample, 2 * max_pieces> found;
+    bone.sample(std::span<const Vec3>(point.data(), 2 * count), Vec3{0, 0, 1}, {found.data(), 2 * count});
     leading = last = thread.first_crest();
     bool has_front = false;
     double flutes = 0.0, first_quarter = 0.0, whole = 0.0, square = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         const Bite& bite = bites[i];
-        const double outer = places.outer[i], core = places.core[i], z = place[i].z, length = places.grip[i];
+        const double outer = thread_points.outer[i], core = thread_points.core[i], z = point[i].z,
+                     length = thread_points.grip[i];
         const bool bites_bone = bite.depth > 0.0;
         const double m = bites_bone ? resistance(found[i], bone.tissue_count(), reference_density) : 0.0;
         // The first and the last piece make up for the shift of the others.
-        const double part = i == 0 ? 1.0 - moved / places.piece : i + 1 == count ? 1.0 + moved / places.piece : 1.0;
+        const double part = i == 0           ? 1.0 - moved / thread_points.piece
+                            : i + 1 == count ? 1.0 + moved / thread_points.piece
+                                             : 1.0;
         if (-z <= thread.cone() + thread.flute_length) {
-            const double share = bite.depth / (outer - core);
-            front += m * share * share;  // the groove is a triangle
+            const double fraction = bite.depth / (outer - core);
+            front += m * fraction * fraction;  // the groove is a triangle
             flutes += 1.0;
         }
         if (m > 0.0 && !has_front) {
             has_front = true;
-            leading = i == 0 ? thread.first_crest() : z + 0.5 * places.piece;
+            leading = i == 0 ? thread.first_crest() : z + 0.5 * thread_points.piece;
         }
-        if (m > 0.0) last = z - 0.5 * places.piece;
+        if (m > 0.0) last = z - 0.5 * thread_points.piece;
         if (has_front && z >= leading - 0.25 * thread.lead()) {
             front_in_bone += bites_bone ? found[i].engagement : 0.0;
             first_quarter += 1.0;
         }
         const double on_core = bite.press * resistance(found[count + i], bone.tissue_count(), reference_density);
-        const double depth = track.depth_of(place[i]);
+        const double depth = track.depth_of(point[i]);
         const bool is_cut = track.is_cut_at(depth);
-        const double relieved = 1.0 - law.tapped_relief * track.share_tapped(depth, outer, core);
+        const double relieved = 1.0 - law.tapped_relief * track.fraction_tapped(depth, outer, core);
         // All friction acts at the thread's radius, as the torque in foam scales with it [weidling-2022].
         rubbing += part * relieved * law.friction * law.compaction * bite.middle * length *
                    (m * thread.flank_between(bite.inner, outer) + on_core * 2.0 * pi * core);

@@ -12,17 +12,17 @@
 namespace kerf::implant {
 
 /// The sample points of a thread, prepared once and sampled in each tick.
-struct ThreadPlaces {
+struct ThreadPoints {
     int count = 0;
-    std::array<Vec3, most_pieces> way{};      ///< unit direction from the axis [–], and z [m]
-    std::array<double, most_pieces> outer{};  ///< [m] radius over the crest
-    std::array<double, most_pieces> core{};   ///< [m] radius of the core
-    std::array<double, most_pieces> grip{};   ///< [m] length along the shaft
+    std::array<Vec3, max_pieces> direction{};  ///< unit direction from the axis [–], and z [m]
+    std::array<double, max_pieces> outer{};    ///< [m] radius over the crest
+    std::array<double, max_pieces> core{};     ///< [m] radius of the core
+    std::array<double, max_pieces> grip{};     ///< [m] length along the shaft
 
     double piece = 0.0;  ///< [m] spacing along the shaft
 
-    ThreadPlaces() = default;
-    explicit ThreadPlaces(const ScrewThread& thread) noexcept;
+    ThreadPoints() = default;
+    explicit ThreadPoints(const ScrewThread& thread) noexcept;
     /// Returns the shift of the points along their helix [m], less than half of a piece. With it the points stay fixed
     /// in the bone while the tool turns in its thread.
     [[nodiscard]] double moved_in(const ThreadTrack& track) const noexcept;
@@ -45,8 +45,8 @@ struct BoneThread {
     double spread = 0.0;         ///< [m] of the engaged part about `middle`, root mean square
     std::int32_t body = -1;      ///< number of the bone's body
 
-    BoneThread(const ThreadPlaces& places, const ScrewThread& thread, const ThreadTrack& track, const HoleBefore& hole,
-               const ScrewParameters& law, const BoneQuery& bone) noexcept;
+    BoneThread(const ThreadPoints& thread_points, const ScrewThread& thread, const ThreadTrack& track,
+               const HoleBefore& hole, const ScrewParameters& law, const BoneQuery& bone) noexcept;
 };
 
 }  // namespace kerf::implant

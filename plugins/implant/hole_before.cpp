@@ -12,27 +12,27 @@ namespace {
 constexpr double ahead = 0.3e-3;    // [m] ahead of the tip, which its own cut has not reached
 constexpr double radial = 0.7;      // [–] smallest radial part of a normal of the hole's wall
 constexpr double withdrawn = 1e-3;  // [m] from the tip to the hole, beyond which it has left the hole [judgement]
-constexpr std::size_t ways = 4;
+constexpr std::size_t directions = 4;
 
 }  // namespace
 
-int HoleBefore::place_of(double depth) noexcept {
-    return std::clamp(static_cast<int>(std::floor(depth / step)), 0, most - 1);
+int HoleBefore::index_of(double depth) noexcept {
+    return std::clamp(static_cast<int>(std::floor(depth / step)), 0, max_entries - 1);
 }
 
 void HoleBefore::measure(const ScrewThread& thread, const BoneQuery& bone, double along) noexcept {
     if (known_ > 0) depth_ += along;
     if (depth_ < -withdrawn) *this = {};
-    const int place = place_of(depth_);
-    if (place < known_) return;
+    const int index = index_of(depth_);
+    if (index < known_) return;
     const double probed = thread.mean_radius(0.0);
-    const std::array<Vec3, ways> at{Vec3{probed, 0, ahead}, Vec3{0, probed, ahead}, Vec3{-probed, 0, ahead},
-                                    Vec3{0, -probed, ahead}};
-    std::array<kerf_surface_point, ways> wall;
+    const std::array<Vec3, directions> at{Vec3{probed, 0, ahead}, Vec3{0, probed, ahead}, Vec3{-probed, 0, ahead},
+                                          Vec3{0, -probed, ahead}};
+    std::array<kerf_surface_point, directions> wall;
     bone.nearest(at, wall);
     double sum = 0.0;
     int found = 0;
-    for (std::size_t i = 0; i < ways; ++i) {
+    for (std::size_t i = 0; i < directions; ++i) {
         const auto& [distance, normal, body, reserved] = wall[i];
         const double across = std::abs(normal.x * at[i].x + normal.y * at[i].y) / probed;
         const bool is_deep = distance <= -0.99 * bone.reach();
@@ -41,13 +41,13 @@ void HoleBefore::measure(const ScrewThread& thread, const BoneQuery& bone, doubl
         ++found;
     }
     if (found == 0) return;
-    for (; known_ <= place; ++known_) radius_[static_cast<std::size_t>(known_)] = static_cast<float>(sum / found);
+    for (; known_ <= index; ++known_) radius_[static_cast<std::size_t>(known_)] = static_cast<float>(sum / found);
 }
 
 double HoleBefore::radius_at(double z) const noexcept {
     if (known_ == 0) return 0.0;
-    const int place = std::min(place_of(depth_ + z - ahead), known_ - 1);
-    return static_cast<double>(radius_[static_cast<std::size_t>(place)]);
+    const int index = std::min(index_of(depth_ + z - ahead), known_ - 1);
+    return static_cast<double>(radius_[static_cast<std::size_t>(index)]);
 }
 
 }  // namespace kerf::implant

@@ -21,14 +21,14 @@ public:
     [[nodiscard]] double radius_at(double z) const noexcept;
 
 private:
-    static constexpr int most = 256;
+    static constexpr int max_entries = 256;
     static constexpr double step = 0.4e-3;  ///< [m] depth per entry
 
-    [[nodiscard]] static int place_of(double depth) noexcept;
+    [[nodiscard]] static int index_of(double depth) noexcept;
 
     double depth_ = 0.0;  ///< [m] depth of the point ahead of the tip since the first entry
     int known_ = 0;
-    std::array<float, most> radius_{};  ///< [m]
+    std::array<float, max_entries> radius_{};  ///< [m]
 };
 
 }  // namespace kerf::implant

@@ -24,9 +24,9 @@ Vec3 at(double radius, double z, std::size_t i, std::size_t of) noexcept {
 ScrewContact::ScrewContact(const ScrewThread& thread) noexcept : has_head(thread.head > 0.0) {
     // Both levels lie behind the tip's cone, which is narrower than the core.
     const double low = -thread.cone(), high = std::min(low - 0.1 * thread.length, -0.4 * thread.length - low);
-    for (std::size_t i = 0; i < ways; ++i) {
-        wall[i] = at(0.5 * thread.core_at(low), low, i, ways);
-        wall[ways + i] = at(0.5 * thread.core_at(high), high, i, ways);
+    for (std::size_t i = 0; i < directions; ++i) {
+        wall[i] = at(0.5 * thread.core_at(low), low, i, directions);
+        wall[directions + i] = at(0.5 * thread.core_at(high), high, i, directions);
     }
     const double radius = 0.5 * thread.core_at_tip, area = pi * radius * radius;
     tip[0] = {};
@@ -64,8 +64,8 @@ struct Wall {
     double depth = 0.0;      ///< [m]
 };
 
-Wall wall_at(const kerf_surface_point& found, Vec3 place, double stiffness) noexcept {
-    const Vec3 out = normalized(Vec3{place.x, place.y, 0.0});
+Wall wall_at(const kerf_surface_point& found, Vec3 point, double stiffness) noexcept {
+    const Vec3 out = normalized(Vec3{point.x, point.y, 0.0});
     const double faces = -dot(Vec3{found.normal.x, found.normal.y, found.normal.z}, out);
     if (found.body < 0 || faces <= 0.0 || found.distance > soon) return {};
     return {stiffness * faces * faces, -found.distance / std::max(faces, 0.1)};
@@ -75,11 +75,11 @@ Wall wall_at(const kerf_surface_point& found, Vec3 place, double stiffness) noex
 
 /// Adds one channel for two opposite points, because a core that is wider than its hole rests between them.
 void ScrewContact::add_walls(Channels& channels, const ScrewParameters& law, const BoneQuery& bone) const noexcept {
-    std::array<kerf_surface_point, levels * ways> found;
+    std::array<kerf_surface_point, levels * directions> found;
     bone.nearest(wall, found);
     for (std::size_t level = 0; level < levels; ++level)
-        for (std::size_t way = 0; way < ways / 2; ++way) {
-            const std::size_t i = level * ways + way, j = i + ways / 2;
+        for (std::size_t direction = 0; direction < directions / 2; ++direction) {
+            const std::size_t i = level * directions + direction, j = i + directions / 2;
             const Wall ahead = wall_at(found[i], wall[i], law.wall_stiffness),
                        behind = wall_at(found[j], wall[j], law.wall_stiffness);
             const auto id = id_wall + static_cast<std::uint32_t>(i);
@@ -95,7 +95,7 @@ void ScrewContact::add_walls(Channels& channels, const ScrewParameters& law, con
                 channels.contact(
                     {.id = id, .at = wall[i], .along = out, .stiffness = ahead.stiffness, .depth = ahead.depth});
             else
-                channels.contact({.id = id + static_cast<std::uint32_t>(ways / 2),
+                channels.contact({.id = id + static_cast<std::uint32_t>(directions / 2),
                                   .at = wall[j],
                                   .along = -out,
                                   .stiffness = behind.stiffness,
@@ -106,15 +106,15 @@ void ScrewContact::add_walls(Channels& channels, const ScrewParameters& law, con
 void ScrewContact::add_seat(Channels& channels, const ScrewParameters& law, const BoneQuery& bone) const noexcept {
     std::array<kerf_surface_point, around> seats;
     bone.nearest(seat, seats);
-    double deepest = -soon, share = 0.0;
+    double deepest = -soon, fraction = 0.0;
     for (const kerf_surface_point& s : seats) {
         if (s.body < 0 || s.distance > soon) continue;
-        share += std::max(0.0, -s.normal.z) / around;
+        fraction += std::max(0.0, -s.normal.z) / around;
         deepest = std::max(deepest, -s.distance);
     }
-    if (share > 0.0)
+    if (fraction > 0.0)
         channels.contact(
-            {.id = id_seat, .along = {0, 0, 1}, .stiffness = law.seat_stiffness * share, .depth = deepest});
+            {.id = id_seat, .along = {0, 0, 1}, .stiffness = law.seat_stiffness * fraction, .depth = deepest});
 }
 
 }  // namespace kerf::implant

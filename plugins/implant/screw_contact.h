@@ -12,11 +12,11 @@ namespace kerf::implant {
 
 /// Contact of the core with its hole, of the tip with bone ahead, and of the head with its seat.
 struct ScrewContact {
-    static constexpr std::size_t levels = 2, ways = 4, around = 8;
-    std::array<Vec3, levels * ways> wall{};     ///< points of the core, at each level +x, +y, -x, -y
-    std::array<Vec3, around + 1> tip{};         ///< centre and rim
-    std::array<double, around + 1> tip_area{};  ///< [m²] that each point represents
-    std::array<Vec3, around> seat{};            ///< under the head
+    static constexpr std::size_t levels = 2, directions = 4, around = 8;
+    std::array<Vec3, levels * directions> wall{};  ///< points of the core, at each level +x, +y, -x, -y
+    std::array<Vec3, around + 1> tip{};            ///< centre and rim
+    std::array<double, around + 1> tip_area{};     ///< [m²] that each point represents
+    std::array<Vec3, around> seat{};               ///< under the head
     bool has_head = false;
 
     ScrewContact() = default;

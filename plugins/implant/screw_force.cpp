@@ -14,7 +14,7 @@ using namespace literals;
 using Happened = ScrewInsertion::Happened;
 
 constexpr std::uint32_t id_helix = 0, id_flanks = 1, id_flutes = 2, id_head = 3, id_blocked = 4;
-constexpr std::uint32_t id_beside_x = 5, id_beside_y = 6, id_askew_x = 7, id_askew_y = 8;
+constexpr std::uint32_t id_offset_x = 5, id_offset_y = 6, id_inclination_x = 7, id_inclination_y = 8;
 constexpr double creep = 1e-6;          // [m/s] below which friction is a stiff damper, so that a screw at rest stays
 constexpr double cut_onset = 1e-4;      // [m/s]
 constexpr double crush_onset = 1e-5;    // [m/s]
@@ -23,9 +23,10 @@ constexpr double first_slip = 0.02_mm;  // [m] slip from which on a thread yield
 constexpr double stripped_at = 0.3;     // [–] of its strength; below it a thread counts as stripped
 constexpr double bitten = 0.05;         // [rad] turn in bone after which a crest has begun its groove [judgement]
 constexpr double turned_back = 0.3;     // [rad] behind the farthest turn, from which on a screw backs out
-constexpr double held_turns = 2.0;      // [–] turns of thread in bone from which on it can yield or strip [judgement]
-constexpr double left_bone = 0.2_mm;    // [m] travel without bone after which a thread has left it [judgement]
-constexpr double catching_up = 2.0;     // [–] rate, relative to the helix, of crests that were pushed in
+constexpr double min_engaged_turns =
+    2.0;                              // [–] turns of thread in bone from which on it can yield or strip [judgement]
+constexpr double left_bone = 0.2_mm;  // [m] travel without bone after which a thread has left it [judgement]
+constexpr double catching_up = 2.0;   // [–] rate, relative to the helix, of crests that were pushed in
 constexpr double flute_scale = 10.0_mm;
 constexpr double tilt_arm = 10.0_mm;    // [m] lever of a channel that turns
 constexpr double same_width = 0.05_mm;  // [m] a groove narrower by no more than this needs no cutting
@@ -47,20 +48,20 @@ struct Slide {
 Vec6 helix_of(const ScrewThread& thread) noexcept { return {0, 0, 1, 0, 0, -thread.advance()}; }
 
 /// Returns the fraction of the pressure that remains where flutes have cut bone away [–].
-double pressed_share(const ScrewThread& thread, double relief) noexcept {
+double pressure_fraction(const ScrewThread& thread, double relief) noexcept {
     return 1.0 - relief * (1.0 - exp_exact(-thread.flutes * thread.flute_length / flute_scale));
 }
 
 /// Returns the fraction of the groove still to be cut at `z` of the tool, after a narrower tap [–].
-double share_to_cut(const ThreadTrack& track, const ScrewThread& thread, double z) noexcept {
+double fraction_to_cut(const ThreadTrack& track, const ScrewThread& thread, double z) noexcept {
     const double front = track.depth_of({0, 0, z});
-    const double tapped = track.share_tapped(front, 0.5 * thread.outer_at(z), 0.5 * thread.core_at(z));
+    const double tapped = track.fraction_tapped(front, 0.5 * thread.outer_at(z), 0.5 * thread.core_at(z));
     return 1.0 - tapped * tapped;
 }
 
 /// Returns the distance along the shaft [m] of the leading crest, at `z` of the tool, from bone that it has not cut; 0
 /// at the front.
-double way_to_front(const ThreadTrack& track, const ScrewThread& thread, double z) noexcept {
+double distance_to_front(const ThreadTrack& track, const ScrewThread& thread, double z) noexcept {
     if (!track.is_there()) return 0.0;
     const double front = track.depth_of({0, 0, z});
     const kerf_thread& groove = track.thread();
@@ -73,32 +74,34 @@ double way_to_front(const ThreadTrack& track, const ScrewThread& thread, double 
 void ScrewInsertion::begin(const HeldThread& tool, const BoneQuery&, State& state) const noexcept {
     Prepared& p = state.prepared;
     p.thread = tool.as<ThreadedTool>().thread();
-    p.places = ThreadPlaces(p.thread);
+    p.thread_points = ThreadPoints(p.thread);
     p.contact = ScrewContact(p.thread);
 }
 
 /// Adds channels that keep the tool on the thread's axis.
 void ScrewInsertion::add_track(const ThreadTrack& track, const BoneThread& found, Channels& channels) const noexcept {
     if (!track.is_there() || found.stiffness <= 0.0) return;
-    const Vec3 beside = track.beside(found.middle), askew = track.askew();
+    const Vec3 offset = track.offset(found.middle), inclination = track.inclination();
     const double stiffness = found.left * found.stiffness, limit = found.left * found.pressed;
     if (stiffness <= 0.0 || limit <= 0.0) return;
-    const auto hold = [&](std::uint32_t id, const Vec6& d, double k, double stretch, double most) {
-        channels.hold({.id = id, .d = d, .stiffness = k, .stretch = stretch, .limit = most});
+    const auto hold = [&](std::uint32_t id, const Vec6& d, double k, double stretch, double largest) {
+        channels.hold({.id = id, .d = d, .stiffness = k, .stretch = stretch, .limit = largest});
     };
-    hold(id_beside_x, {1, 0, 0, 0, found.middle, 0}, stiffness, beside.x, limit);
-    hold(id_beside_y, {0, 1, 0, -found.middle, 0, 0}, stiffness, beside.y, limit);
+    hold(id_offset_x, {1, 0, 0, 0, found.middle, 0}, stiffness, offset.x, limit);
+    hold(id_offset_y, {0, 1, 0, -found.middle, 0, 0}, stiffness, offset.y, limit);
     const double spread = found.spread / tilt_arm;
     if (spread <= 0.0) return;
-    hold(id_askew_x, {0, 0, 0, tilt_arm, 0, 0}, stiffness * spread * spread, tilt_arm * askew.x, limit * spread);
-    hold(id_askew_y, {0, 0, 0, 0, tilt_arm, 0}, stiffness * spread * spread, tilt_arm * askew.y, limit * spread);
+    hold(id_inclination_x, {0, 0, 0, tilt_arm, 0, 0}, stiffness * spread * spread, tilt_arm * inclination.x,
+         limit * spread);
+    hold(id_inclination_y, {0, 0, 0, 0, tilt_arm, 0}, stiffness * spread * spread, tilt_arm * inclination.y,
+         limit * spread);
 }
 
 ScrewInsertion::Notes ScrewInsertion::resist(const HeldThread&, const BoneQuery& bone, const State& state,
                                              Channels& channels) const noexcept {
-    const auto& [thread, places, contact] = state.prepared;
+    const auto& [thread, thread_points, contact] = state.prepared;
     const ThreadTrack track = ThreadTrack::found(bone, thread, state.held);
-    const BoneThread found(places, thread, track, state.hole, *this, bone);
+    const BoneThread found(thread_points, thread, track, state.hole, *this, bone);
     const Notes notes{.strength = found.strength,
                       .stiffness = found.stiffness,
                       .engaged = found.engaged,
@@ -119,7 +122,7 @@ ScrewInsertion::Notes ScrewInsertion::resist(const HeldThread&, const BoneQuery&
                        .stretch = state.stretch,
                        .limit = found.strength});
     const SinCos flank = sin_cos_exact(thread.flank_angle);
-    const double pressed = found.left * pressed_share(thread, flute_relief) * found.rubbing / slide.radius,
+    const double pressed = found.left * pressure_fraction(thread, flute_relief) * found.rubbing / slide.radius,
                  carried = std::min(std::abs(state.grip_force), found.strength);
     if (const double limit = pressed + friction * carried / flank.cos; limit > 0.0)
         if (kerf_channel* c = channels.add(KERF_FRICTION, id_flanks, slide.d)) {
@@ -127,11 +130,11 @@ ScrewInsertion::Notes ScrewInsertion::resist(const HeldThread&, const BoneQuery&
             c->w = creep;
         }
     const double front = track.depth_of({0, 0, thread.first_crest()});
-    if (const double cut = share_to_cut(track, thread, front); thread.flutes > 0.0 && found.front > 0.0 && cut > 0.0)
+    if (const double cut = fraction_to_cut(track, thread, front); thread.flutes > 0.0 && found.front > 0.0 && cut > 0.0)
         if (kerf_channel* c = channels.add(KERF_CUT, id_flutes, slide.d)) {
             c->tau = found.left * cut * chip * thread.groove_area(found.leading) * found.front;
             c->w = cut_onset;
-            c->gap = way_to_front(track, thread, found.leading) / thread.advance() * slide.length;
+            c->gap = distance_to_front(track, thread, found.leading) / thread.advance() * slide.length;
         }
     if (found.blocked > 0.0)
         channels.cut(
@@ -155,7 +158,7 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
     const double leading = static_cast<double>(notes.leading), front = track.depth_of({0, 0, leading}) + along;
 
     state.stretch += along - thread.advance() * turn;
-    const double slip = give_way(state.stretch, notes.stiffness, notes.strength);
+    const double slip = yield_plastically(state.stretch, notes.stiffness, notes.strength);
     state.slip += slip;
     state.is_slipping = slip > 0.0;
     track.add_slip(track.depth_of({0, 0, -thread.length}), front, slip);
@@ -169,7 +172,7 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
         groove.from = std::max(last, groove.from - turn / (2.0 * pi) * thread.length);
     if (turn > 0.0 && front > groove.to) {
         const double to = std::min(front, groove.to + catching_up * thread.advance() * turn);
-        groove.volume += share_to_cut(track, thread, leading) * static_cast<double>(notes.front) *
+        groove.volume += fraction_to_cut(track, thread, leading) * static_cast<double>(notes.front) *
                          thread.groove_volume(leading) * (to - groove.to);
         groove.to = to;
     }
@@ -185,13 +188,13 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
     if (front < groove.tapped_to) return;  // the thread ahead keeps its axis
     const double stiffness = static_cast<double>(notes.left) * notes.stiffness,
                  spread = static_cast<double>(notes.spread);
-    const Vec3 beside = track.beside(notes.middle), askew = track.askew();
-    Vec3 held = beside, turned = askew;
-    static_cast<void>(give_way(held.x, stiffness, notes.across));
-    static_cast<void>(give_way(held.y, stiffness, notes.across));
-    static_cast<void>(give_way(turned.x, stiffness * spread * spread, notes.across * spread));
-    static_cast<void>(give_way(turned.y, stiffness * spread * spread, notes.across * spread));
-    track.give_way(beside - held, askew - turned, notes.middle);
+    const Vec3 offset = track.offset(notes.middle), inclination = track.inclination();
+    Vec3 held = offset, turned = inclination;
+    static_cast<void>(yield_plastically(held.x, stiffness, notes.across));
+    static_cast<void>(yield_plastically(held.y, stiffness, notes.across));
+    static_cast<void>(yield_plastically(turned.x, stiffness * spread * spread, notes.across * spread));
+    static_cast<void>(yield_plastically(turned.y, stiffness * spread * spread, notes.across * spread));
+    track.yield_plastically(offset - held, inclination - turned, notes.middle);
 }
 
 void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) const noexcept {
@@ -203,10 +206,10 @@ void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) 
     once(reported.has_seated, state.seat_force > seated_force, Happened::head_contact);
     // Crests that were pushed through during insertion do not strip a thread. Neither does a tool that leaves through
     // them.
-    const bool is_held = notes.engaged > held_turns * state.prepared.thread.lead();
-    once(reported.has_yielded, is_held && state.is_slipping && state.slip > first_slip, Happened::yield);
+    const bool is_engaged = notes.engaged > min_engaged_turns * state.prepared.thread.lead();
+    once(reported.has_yielded, is_engaged && state.is_slipping && state.slip > first_slip, Happened::yield);
     once(reported.is_stripped,
-         is_held && state.is_slipping && state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at,
+         is_engaged && state.is_slipping && state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at,
          Happened::stripped);
     const bool is_back = state.angle < state.front - turned_back;
     once(reported.is_backing_out, is_back && !reported.is_stripped, Happened::backing_out);
@@ -229,9 +232,9 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
     state.torque = 0.0;
     for (std::size_t c = 0; c < advance.channel.size(); ++c)
         state.torque += advance.channel[c].d[5] * advance.lambda[c];
-    state.grip_force = advance.carried_by_id(id_helix);
-    state.seat_force = std::max(0.0, advance.carried_by_id(ScrewContact::id_seat));
-    const bool is_blocked = advance.carried_by_id(id_blocked) != 0.0;
+    state.grip_force = advance.force_of_channel(id_helix);
+    state.seat_force = std::max(0.0, advance.force_of_channel(ScrewContact::id_seat));
+    const bool is_blocked = advance.force_of_channel(id_blocked) != 0.0;
     if (is_blocked) state.pushed += std::max(0.0, advance.rate[2] * dt - thread.advance() * std::max(0.0, turn));
     // By then the next crest has reached the first one's position, so no bone is left between them.
     const bool is_broached = is_blocked && state.pushed > thread.pitch;

@@ -23,7 +23,7 @@ using HeldThread = Held<PedicleScrew, BoneScrew, DentalImplant, Tap>;
 struct ScrewInsertion : ScrewParameters {
     struct Prepared {
         ScrewThread thread{};
-        ThreadPlaces places;
+        ThreadPoints thread_points;
         ScrewContact contact;
     };
     /// Events that fire once, until the thread has left bone.

@@ -5,10 +5,10 @@
 
 namespace kerf::implant {
 
-int make_pieces(const ScrewThread& thread, ThreadPiece (&pieces)[most_pieces]) noexcept {
+int make_pieces(const ScrewThread& thread, ThreadPiece (&pieces)[max_pieces]) noexcept {
     constexpr double in_a_turn = 11.0;  // not a divisor of it, so that neighbouring turns do not line up
     const double threaded = thread.length - thread.cone(), wanted = in_a_turn * threaded / thread.lead();
-    const int count = static_cast<int>(std::clamp(std::ceil(wanted), 8.0, static_cast<double>(most_pieces)));
+    const int count = static_cast<int>(std::clamp(std::ceil(wanted), 8.0, static_cast<double>(max_pieces)));
     const double piece = threaded / count;
     for (int i = 0; i < count; ++i) {
         const double z = -thread.cone() - (i + 0.5) * piece, radius = thread.mean_radius(z);

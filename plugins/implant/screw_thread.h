@@ -33,10 +33,10 @@ struct ScrewThread {
     /// [m] along the shaft per radian.
     [[nodiscard]] double advance() const noexcept { return lead() / (2.0 * pi); }
     [[nodiscard]] double core_at(double z) const noexcept {  ///< [m] diameter at z ≤ 0
-        return core_at_tip + (core - core_at_tip) * share_at(z);
+        return core_at_tip + (core - core_at_tip) * fraction_at(z);
     }
     [[nodiscard]] double outer_at(double z) const noexcept {  ///< [m] diameter over the crests at z ≤ 0
-        return outer_at_tip + (outer - outer_at_tip) * share_at(z);
+        return outer_at_tip + (outer - outer_at_tip) * fraction_at(z);
     }
     /// [m] radius in the middle of a flank at z ≤ 0.
     [[nodiscard]] double mean_radius(double z) const noexcept { return 0.25 * (outer_at(z) + core_at(z)); }
@@ -78,20 +78,20 @@ struct ScrewThread {
 
 private:
     /// Returns the fraction of the thread's length at z, from the tip [–].
-    [[nodiscard]] double share_at(double z) const noexcept {
+    [[nodiscard]] double fraction_at(double z) const noexcept {
         return length > 0.0 ? std::min(1.0, std::max(0.0, -z / length)) : 1.0;
     }
 };
 
 /// A point on the thread's helix that represents a short piece of it.
 struct ThreadPiece {
-    Vec3 place;     ///< [m] tool frame, in the middle of a flank
+    Vec3 point;     ///< [m] tool frame, in the middle of a flank
     double length;  ///< [m] along the shaft that the point represents
 };
 
-inline constexpr int most_pieces = 192;
+inline constexpr int max_pieces = 192;
 
 /// Writes the pieces of a thread, from the tip backwards, evenly along the shaft. Returns their number.   [any] pure.
-int make_pieces(const ScrewThread& thread, ThreadPiece (&pieces)[most_pieces]) noexcept;
+int make_pieces(const ScrewThread& thread, ThreadPiece (&pieces)[max_pieces]) noexcept;
 
 }  // namespace kerf::implant

@@ -19,9 +19,9 @@ namespace kerf::implant {
 
 /// Limits the stretch of a spring of `stiffness` [N/m] that yields at `strength` [N]: `stretch` [m] is clamped. Returns
 /// the plastic slip [m], ≥ 0.   [any]
-inline double give_way(double& stretch, double stiffness, double strength) noexcept {
-    const double most = stiffness > 0.0 ? strength / stiffness : 0.0;
-    const double held = std::clamp(stretch, -most, most), slip = std::abs(stretch - held);
+inline double yield_plastically(double& stretch, double stiffness, double strength) noexcept {
+    const double limit = stiffness > 0.0 ? strength / stiffness : 0.0;
+    const double held = std::clamp(stretch, -limit, limit), slip = std::abs(stretch - held);
     stretch = held;
     return slip;
 }

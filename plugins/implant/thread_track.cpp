@@ -11,9 +11,9 @@ namespace kerf::implant {
 namespace {
 
 // Limits within which a thread is the tool's own [judgement]
-constexpr double same_lead = 0.02;   // [–] of the lead
-constexpr double most_askew = 0.17;  // [–] sine of 10°
-constexpr double within = 1.0;       // [–] leads before its beginning
+constexpr double same_lead = 0.02;  // [–] of the lead
+constexpr double max_tilt = 0.17;   // [–] sine of 10°
+constexpr double within = 1.0;      // [–] leads before its beginning
 
 double across(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y); }
 
@@ -34,16 +34,16 @@ ThreadTrack ThreadTrack::found(const BoneQuery& bone, const ScrewThread& tool, s
     for (std::size_t i = 0; i < count; ++i) {
         const ThreadTrack track(all[i]);
         if (all[i].number == held && track.axis_.z > 0.0) return track;
-        if (track.axis_.z <= 0.0 || across(track.axis_) > most_askew) continue;
+        if (track.axis_.z <= 0.0 || across(track.axis_) > max_tilt) continue;
         const double front = track.depth_of({0, 0, tool.first_crest()});
         if (front < all[i].from - within * all[i].lead) continue;
-        const double beside = across(track.beside(tool.first_crest()));
-        if (beside > nearest) continue;
+        const double offset = across(track.offset(tool.first_crest()));
+        if (offset > nearest) continue;
         if (std::abs(all[i].lead - tool.lead()) > same_lead * tool.lead()) {
             is_crossed = is_crossed || front > all[i].from;
             continue;
         }
-        nearest = beside;
+        nearest = offset;
         best = track;
     }
     best.is_crossed_ = is_crossed;
@@ -65,7 +65,7 @@ ThreadTrack ThreadTrack::begun(const ScrewThread& tool, double leading, std::int
     return ThreadTrack(thread);
 }
 
-double ThreadTrack::share_tapped(double z, double outer_radius, double core_radius) const noexcept {
+double ThreadTrack::fraction_tapped(double z, double outer_radius, double core_radius) const noexcept {
     if (!is_there_ || z > thread_.tapped_to || thread_.tapped_to <= thread_.from || outer_radius <= core_radius)
         return 0.0;
     return std::clamp((thread_.tapped_radius - core_radius) / (outer_radius - core_radius), 0.0, 1.0);
@@ -81,18 +81,18 @@ void ThreadTrack::add_slip(double from, double to, double slip) noexcept {
     for (std::size_t bin = bin_of(from); bin <= bin_of(to); ++bin) thread_.slip[bin] += slip;
 }
 
-Vec3 ThreadTrack::beside(double z) const noexcept {
+Vec3 ThreadTrack::offset(double z) const noexcept {
     const Vec3 origin = thread_.tool_from_thread.position;
     const Vec3 there = origin + ((z - origin.z) / axis_.z) * axis_;
     return {-there.x, -there.y, 0.0};
 }
 
-void ThreadTrack::give_way(Vec3 beside, Vec3 askew, double z) noexcept {
-    if (beside == Vec3{} && askew == Vec3{}) return;
+void ThreadTrack::yield_plastically(Vec3 offset, Vec3 inclination, double z) noexcept {
+    if (offset == Vec3{} && inclination == Vec3{}) return;
     Pose& pose = thread_.tool_from_thread;
-    const Quat turn = quat_from_rotation_vector(askew);
+    const Quat turn = quat_from_rotation_vector(inclination);
     const Vec3 pivot{0, 0, z};
-    pose.position = pivot + rotate(turn, pose.position - pivot) + beside;
+    pose.position = pivot + rotate(turn, pose.position - pivot) + offset;
     pose.rotation = normalized(turn * pose.rotation);
 }
 

@@ -27,23 +27,23 @@ public:
     [[nodiscard]] const kerf_thread& thread() const noexcept { return thread_; }
 
     /// Returns z of a point of the tool in the thread's frame [m].
-    [[nodiscard]] double depth_of(Vec3 place_in_tool) const noexcept { return (thread_from_tool_ * place_in_tool).z; }
+    [[nodiscard]] double depth_of(Vec3 point_in_tool) const noexcept { return (thread_from_tool_ * point_in_tool).z; }
     /// Returns whether a crest at that depth runs in a groove.
     [[nodiscard]] bool is_cut_at(double z) const noexcept {
         return is_there_ && z >= thread_.from - before && z <= std::max(thread_.to, thread_.tapped_to) + just;
     }
     /// Returns the fraction of the thread's depth that a tap has removed at depth `z` [–].
-    [[nodiscard]] double share_tapped(double z, double outer_radius, double core_radius) const noexcept;
+    [[nodiscard]] double fraction_tapped(double z, double outer_radius, double core_radius) const noexcept;
     /// Returns the slip of the bone at depth `z` [m].
     [[nodiscard]] double slip_at(double z) const noexcept { return thread_.slip[bin_of(z)]; }
     void add_slip(double from, double to, double slip) noexcept;  ///< between two depths
 
     /// Offset of the tool's axis from the thread's at `z` of the tool [m].
-    [[nodiscard]] Vec3 beside(double z) const noexcept;
+    [[nodiscard]] Vec3 offset(double z) const noexcept;
     /// Angle of the tool to the thread's axis [rad], about its x and y.
-    [[nodiscard]] Vec3 askew() const noexcept { return {axis_.y, -axis_.x, 0.0}; }
+    [[nodiscard]] Vec3 inclination() const noexcept { return {axis_.y, -axis_.x, 0.0}; }
     /// Moves the thread's axis in the bone by an offset [m] at `z` of the tool [m], and tilts it by an angle [rad].
-    void give_way(Vec3 beside, Vec3 askew, double z) noexcept;
+    void yield_plastically(Vec3 offset, Vec3 inclination, double z) noexcept;
 
 private:
     static constexpr double before = 0.3e-3;  ///< [m] of the helix that a point represents

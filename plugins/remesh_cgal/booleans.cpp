@@ -115,9 +115,9 @@ private:
     template <class Point>
     std::uint32_t number_of(const Point& p) {
         const std::array<double, 3> at{rounded(p.x()), rounded(p.y()), rounded(p.z())};
-        const auto [place, is_new] = known_.try_emplace(at, static_cast<std::uint32_t>(known_.size()));
+        const auto [entry, is_new] = known_.try_emplace(at, static_cast<std::uint32_t>(known_.size()));
         if (is_new) triangles_.vertices.push_back({at[0], at[1], at[2]});
-        return place->second;
+        return entry->second;
     }
     Triangles triangles_;
     std::map<std::array<double, 3>, std::uint32_t> known_;
@@ -273,8 +273,8 @@ struct Stretches {
 };
 
 template <class Mesh>
-Stretches judged(const Mesh& mesh, const CutEdges<Mesh>& cut, const Mesh& other,
-                 const std::map<EdgeKey<Mesh>, Halfedge<Mesh>>& of_other) {
+Stretches votes_of(const Mesh& mesh, const CutEdges<Mesh>& cut, const Mesh& other,
+                   const std::map<EdgeKey<Mesh>, Halfedge<Mesh>>& of_other) {
     Stretches found;
     found.of_face.assign(mesh.number_of_faces() + mesh.number_of_removed_faces(), ~std::size_t{0});
     std::vector<Face<Mesh>> open;
@@ -339,8 +339,8 @@ Outcome cut_once(Triangles& triangles, const ConvexPart& part, std::string& why)
                   CGAL::parameters::edge_is_constrained_map(cut_tool_edges));
     const auto of_patch = halfedges_of(patch, cut_patch_edges), of_tool = halfedges_of(tool, cut_tool_edges);
 
-    const Stretches surface = judged(patch, cut_patch_edges, tool, of_tool);
-    const Stretches walls = judged(tool, cut_tool_edges, patch, of_patch);
+    const Stretches surface = votes_of(patch, cut_patch_edges, tool, of_tool);
+    const Stretches walls = votes_of(tool, cut_tool_edges, patch, of_patch);
     std::vector<double> in_tool = surface.votes;
     bool has_changed = !of_patch.empty();
     for (const auto face : patch.faces()) {

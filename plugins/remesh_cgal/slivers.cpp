@@ -36,8 +36,8 @@ public:
 
     /// Runs rounds over all faces, in order, until nothing changes. Returns whether anything changed.
     bool run() {
-        constexpr int most_rounds = 20;
-        for (int round = 0; round < most_rounds; ++round) {
+        constexpr int max_rounds = 20;
+        for (int round = 0; round < max_rounds; ++round) {
             bool has_changed = false;
             for (std::uint32_t f = 0; f < faces_.size(); ++f)
                 if (is_there_[f] != 0 && (collapse_shortest(f) || flip_longest(f))) has_changed = true;
@@ -66,7 +66,7 @@ public:
 private:
     static constexpr std::uint32_t none = 0xffffffffu;
 
-    [[nodiscard]] Vec3 place(std::uint32_t v) const { return mesh_->vertices[v]; }
+    [[nodiscard]] Vec3 position(std::uint32_t v) const { return mesh_->vertices[v]; }
     [[nodiscard]] bool has(std::uint32_t face, std::uint32_t v) const {
         const Corners& t = faces_[face];
         return t[0] == v || t[1] == v || t[2] == v;
@@ -95,22 +95,22 @@ private:
     bool collapse_shortest(std::uint32_t face) {
         const Corners t = faces_[face];
         std::size_t side = 0;
-        double least = HUGE_VAL;
+        double smallest = HUGE_VAL;
         for (std::size_t i = 0; i < 3; ++i)
-            if (const double s = squared(place(t[(i + 1) % 3]) - place(t[i])); s < least) {
-                least = s;
+            if (const double s = squared(position(t[(i + 1) % 3]) - position(t[i])); s < smallest) {
+                smallest = s;
                 side = i;
             }
-        if (least >= width_ * width_) return false;
-        std::uint32_t kept = t[side], gone = t[(side + 1) % 3];
-        if (is_on_border_[gone] != 0) std::swap(kept, gone);
-        if (is_on_border_[gone] != 0) return false;
+        if (smallest >= width_ * width_) return false;
+        std::uint32_t kept = t[side], merged = t[(side + 1) % 3];
+        if (is_on_border_[merged] != 0) std::swap(kept, merged);
+        if (is_on_border_[merged] != 0) return false;
         // The edge's two faces disappear. If the ends have any other vertex in common, the surface would fold there.
-        const std::vector<std::uint32_t> one = neighbours(kept), two = neighbours(gone);
+        const std::vector<std::uint32_t> one = neighbours(kept), two = neighbours(merged);
         std::vector<std::uint32_t> both;
         std::set_intersection(one.begin(), one.end(), two.begin(), two.end(), std::back_inserter(both));
         if (both.size() != 2) return false;
-        const std::uint32_t second = other_face(face, kept, gone);
+        const std::uint32_t second = other_face(face, kept, merged);
         if (second == none) return false;
         // An edge between two border vertices may exist already, beyond the border.
         if (is_on_border_[kept] != 0)
@@ -121,13 +121,13 @@ private:
             if (at_[apex].size() <= 3) return false;
         drop(face);
         drop(second);
-        const std::vector<std::uint32_t> moved = at_[gone];
+        const std::vector<std::uint32_t> moved = at_[merged];
         for (const std::uint32_t f : moved) {
             for (std::uint32_t& corner : faces_[f])
-                if (corner == gone) corner = kept;
+                if (corner == merged) corner = kept;
             at_[kept].push_back(f);
         }
-        at_[gone].clear();
+        at_[merged].clear();
         return true;
     }
 
@@ -135,15 +135,15 @@ private:
     bool flip_longest(std::uint32_t face) {
         const Corners t = faces_[face];
         std::size_t side = 0;
-        double most = 0.0;
+        double largest = 0.0;
         for (std::size_t i = 0; i < 3; ++i)
-            if (const double s = squared(place(t[(i + 1) % 3]) - place(t[i])); s > most) {
-                most = s;
+            if (const double s = squared(position(t[(i + 1) % 3]) - position(t[i])); s > largest) {
+                largest = s;
                 side = i;
             }
         const std::uint32_t a = t[side], b = t[(side + 1) % 3], apex = t[(side + 2) % 3];
-        const double area = length(cross(place(b) - place(a), place(apex) - place(a)));
-        if (area >= width_ * std::sqrt(most)) return false;
+        const double area = length(cross(position(b) - position(a), position(apex) - position(a)));
+        if (area >= width_ * std::sqrt(largest)) return false;
         const std::uint32_t other = other_face(face, a, b);
         if (other == none) return false;
         std::uint32_t far = none;
@@ -154,7 +154,7 @@ private:
         // A flip must improve the shape. Otherwise two needles would pass one sliver to and fro.
         const double before = height(faces_[other]);
         const Corners first{a, far, apex}, second{far, b, apex};
-        if (std::min(height(first), height(second)) <= std::min(area / std::sqrt(most), before)) return false;
+        if (std::min(height(first), height(second)) <= std::min(area / std::sqrt(largest), before)) return false;
         mesh_->tags[face] = mesh_->tags[other];
         drop(face);
         drop(other);
@@ -168,7 +168,7 @@ private:
         for (const std::uint32_t v : corners) at_[v].push_back(face);
     }
     [[nodiscard]] double height(const Corners& t) const {
-        const Vec3 a = place(t[0]), b = place(t[1]), c = place(t[2]);
+        const Vec3 a = position(t[0]), b = position(t[1]), c = position(t[2]);
         const double longest = std::max({length(b - a), length(c - b), length(a - c)});
         return longest > 0.0 ? length(cross(b - a, c - a)) / longest : 0.0;
     }

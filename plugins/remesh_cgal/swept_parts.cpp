@@ -22,7 +22,7 @@ std::uint64_t scrambled(std::uint64_t& state) noexcept {
 
 /// Returns a random vector with components up to the nudge.
 Vec3 nudged(const Nudge& nudge, std::uint64_t& state) noexcept {
-    const auto next = [&] { return nudge.most * (static_cast<double>(scrambled(state) >> 11) * 0x1p-52 - 1.0); };
+    const auto next = [&] { return nudge.largest * (static_cast<double>(scrambled(state) >> 11) * 0x1p-52 - 1.0); };
     const double x = next(), y = next(), z = next();
     return {x, y, z};
 }
@@ -72,8 +72,8 @@ ConvexPart shrunk(ConvexPart part, Vec3 by) {
         low = std::min(low, p.z);
         high = std::max(high, p.z);
     }
-    const auto inwards = [](double from_middle, double way) {
-        return from_middle > 0.0 ? -way : from_middle < 0.0 ? way : 0.0;
+    const auto inwards = [](double from_middle, double distance) {
+        return from_middle > 0.0 ? -distance : from_middle < 0.0 ? distance : 0.0;
     };
     for (Vec3& p : part) p = p + Vec3{inwards(p.x, by.x), inwards(p.y, by.y), inwards(p.z - 0.5 * (low + high), by.z)};
     return part;
@@ -94,12 +94,12 @@ std::uint64_t number_of(const Pose& pose) noexcept {
 
 std::vector<ConvexPart> swept_parts(const CutSolid& solid, const Pose& from, const Pose& to, double tolerance,
                                     const Nudge& nudge) {
-    constexpr double most_apart = 4e-8, taper = 6e-8;  // [m]
+    constexpr double max_shrinkage = 4e-8, taper = 6e-8;  // [m]
     Pose start = from, end = to;
     std::uint64_t number = number_of(to), state = number + nudge.seed;
     start.position = start.position + nudged(nudge, state);
     end.position = end.position + nudged(nudge, state);
-    const auto apart = [&] { return most_apart * (static_cast<double>(scrambled(number) >> 11) * 0x1p-53); };
+    const auto apart = [&] { return max_shrinkage * (static_cast<double>(scrambled(number) >> 11) * 0x1p-53); };
     const double x = apart(), y = apart(), z = apart();
     const Vec3 at_end{x, y, z}, at_start = at_end + Vec3{taper, taper, taper};
     std::vector<ConvexPart> swept;

@@ -24,7 +24,7 @@ struct CutSolid {
 /// Random shift of both ends of a stretch; its direction follows from seed and pose.
 struct Nudge {
     std::uint64_t seed = 0;
-    double most = 0.0;  ///< [m]
+    double largest = 0.0;  ///< [m]
 
     /// Returns no shift at first, 0.1 µm after a refusal, 1 µm after the third.
     static Nudge of(std::uint64_t seed) noexcept { return {seed, seed == 0 ? 0.0 : seed < 3 ? 1e-7 : 1e-6}; }

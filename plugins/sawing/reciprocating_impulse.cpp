@@ -13,23 +13,23 @@ namespace {
 
 /// Impulses at each tooth for one feed rate.
 struct Blow {
-    std::array<double, most_teeth> pressed{};  ///< [N·s] along the tooth's normal
-    std::array<double, most_teeth> dragged{};  ///< [N·s] along x, on the blade
+    std::array<double, max_teeth> pressed{};  ///< [N·s] along the tooth's normal
+    std::array<double, max_teeth> dragged{};  ///< [N·s] along x, on the blade
 };
 
 /// Teeth that strike: teeth in bone at the front, at any density, because bone is rigid here.
 struct Striking {
-    std::array<std::size_t, most_teeth> tooth;
-    std::array<double, most_teeth> engaged{};  ///< [–] of each tooth
+    std::array<std::size_t, max_teeth> tooth;
+    std::array<double, max_teeth> engaged{};  ///< [–] of each tooth
     std::size_t count = 0;
 };
 Striking striking(const TeethInBone& in_bone) noexcept {
     Striking found;
-    const double least = in_bone.least_gap(0, in_bone.teeth.count);
+    const double smallest = in_bone.min_gap(0, in_bone.teeth.count);
     for (std::size_t i = 0; i < in_bone.teeth.count; ++i) {
         double engaged = 0.0;
         for (const std::size_t point : {2 * i, 2 * i + 1})
-            if (in_bone.resisted[point] > 0.0 && in_bone.gap[point] <= least + left_behind)
+            if (in_bone.resisted[point] > 0.0 && in_bone.gap[point] <= smallest + max_cutting_gap)
                 engaged += 0.5 * in_bone.engagement[point];
         if (engaged <= 0.0) continue;
         found.engaged[i] = engaged;
@@ -43,7 +43,7 @@ Blow blow_of(const ReciprocatingImpulse& law, const StraightBlade& blade, const 
              double feed, double along) noexcept {
     const double of_inertia = 1.0 / (law.mass * law.gyration * law.gyration);
     const RigidTool tool{law.mass, {of_inertia, of_inertia, of_inertia}};
-    std::array<Strike, most_teeth> strike;
+    std::array<Strike, max_teeth> strike;
     for (std::size_t n = 0; n < which.count; ++n) {
         const Tooth& tooth = teeth.tooth[which.tooth[n]];
         // The teeth have cut the front themselves: it faces them. In its middle plane, as neighbours are set by turns.
@@ -95,7 +95,7 @@ double add_impulse_feed(const ReciprocatingImpulse& law, const StraightBlade& bl
         kerf_channel* channel = channels.add(KERF_CUT, id_feed + static_cast<std::uint32_t>(sector * part_count), d);
         if (channel == nullptr) continue;
         channel->eta = motion.cutting.fraction * rate * pressed / feed;
-        channel->gap = in_bone.least_gap(first, last);
+        channel->gap = in_bone.min_gap(first, last);
     }
     return all_pressed > 0.0 ? all_dragged / all_pressed : 0.0;
 }

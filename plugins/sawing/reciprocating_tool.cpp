@@ -11,10 +11,10 @@ Outline ReciprocatingBlade::outline() const noexcept {
     if (saw.count() < 1)
         return refuse("no tooth fits: `tooth_pitch` is ", in_mm(tooth_pitch), "; it needs at most `blade_length`, ",
                       in_mm(blade_length), ".");
-    if (saw.count() > most_teeth)
+    if (saw.count() > max_teeth)
         return refuse("`blade_length` ", in_mm(blade_length), " has ", Figure(saw.tooth_count),
                       " teeth of `tooth_pitch` ", in_mm(tooth_pitch), "; at most ",
-                      Figure(static_cast<double>(most_teeth)), " are possible.");
+                      Figure(static_cast<double>(max_teeth)), " are possible.");
     const double deepest = 0.5 * blade_height;
     if (!(tooth_height < deepest))
         return refuse("`tooth_height` is ", in_mm(tooth_height), "; with this `blade_height` it needs less than ",

@@ -7,7 +7,7 @@ namespace kerf::sawing {
 
 Teeth teeth_of(const SawBlade& blade, double swing) noexcept {
     Teeth teeth;
-    teeth.count = std::min(blade.count(), most_teeth);
+    teeth.count = std::min(blade.count(), max_teeth);
     // All teeth differ by the same angle, so one sine is enough.
     const double per_tooth = blade.pitch / blade.radius;
     const SinCos step = sin_cos_exact(per_tooth);

@@ -10,7 +10,7 @@
 /// Geometry of a saw's teeth, and of an oscillating saw's blade: an arc of teeth about the axis of its swing.
 namespace kerf::sawing {
 
-inline constexpr std::size_t most_teeth = 64;
+inline constexpr std::size_t max_teeth = 64;
 
 /// A tooth. Its forces: against the feed along −normal, against its motion along ∓along, aside along y.
 struct Tooth {
@@ -20,7 +20,7 @@ struct Tooth {
     double side;  ///< [–] +1 or −1: side of its set
 };
 struct Teeth {
-    std::array<Tooth, most_teeth> tooth;
+    std::array<Tooth, max_teeth> tooth;
     std::size_t count = 0;
 };
 /// A point of the line through the tips.
@@ -59,7 +59,7 @@ struct SawBlade {
     /// Returns the end of the front's sweep on the +x side.
     [[nodiscard]] Vec3 end_of_sweep() const noexcept { return on_front(sin_cos_exact(half_sweep())); }
     /// Returns the points on the front at `distance` [m] to either side of a tooth's tip.
-    [[nodiscard]] std::array<Vec3, 2> beside(const Tooth& tooth, double distance) const noexcept {
+    [[nodiscard]] std::array<Vec3, 2> points_around(const Tooth& tooth, double distance) const noexcept {
         const SinCos angle = sin_cos_exact(distance / radius);
         const Vec3 middle = Vec3{0, 0, -radius} + (radius * angle.cos) * tooth.normal + Vec3{0, tooth.tip.y, 0},
                    aside = (radius * angle.sin) * tooth.along;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t tip_points = 9, columns = 3, rows = 5;
 constexpr double row_behind[rows] = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots of the teeth
-static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::most &&
-              2 * rows * columns <= TouchingPoints::most_on_sides);
+static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::max_points &&
+              2 * rows * columns <= TouchingPoints::max_on_sides);
 
 /// Returns the stiffness across the blade [N/m] at `z`: bending of a blade clamped at the axis of its swing, in series
 /// with the bone.
@@ -39,8 +39,8 @@ TouchingPoints touching_points(const SawBlade& blade, const SawParameters& law, 
     TouchingPoints points;
     if (!removes)
         for (std::size_t i = 0; i < tip_points; ++i) {
-            const double share = 2.0 * (static_cast<double>(i) + 0.5) / tip_points - 1.0;
-            const SinCos angle = sin_cos_exact(share * blade.half_front());
+            const double fraction = 2.0 * (static_cast<double>(i) + 0.5) / tip_points - 1.0;
+            const SinCos angle = sin_cos_exact(fraction * blade.half_front());
             points.all.add(blade.on_front(angle), {angle.sin, 0.0, angle.cos}, stiffness, tip_facing,
                            slot_tip + i * sector_count / tip_points);
         }
@@ -49,8 +49,8 @@ TouchingPoints touching_points(const SawBlade& blade, const SawParameters& law, 
         const double back = blade.tooth_height + row_behind[row];
         if (back > 0.8 * blade.radius) break;
         for (std::size_t column = 0; column < columns; ++column) {
-            const double share = (static_cast<double>(column) - 1.0) * 0.9;  // both ends and the middle
-            const Vec3 front = blade.on_front(sin_cos_exact(share * blade.half_front()));
+            const double fraction = (static_cast<double>(column) - 1.0) * 0.9;  // both ends and the middle
+            const Vec3 front = blade.on_front(sin_cos_exact(fraction * blade.half_front()));
             const double z = front.z - back, k = side_stiffness(blade, z, stiffness);
             for (const double side : {1.0, -1.0}) {
                 const Vec3 at{front.x, side * 0.5 * blade.thickness, z};
@@ -70,7 +70,7 @@ template <class Blade>
 void add_contact(const Blade& blade, const TouchingPoints& points, const SawParameters& law, const BoneQuery& bone,
                  const Oscillation& motion, const OwnSlot& slot, double last_binding, Channels& channels) noexcept {
     Contact contact(points.all);
-    contact.ask(bone, blade.thickness);
+    contact.query_bone(bone, blade.thickness);
 
     // Along the last two voxels of its cut, the blade's own slot is more accurate than samples. The bone decides
     // whether there is a wall, the slot where it is.
@@ -78,8 +78,8 @@ void add_contact(const Blade& blade, const TouchingPoints& points, const SawPara
     for (std::size_t n = 0; n < points.side_count; ++n) {
         const TouchingPoints::OnSide& one = points.of_sides[n];
         if (one.behind > own) continue;
-        const Vec3 at = points.all.at(one.place);
-        contact.set_depth(one.place, -blade.set - points.all.outwards(one.place).y * slot.middle(at.x, at.z));
+        const Vec3 at = points.all.at(one.index);
+        contact.set_depth(one.index, -blade.set - points.all.outwards(one.index).y * slot.middle(at.x, at.z));
     }
     const bool rubs = last_binding > 0.0;
     contact.write(channels, id_contact, rubs ? 1 : 0);

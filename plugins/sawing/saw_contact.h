@@ -22,12 +22,12 @@ static_assert(slot_side == sector_count);
 struct TouchingPoints {
     /// A point of the blade's sides, whose wall may come from the blade's own slot.
     struct OnSide {
-        std::size_t place;  ///< index among all points
+        std::size_t index;  ///< index among all points
         double behind;      ///< [m] from the roots of the teeth
     };
-    static constexpr std::size_t most_on_sides = 204;
+    static constexpr std::size_t max_on_sides = 204;
     ContactPoints all;
-    std::array<OnSide, most_on_sides> of_sides;
+    std::array<OnSide, max_on_sides> of_sides;
     std::size_t side_count = 0;
 };
 /// Returns the points. `removes` is true while the saw removes bone.   [haptic, nonblocking]

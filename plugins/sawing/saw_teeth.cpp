@@ -10,10 +10,10 @@ void TeethInBone::sample(const SawParameters& law, const BoneQuery& bone, const 
                          const Oscillation& motion) noexcept {
     teeth = teeth_of(blade, motion.swing(blade));
     const double quarter = motion.is_averaged ? 0.25 * blade.pitch : 0.0;
-    std::array<Vec3, 2 * most_teeth> point{};
-    std::array<kerf_bone_sample, 2 * most_teeth> found;
+    std::array<Vec3, 2 * max_teeth> point{};
+    std::array<kerf_bone_sample, 2 * max_teeth> found;
     for (std::size_t i = 0; i < teeth.count; ++i) {
-        const std::array<Vec3, 2> pair = blade.beside(teeth.tooth[i], quarter);
+        const std::array<Vec3, 2> pair = blade.points_around(teeth.tooth[i], quarter);
         point[2 * i] = pair[0];
         point[2 * i + 1] = pair[1];
     }

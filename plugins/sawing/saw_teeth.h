@@ -16,8 +16,8 @@
 /// The teeth in bone: their positions and the bone that they meet.
 namespace kerf::sawing {
 
-inline constexpr double left_behind = 0.1e-3;  ///< [m] teeth this much farther from the front than the nearest one do
-                                               ///< not cut yet
+inline constexpr double max_cutting_gap = 0.1e-3;  ///< [m] teeth this much farther from the front than the nearest one
+                                                   ///< do not cut yet
 
 /// The saw's motion as the law uses it.
 struct Oscillation {
@@ -38,17 +38,17 @@ struct Oscillation {
 /// itself.
 struct TeethInBone {
     Teeth teeth;
-    std::array<double, 2 * most_teeth> engagement;  ///< [–] of each point: 0 in air … 1 in bone
-    std::array<double, 2 * most_teeth> resisted;  ///< [–] resistance of each point, relative to the reference tissue
-    std::array<double, 2 * most_teeth> gap;       ///< [m] to the front, along the tooth's normal
-    double engaged = 0.0;                         ///< [–] number of teeth in bone
+    std::array<double, 2 * max_teeth> engagement;  ///< [–] of each point: 0 in air … 1 in bone
+    std::array<double, 2 * max_teeth> resisted;    ///< [–] resistance of each point, relative to the reference tissue
+    std::array<double, 2 * max_teeth> gap;         ///< [m] to the front, along the tooth's normal
+    double engaged = 0.0;                          ///< [–] number of teeth in bone
 
     template <class Blade>
     void sample(const SawParameters& law, const BoneQuery& bone, const Blade& blade,
                 const Oscillation& motion) noexcept;
     /// Returns the smallest gap to the front [m] of the teeth in bone, from `first` up to but without `last`; infinite
     /// if none is in bone.
-    [[nodiscard]] double least_gap(std::size_t first, std::size_t last) const noexcept {
+    [[nodiscard]] double min_gap(std::size_t first, std::size_t last) const noexcept {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 2 * first; i < 2 * last; ++i)
             if (resisted[i] > 0.0) least = std::min(least, gap[i]);

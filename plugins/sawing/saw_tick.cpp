@@ -82,7 +82,7 @@ double commit_saw(const Blade& blade, const SawParameters& law, const Oscillatio
     const double cutting = cut.along_per_thrust
                                ? *cut.along_per_thrust * thrust
                                : resisting * mean_cutting_force(blade.kerf(), law, motion.stroke, state.feed_rate);
-    const double along = is_cutting ? cutting : removes_bone ? 0.0 : breakaway_force(law, advance.pushed_along());
+    const double along = is_cutting ? cutting : removes_bone ? 0.0 : breakaway_force(law, advance.axial_thrust());
     const double rubbing = law.friction * state.binding;
     const double load = (along + rubbing) * blade.stroke() / pi;
     signals.chip_thickness = is_cutting ? mean_chip_per_feed(motion.stroke) * state.feed_rate : 0.0;

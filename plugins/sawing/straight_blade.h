@@ -37,7 +37,7 @@ struct StraightBlade {
     /// Returns the end of the front's sweep on the +x side.
     [[nodiscard]] Vec3 end_of_sweep() const noexcept { return {half_sweep(), 0.0, 0.0}; }
     /// Returns the points on the front at `distance` [m] to either side of a tooth's tip.
-    [[nodiscard]] std::array<Vec3, 2> beside(const Tooth& tooth, double distance) const noexcept {
+    [[nodiscard]] std::array<Vec3, 2> points_around(const Tooth& tooth, double distance) const noexcept {
         return {tooth.tip - Vec3{distance, 0.0, 0.0}, tooth.tip + Vec3{distance, 0.0, 0.0}};
     }
     /// Returns z of the blade's long axis, midway between its edges [m].
@@ -47,7 +47,7 @@ struct StraightBlade {
 /// Returns all teeth of a blade displaced along x by `swing` [m].   [any] pure.
 [[nodiscard]] inline Teeth teeth_of(const StraightBlade& blade, double swing) noexcept {
     Teeth teeth;
-    teeth.count = std::min(blade.count(), most_teeth);
+    teeth.count = std::min(blade.count(), max_teeth);
     for (std::size_t i = 0; i < teeth.count; ++i) {
         Tooth& t = teeth.tooth[i];
         t.side = i % 2 == 0 ? 1.0 : -1.0;

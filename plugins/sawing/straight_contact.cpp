@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t tip_points = 9, columns = 17, max_rows = 6;
 constexpr std::array<double, max_rows - 1> row_behind = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots
-static_assert(tip_points + 2 * max_rows * columns + 2 * max_rows + columns <= ContactPoints::most &&
-              2 * max_rows * columns <= TouchingPoints::most_on_sides);
+static_assert(tip_points + 2 * max_rows * columns + 2 * max_rows + columns <= ContactPoints::max_points &&
+              2 * max_rows * columns <= TouchingPoints::max_on_sides);
 
 /// The rows of points on the sides [m] behind the roots of the teeth; the last is the back edge.
 struct Rows {

@@ -23,8 +23,8 @@ constexpr std::array<double, step_count> cosines = [] {
 
 double chip_per_feed(const Stroke& s, double cos_phase) noexcept {
     const double speed = pi * s.rate * s.length * (cos_phase < 0.0 ? -cos_phase : cos_phase);
-    const double most = 0.5 / s.rate;
-    return s.pitch < most * speed ? s.pitch / speed : most;
+    const double largest = 0.5 / s.rate;
+    return s.pitch < largest * speed ? s.pitch / speed : largest;
 }
 
 std::array<StrokePart, part_count> parts_of(const Stroke& stroke) noexcept {
@@ -36,7 +36,7 @@ std::array<StrokePart, part_count> parts_of(const Stroke& stroke) noexcept {
 
 double mean_chip_per_feed(const Stroke& stroke) noexcept {
     double mean = 0.0;
-    for (const StrokePart& part : parts_of(stroke)) mean += part.share * part.chip_per_feed;
+    for (const StrokePart& part : parts_of(stroke)) mean += part.time_fraction * part.chip_per_feed;
     return mean;
 }
 

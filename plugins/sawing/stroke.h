@@ -31,7 +31,7 @@ struct Stroke {
 /// oscillation within 3.1 % for 1 mm … 1.41 mm of pitch and 3 mm … 5.2 mm of stroke, and the mean of t within the sum's
 /// 0.2 %.
 struct StrokePart {
-    double share;          ///< [–] fraction of the time
+    double time_fraction;  ///< [–] fraction of the time
     double chip_per_feed;  ///< [s]
 };
 inline constexpr std::size_t part_count = 2;

@@ -57,7 +57,7 @@ std::string write_exact_surfaces(const std::string& folder, const ExactSurface& 
     std::string error;
     std::error_code none;
     // Removes surfaces of an earlier result, which may have had more.
-    for (std::size_t body = 0; body < most_bodies; ++body)
+    for (std::size_t body = 0; body < max_bodies; ++body)
         std::filesystem::remove(std::filesystem::path(folder) / file_of(body), none);
     for (const ExactPiece& piece : made.pieces)
         if (error.empty()) error = write_file(folder + "/" + file_of(piece.body), stl_bytes(shown(piece.mesh)));

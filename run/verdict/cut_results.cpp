@@ -39,7 +39,8 @@ void add_breaches(const BreachesAlong& along, const Step& step, HoleResult& resu
 }
 
 /// Returns the parts of a vertebra in which a screw of this radius leaves the bone.
-BreachPlaces places_of(const BreachesAlong& along, const DrilledHole& axis, double radius, bool is_tip_out) {
+BreachLocations breach_locations_of(const BreachesAlong& along, const DrilledHole& axis, double radius,
+                                    bool is_tip_out) {
     const Breach pedicle = along.of(radius, {0.0, axis.waist_end}), body = along.of(radius, {axis.waist_end, HUGE_VAL});
     enum { medial, lateral, cranial, caudal };
     // An oblique breach counts for the side on which it is deepest.
@@ -62,7 +63,7 @@ double clearance_of(const ToolSolid& core, const Pose& world_from_screw, const A
 
 }  // namespace
 
-std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const CutBefore& before,
+std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const EarlierCut& before,
                                const StepMonitor& monitor, std::size_t step) {
     const AxisFrame& frame = monitor.frame(step);
     if (frame.across == Vec3{}) return {};
@@ -83,7 +84,7 @@ std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation,
     return fit_wall(points, window, scene.tool(step).outline.cutting.thickness());
 }
 
-std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulation, const CutBefore& before,
+std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulation, const EarlierCut& before,
                                   const StepMonitor& monitor, std::size_t step) {
     const ToolSolid& cutting = scene.tool(step).outline.cutting;
     const StepState& state = monitor.steps()[step];
@@ -97,10 +98,10 @@ std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulati
     const HolePlan plan{.entry = frame.entry, .along = frame.along, .depth = state.advance.front, .cutting = cutting};
     HoleResult result;
     result.hole = measure_hole(body, plan, [&](Vec3 p) {
-        const BrickPlace place = locate(body, p);
+        const LocatedPoint place = locate(body, p);
         const double was = std::clamp(0.5 - uncut_distance(body, place) / spacing, 0.0, 1.0),
                      gone = std::clamp(0.5 + cut.at(place) / spacing, 0.0, 1.0);
-        return was <= 0.0 || gone <= 0.0 ? 0.0 : was * std::max(0.0, gone - before.share_gone(body, owner, p));
+        return was <= 0.0 || gone <= 0.0 ? 0.0 : was * std::max(0.0, gone - before.fraction_removed(body, owner, p));
     });
     if (!result.hole) return result;
     add_breaches(BreachesAlong(body, plan, frame, *result.hole), *state.step, result);
@@ -144,11 +145,11 @@ HoleResult screw_at(const Scene& scene, std::size_t step, const AxisFrame& frame
     const double tip = uncut_distance(body, locate(body, screw.position)),
                  zone = clearance_of(outline.cutting, screw, scene.anatomy);
     const auto places = [&](double by) {
-        BreachPlaces found = places_of(along, *result.hole, radius + by, tip + by >= 0.0);
+        BreachLocations found = breach_locations_of(along, *result.hole, radius + by, tip + by >= 0.0);
         found.in_zone = zone - by < 0.0;
         return found;
     };
-    result.screw->by_place = heary(places(-unsure), places(unsure));
+    result.screw->heary_grade = heary(places(-unsure), places(unsure));
     return result;
 }
 

@@ -74,12 +74,12 @@ void add_clearances(const StepState& state, StepRows& rows) {
                      "Greatest thrust of the running tool.");
 }
 
-/// Returns the status of the limits on a quantity that `is_asked` selects; "info" without one.
-template <class IsAsked>
-const char* status_of_limits(const StepState& state, IsAsked&& is_asked) {
+/// Returns the status of the limits on a quantity that `is_selected` selects; "info" without one.
+template <class IsSelected>
+const char* status_of_limits(const StepState& state, IsSelected&& is_selected) {
     const char* status = "info";
     for (const LimitState& limit : state.limits)
-        if (is_asked(*limit.limit) && (limit.broken_at || status == std::string_view("info")))
+        if (is_selected(*limit.limit) && (limit.broken_at || status == std::string_view("info")))
             status = limit.broken_at ? "broken" : "ok";
     return status;
 }
@@ -138,7 +138,7 @@ void add_signals(const StepState& state, StepRows& rows) {
 }
 
 /// Adds poses and distances at the end of the step.
-void add_places(const StepState& state, StepRows& rows) {
+void add_alignment(const StepState& state, StepRows& rows) {
     if (state.reduction && state.step->is_with_piece()) {
         rows.length("reduction-offset", state.reduction->offset, -1.0, rows.status_of("reduction_offset"),
                     "Distance of the fragment from its place in the whole bone, at the fracture.");
@@ -224,11 +224,11 @@ void add_measures_of_run(const StepMonitor& monitor, const Scene& scene, std::ve
 }
 
 /// Adds metrics that are reported only for a goal or limit.
-void add_asked(const StepState& state, StepRows& rows) {
+void add_demanded(const StepState& state, StepRows& rows) {
     add_loads(state, rows);
     add_removed_volume(state, rows);
     add_signals(state, rows);
-    add_places(state, rows);
+    add_alignment(state, rows);
 }
 
 void add_wall(const StepState& state, StepRows& rows) {
@@ -332,7 +332,7 @@ void add_screw(const InsertedScrew& screw, const DrilledHole& axis, const AxisFr
                  "Between the axis of the screw and that of the implant's hole.");
     const std::string how_far =
         "How far the screw's thread, " + quantity_text(screw.diameter, "mm") + " wide, leaves the bone";
-    const bool is_in_vertebra = !screw.by_place.empty();  // both grades are defined for screws in pedicles
+    const bool is_in_vertebra = !screw.heary_grade.empty();  // both grades are defined for screws in pedicles
     const std::string name = is_in_vertebra ? "gertzbein-robbins" : "thread-outside";
     if (is_in_vertebra)
         rows.length(name, screw.breach.worst(), rows.half_voxel(),
@@ -341,7 +341,7 @@ void add_screw(const InsertedScrew& screw, const DrilledHole& axis, const AxisFr
         rows.length(name, screw.breach.worst(), rows.half_voxel(), "info", how_far + ".");
     add_sides(name, screw.breach, frame, rows);
     if (is_in_vertebra)
-        rows.length("heary", screw.breach.worst(), rows.half_voxel(), "grade " + screw.by_place,
+        rows.length("heary", screw.breach.worst(), rows.half_voxel(), "grade " + screw.heary_grade,
                     "The same, and its grade by where it leaves the bone.");
 }
 
@@ -379,7 +379,7 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
         if (!state.step->cuts()) {
             rows.length("moved", state.moved, rows.half_voxel(), "info",
                         "How far the piece was from where it had been, at the step's entry.");
-            add_asked(state, rows);
+            add_demanded(state, rows);
             add_measures(state, scene.procedure, all);
             continue;
         }
@@ -389,13 +389,13 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
             rows.length("offset", state.farthest_offset, rows.half_voxel(), "info",
                         "Largest distance of the tip from the planned axis while it cut bone: how far it wandered.");
         add_clearances(state, rows);
-        add_asked(state, rows);
+        add_demanded(state, rows);
         if (state.drilled)
             add_hole(*state.drilled, monitor.frame(s), 2.0 * scene.tool(s).outline.cutting.largest_radius(), rows);
         if (state.step->has_depth() && state.has_cut_bone() && !is_in_a_hole(scene, s))
             add_advance(state.advance, rows);
         if (state.is_done() && monitor.frame(s).across != Vec3{}) add_wall(state, rows);
-        rows.row("axis-in-bone", scene.share_in_bone[s], "%", 0.01, "info",
+        rows.row("axis-in-bone", scene.fraction_in_bone[s], "%", 0.01, "info",
                  "Share of the planned axis behind its entry that lies in bone.");
         add_measures(state, scene.procedure, all);
     }
@@ -469,7 +469,7 @@ MetricRow port_energy_row(const PassivityGuard& guard) {
     MetricRow row;
     row.id = "haptics.port-energy";
     row.scope = simulation_scope;
-    row.value = guard.least_energy();
+    row.value = guard.min_energy();
     row.unit = "mJ";
     row.per_unit = 1e-3;
     row.status = guard.corrections() > 0 ? "corrected" : "ok";

@@ -23,14 +23,14 @@ std::string gertzbein_robbins(double least, double most) {
     return best == worst ? best : best + "/" + worst;
 }
 
-std::string heary(const BreachPlaces& places) {
+std::string heary(const BreachLocations& places) {
     if (places.in_zone) return "V";
     if (places.medial_of_pedicle) return "IV";
     if (places.of_body) return "III";
     return places.lateral_of_pedicle ? "II" : "I";
 }
 
-std::string heary(const BreachPlaces& least, const BreachPlaces& most) {
+std::string heary(const BreachLocations& least, const BreachLocations& most) {
     const std::string best = heary(least), worst = heary(most);
     return best == worst ? best : best + "/" + worst;
 }

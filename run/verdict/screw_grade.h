@@ -11,7 +11,7 @@ namespace kerf {
 [[nodiscard]] std::string gertzbein_robbins(double least, double most);
 
 /// The parts of a vertebra in which a screw leaves the bone.
-struct BreachPlaces {
+struct BreachLocations {
     bool lateral_of_pedicle = false;  ///< or cranial of it
     bool medial_of_pedicle = false;   ///< or caudal of it
     bool of_body = false;             ///< its tip is out of the vertebral body, in front or at the side
@@ -21,8 +21,8 @@ struct BreachPlaces {
 /// II: lateral of the pedicle, with the tip in the body. III: the tip is out of the body. IV: medial of or below the
 /// pedicle. V: the core is in a zone of the anatomy. V is our reading of "endangers the cord, a root or a vessel". A
 /// breach above the pedicle, which the paper does not name, counts as II.   [any] pure.
-[[nodiscard]] std::string heary(const BreachPlaces& places);
+[[nodiscard]] std::string heary(const BreachLocations& places);
 /// Returns both grades where half a voxel decides: "I/IV".
-[[nodiscard]] std::string heary(const BreachPlaces& least, const BreachPlaces& most);
+[[nodiscard]] std::string heary(const BreachLocations& least, const BreachLocations& most);
 
 }  // namespace kerf

@@ -18,12 +18,13 @@ Vec3 unit_or_none(Vec3 v) noexcept { return dot(v, v) > 1e-12 ? normalized(v) : 
 }  // namespace
 
 Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
-    const Vec3 way = w.is_across_surface && inwards != Vec3{} ? inwards : along;
-    Vec3 from_entry = w.depth * way + w.medial * medial + w.aside * aside();
-    Quat rotation = quat_between({0, 0, 1}, way);
+    const Vec3 into_bone = w.is_across_surface && inwards != Vec3{} ? inwards : along;
+    Vec3 from_entry = w.depth * into_bone + w.medial * medial + w.aside * aside();
+    Quat rotation = quat_between({0, 0, 1}, into_bone);
     if (across != Vec3{})
-        rotation =
-            turn_about(way, rotate(rotation, {0, 1, 0}), unit_or_none(across - dot(across, way) * way)) * rotation;
+        rotation = turn_about(into_bone, rotate(rotation, {0, 1, 0}),
+                              unit_or_none(across - dot(across, into_bone) * into_bone)) *
+                   rotation;
     if (w.tilt != 0.0) rotation = rotation * quat_from_rotation_vector({0, 0, w.tilt});
     if (w.medial_angle != 0.0 || w.cranial_angle != 0.0) {
         constexpr Vec3 towards_the_head{0, 0, 1};
@@ -100,11 +101,11 @@ void take_signals(const Observation& now, StepState& state) noexcept {
             s.greatest = s.is_seen ? std::max(s.greatest, *value) : *value;
             s.is_seen = true;
         }
-    for (std::size_t g = 0; g < state.was_there.size(); ++g) {
+    for (std::size_t g = 0; g < state.was_within_bound.size(); ++g) {
         const Goal& goal = state.step->goals[g];
         if (goal.quantity != "signal") continue;
         if (const auto value = value_of(goal.signal, now); value && is_within(goal.bound, *value))
-            state.was_there[g] = true;
+            state.was_within_bound[g] = true;
     }
 }
 
@@ -133,7 +134,7 @@ StepMonitor::StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std
         StepState state;
         state.step = &step;
         state.goal_done.assign(step.goals.size(), false);
-        state.was_there.assign(step.goals.size(), false);
+        state.was_within_bound.assign(step.goals.size(), false);
         for (const auto& goal : step.goals) add_signal(goal.signal, state.signals);
         for (const auto& limit : step.limits) {
             state.limits.emplace_back();
@@ -188,7 +189,8 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
         state.goal_done[next_goal] = true;
         news_.emplace_back("goal_reached", state.step->id + ": " + state.step->goals[next_goal].name());
     }
-    ask_for_measures(state, next_goal, is_in_bone, state.is_released_at_end ? !is_running : depth < 0.0, now.held);
+    update_need_of_measures(state, next_goal, is_in_bone, state.is_released_at_end ? !is_running : depth < 0.0,
+                            now.held);
 
     // The step ends when its goals are reached and the tool is outside the bone without a held body, or is released.
     const bool is_over = is_released_ || (depth < 0.0 && !state.is_released_at_end);
@@ -201,21 +203,21 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
                     measured_at_end(*limit.limit, *anatomy_, now.world_from_body, now.world_from_tool.position))
                 hold(limit, *value, time);
         news_.emplace_back("step_done", state.step->id);
-        is_measure_due_ = asks_for_measures_ = false;
+        is_measure_due_ = needs_measures_ = false;
         ++current_;
     }
 }
 
-void StepMonitor::ask_for_measures(const StepState& state, std::size_t next_goal, bool is_in_bone, bool is_out,
-                                   int held) {
+void StepMonitor::update_need_of_measures(const StepState& state, std::size_t next_goal, bool is_in_bone, bool is_out,
+                                          int held) {
     is_measure_due_ = is_measure_due_ || is_in_bone || held >= 0;
-    asks_for_measures_ = is_measure_due_ && is_out && held < 0 && next_goal < state.goal_done.size() &&
-                         state.step->goals[next_goal].quantity == "measure";
-    if (asks_for_measures_) is_measure_due_ = false;
+    needs_measures_ = is_measure_due_ && is_out && held < 0 && next_goal < state.goal_done.size() &&
+                      state.step->goals[next_goal].quantity == "measure";
+    if (needs_measures_) is_measure_due_ = false;
 }
 
 void StepMonitor::show_measures(std::vector<MeasureReading> measures) {
-    asks_for_measures_ = false;
+    needs_measures_ = false;
     if (current_ < steps_.size()) steps_[current_].measures = std::move(measures);
 }
 
@@ -273,7 +275,7 @@ std::optional<double> StepMonitor::clearance_to(const LimitState& limit, const O
 
 bool StepMonitor::is_reached(std::size_t index, const StepState& state, const Observation& now) const noexcept {
     const Goal& goal = state.step->goals[index];
-    if (goal.quantity == "signal") return state.was_there[index];
+    if (goal.quantity == "signal") return state.was_within_bound[index];
     if (goal.quantity == "measure") {
         const MeasureReading* reading = reading_of(goal.measure, state);
         return reading != nullptr && reading->value && is_within(goal.bound, *reading->value);

@@ -96,7 +96,7 @@ struct InsertedScrew {
     double diameter = 0.0;           ///< [m] over its thread
     Breach breach{};                 ///< of its thread
     double least = 0.0, most = 0.0;  ///< [m] bounds of the breach
-    std::string by_place{};  ///< its grade by the location of the breach [heary-2004]; two if half a voxel decides
+    std::string heary_grade{};  ///< its grade by the location of the breach [heary-2004]; two if half a voxel decides
     std::optional<double> hole_offset{};  ///< [m] from the axis of the implant's hole, in the middle of the metal
     std::optional<double> hole_angle{};   ///< [rad] between both axes
 };
@@ -137,7 +137,7 @@ struct StepState {
     std::optional<Reduction> reduction;  ///< of a fracture, at the end of the step
     double removed = 0.0;                ///< [m³] in this step
     std::vector<SignalState> signals;    ///< each signal that the step names, once
-    std::vector<bool> was_there;         ///< for each goal on a signal: the signal was within its bound in some tick
+    std::vector<bool> was_within_bound;  ///< for each goal on a signal: the signal was within its bound in some tick
     std::vector<MeasureReading> measures{};  ///< of the procedure, as last measured in this step; empty: not yet
 
     bool is_released_at_end = false;  ///< its tool stays in the bone
@@ -156,7 +156,7 @@ public:
     StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames);
 
     /// Sets that the tool of a step is an implant: the step ends when it is released, not when it is retracted.
-    void stays(std::size_t step) { steps_[step].is_released_at_end = true; }
+    void ends_with_release(std::size_t step) { steps_[step].is_released_at_end = true; }
 
     /// Observes one tick with a tool whose cutting part is `cutting`.
     void observe(const Observation& now, const ToolSolid& cutting);
@@ -166,7 +166,7 @@ public:
     /// Judges the hole that the step left.
     void judge_hole(std::size_t step, HoleResult drilled, double time);
     /// Returns whether a goal on a measure needs the next measurement: the tool has left the bone since the last one.
-    [[nodiscard]] bool asks_for_measures() const noexcept { return asks_for_measures_; }
+    [[nodiscard]] bool needs_measures() const noexcept { return needs_measures_; }
     /// Passes the procedure's measures, in their order, to the running step.
     void show_measures(std::vector<MeasureReading> measures);
     /// Judges the measures at the end of the step.
@@ -176,9 +176,9 @@ public:
     /// Releases an implant: the step ends with the next tick. Returns the reason if it cannot, else an empty text.
     [[nodiscard]] std::string release();
     /// Sets the axis of a step, such as the axis of an inserted implant's hole.
-    void aim(std::size_t step, const AxisFrame& frame) { frames_[step] = frame; }
+    void set_frame(std::size_t step, const AxisFrame& frame) { frames_[step] = frame; }
     /// Sets the bodies with which zones and steps move.
-    void belong(Owners owners) { owners_ = std::move(owners); }
+    void set_owners(Owners owners) { owners_ = std::move(owners); }
     [[nodiscard]] const Owners& owners() const noexcept { return owners_; }
 
     [[nodiscard]] const std::vector<StepState>& steps() const noexcept { return steps_; }
@@ -187,7 +187,7 @@ public:
     [[nodiscard]] std::size_t current() const noexcept { return current_; }
     [[nodiscard]] const AxisFrame& frame(std::size_t step) const noexcept { return frames_[step]; }
     /// Returns the goals reached and limits broken in the last tick, as text for the event list.
-    [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& news() const noexcept { return news_; }
+    [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& new_events() const noexcept { return news_; }
 
 private:
     [[nodiscard]] bool is_reached(std::size_t goal, const StepState& state, const Observation& now) const noexcept;
@@ -198,7 +198,7 @@ private:
                                                      const ToolSolid& cutting) const;
     [[nodiscard]] const MeasureReading* reading_of(const std::string& measure, const StepState& state) const noexcept;
     /// Updates whether a goal on a measure is next, and can be measured now.
-    void ask_for_measures(const StepState& state, std::size_t next_goal, bool is_in_bone, bool is_out, int held);
+    void update_need_of_measures(const StepState& state, std::size_t next_goal, bool is_in_bone, bool is_out, int held);
     static void follow(const Observation& now, double depth, double hand, double dt, StepState& state);
     /// Compares a measured value with its limit.
     void hold(LimitState& limit, double value, double time);
@@ -210,7 +210,7 @@ private:
     std::vector<StepState> steps_;
     std::size_t current_ = 0;
     bool is_released_ = false;
-    bool is_measure_due_ = false, asks_for_measures_ = false;
+    bool is_measure_due_ = false, needs_measures_ = false;
     double depth_ = 0.0;   ///< [m] of the tip in the last tick
     double before_ = 0.0;  ///< [s] of the last observed tick
     std::vector<std::pair<std::string, std::string>> news_;

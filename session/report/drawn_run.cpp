@@ -30,27 +30,27 @@ void Thinning::add(const TickRow& row) {
     if (is_whole_) return void(picked_.emplace_back(index, row));
     const std::array<double, quantities> values{row.thrust, row.torque, row.depth, lateral_force(row)};
     for (std::size_t q = 0; q < quantities; ++q) {
-        if (least_.size() < quantities) {
-            least_.push_back({index, values[q], row});
-            greatest_.push_back({index, values[q], row});
+        if (minima_.size() < quantities) {
+            minima_.push_back({index, values[q], row});
+            maxima_.push_back({index, values[q], row});
             continue;
         }
-        if (values[q] < least_[q].value) least_[q] = {index, values[q], row};
-        if (values[q] > greatest_[q].value) greatest_[q] = {index, values[q], row};
+        if (values[q] < minima_[q].value) minima_[q] = {index, values[q], row};
+        if (values[q] > maxima_[q].value) maxima_[q] = {index, values[q], row};
     }
     if (index == 0) picked_.emplace_back(index, row);
     last_ = row;
     if (next_ != stretch_end_) return;
     end_stretch(picked_, next_ == total_);
-    least_.clear();
-    greatest_.clear();
+    minima_.clear();
+    maxima_.clear();
     ++stretch_;
     stretch_end_ = total_ * (stretch_ + 1) / stretches_;
 }
 
 void Thinning::end_stretch(Picked& picked, bool with_last) const {
     Picked added;
-    for (const auto* extremes : {&least_, &greatest_})
+    for (const auto* extremes : {&minima_, &maxima_})
         for (const Extreme& extreme : *extremes) added.emplace_back(extreme.index, extreme.row);
     if (with_last) added.emplace_back(next_ - 1, last_);
     std::sort(added.begin(), added.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -60,7 +60,7 @@ void Thinning::end_stretch(Picked& picked, bool with_last) const {
 
 std::vector<TickRow> Thinning::rows() const {
     Picked all = picked_;
-    if (!least_.empty()) end_stretch(all, true);  // fewer rows were added than expected
+    if (!minima_.empty()) end_stretch(all, true);  // fewer rows were added than expected
     std::vector<TickRow> rows;
     rows.reserve(all.size());
     for (const auto& [index, row] : all) rows.push_back(row);
@@ -70,8 +70,8 @@ std::vector<TickRow> Thinning::rows() const {
 // ---- a run -------------------------------------------------------------------------------------------------------
 
 void DrawnRun::expect(std::uint64_t total) {
-    plotted_ = Thinning(total, most_plotted);
-    pictured_ = Thinning(total, most_pictured);
+    plotted_ = Thinning(total, max_plotted);
+    pictured_ = Thinning(total, max_pictured);
 }
 
 void DrawnRun::add(const TickRow& row) {
@@ -84,7 +84,7 @@ void DrawnRun::add(const TickRow& row) {
 
 void DrawnRun::add(EventRow event) {
     ++event_count_;
-    if (events_.size() < most_events) events_.push_back(std::move(event));
+    if (events_.size() < max_events) events_.push_back(std::move(event));
 }
 
 }  // namespace kerf

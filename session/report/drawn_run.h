@@ -40,17 +40,17 @@ private:
     std::uint64_t total_, stretches_, next_ = 0, stretch_ = 0, stretch_end_ = 0;
     bool is_whole_;
     Picked picked_;
-    std::vector<Extreme> least_, greatest_;  ///< of this stretch, one per quantity; empty before its first row
+    std::vector<Extreme> minima_, maxima_;  ///< of this stretch, one per quantity; empty before its first row
     TickRow last_;
 };
 
 /// The part of a run that its page shows.
 class DrawnRun {
 public:
-    static constexpr std::size_t most_plotted = 20'000, most_pictured = 1'500, most_events = 2'000;
+    static constexpr std::size_t max_plotted = 20'000, max_pictured = 1'500, max_events = 2'000;
 
     /// @param total   number of ticks that will be added
-    explicit DrawnRun(std::uint64_t total = 0) : plotted_(total, most_plotted), pictured_(total, most_pictured) {}
+    explicit DrawnRun(std::uint64_t total = 0) : plotted_(total, max_plotted), pictured_(total, max_pictured) {}
 
     /// Sets the number of ticks that will be added. Pre: no tick was added.
     void expect(std::uint64_t total);
@@ -65,7 +65,7 @@ public:
     [[nodiscard]] std::vector<TickRow> plotted() const { return plotted_.rows(); }
     /// Returns the rows of the picture for readers without scripts.
     [[nodiscard]] std::vector<TickRow> pictured() const { return pictured_.rows(); }
-    [[nodiscard]] const std::vector<EventRow>& events() const noexcept { return events_; }  ///< the first most_events
+    [[nodiscard]] const std::vector<EventRow>& events() const noexcept { return events_; }  ///< the first max_events
     [[nodiscard]] std::uint64_t event_count() const noexcept { return event_count_; }
     [[nodiscard]] const DrawnSurface& bone() const noexcept { return bone_; }
 

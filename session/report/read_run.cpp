@@ -141,8 +141,8 @@ void Reading::read_lists() {
     each("signals", "id, help, display_unit, per_unit", "position", [&](const SessionQuery& row) {
         run_.summary.signals.push_back({text(row, 0), text(row, 1), text(row, 2), number(row, 3, "signals")});
     });
-    if (run_.summary.signals.size() > most_signal_columns)
-        fail("has more than " + std::to_string(most_signal_columns) + " signals");
+    if (run_.summary.signals.size() > max_signal_columns)
+        fail("has more than " + std::to_string(max_signal_columns) + " signals");
     each("events", "tick, time, id, detail", "rowid", [&](const SessionQuery& row) {
         last_event_ = {static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2),
                        text(row, 3)};

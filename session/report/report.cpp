@@ -21,7 +21,7 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t most_events_listed = 500;
+constexpr std::size_t max_listed_events = 500;
 
 struct VerdictWord {
     const char* symbol;
@@ -191,7 +191,7 @@ std::string plots_html(const RunSummary& summary, const DrawnRun& run) {
     if (!summary.signals.empty()) {
         html += "<h3><label>Signal of the force model <select id=\"signal\">";
         std::string options;
-        for (std::size_t i = 0; i < std::min<std::size_t>(summary.signals.size(), most_signal_columns); ++i)
+        for (std::size_t i = 0; i < std::min<std::size_t>(summary.signals.size(), max_signal_columns); ++i)
             options += "<option value=\"" + std::to_string(i) + "\" title=\"" + html_escaped(summary.signals[i].help) +
                        "\">" + html_escaped(summary.signals[i].id) + "</option>";
         html += options + "</select></label> <label>over <select id=\"signal-over\"><option value=\"\">time</option>" +
@@ -209,7 +209,7 @@ std::string events_html(const DrawnRun& run) {
                        (run.event_count() == 1 ? " event" : " events") +
                        "</summary><div class=\"wide\"><table><thead><tr><th "
                        "class=\"number\">Time</th><th>Event</th><th>Detail</th></tr></thead><tbody>";
-    for (std::size_t i = 0; i < std::min(events.size(), most_events_listed); ++i) {
+    for (std::size_t i = 0; i < std::min(events.size(), max_listed_events); ++i) {
         const PlainNumbers point;
         char time[40];
         std::snprintf(time, sizeof time, "%.2f s", events[i].time);
@@ -217,9 +217,9 @@ std::string events_html(const DrawnRun& run) {
                 "</code></td><td>" + html_escaped(events[i].detail) + "</td></tr>";
     }
     html += "</tbody></table></div>";
-    if (run.event_count() > most_events_listed)
+    if (run.event_count() > max_listed_events)
         html +=
-            "<p class=\"soft small\">The first " + std::to_string(most_events_listed) + "; session.db holds all.</p>";
+            "<p class=\"soft small\">The first " + std::to_string(max_listed_events) + "; session.db holds all.</p>";
     return html + "</details></section>\n";
 }
 

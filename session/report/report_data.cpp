@@ -12,9 +12,9 @@
 #include <ranges>
 #include <utility>
 
+#include "text/distinguishing_digits.h"
 #include "text/plain_numbers.h"
 #include "text/printable_lines.h"
-#include "text/telling_digits.h"
 
 namespace kerf {
 namespace {
@@ -56,7 +56,7 @@ Json rows_json(const std::vector<TickRow>& drawn) {
 
 Json signals_json(const std::vector<SignalColumn>& signals, const std::vector<TickRow>& drawn) {
     Json list = Json::array();
-    for (std::size_t s = 0; s < std::min<std::size_t>(signals.size(), most_signal_columns); ++s) {
+    for (std::size_t s = 0; s < std::min<std::size_t>(signals.size(), max_signal_columns); ++s) {
         const double per_unit = signals[s].per_unit;
         list.push_back(
             {{"name", signals[s].id},
@@ -66,7 +66,7 @@ Json signals_json(const std::vector<SignalColumn>& signals, const std::vector<Ti
     return list;
 }
 
-bool is_bad_news(const std::string& event_id) {
+bool is_failure_event(const std::string& event_id) {
     return std::ranges::any_of(std::array{"limit", "fault", "breach", "quarantine", "zone_entered"},
                                [&](const char* word) { return event_id.find(word) != std::string::npos; });
 }
@@ -75,7 +75,7 @@ Json events_json(const std::vector<EventRow>& events) {
     Json list = Json::array();
     for (const EventRow& event : events)
         list.push_back(
-            {{"time", event.time}, {"id", event.id}, {"detail", event.detail}, {"isBad", is_bad_news(event.id)}});
+            {{"time", event.time}, {"id", event.id}, {"detail", event.detail}, {"isBad", is_failure_event(event.id)}});
     return list;
 }
 
@@ -98,7 +98,7 @@ Json mesh_json(const DrawnSurface& surface, Vec3 look) {
             {"isShort", surface.is_short()},      {"triangles", base64(surface.triangles)}};
 }
 
-constexpr int most_decimals = 12;  ///< of a value next to its bound
+constexpr int max_decimals = 12;  ///< of a value next to its bound
 
 /// Replaces the hyphen by "−", and removes it for zero.
 std::string with_minus(std::string digits) {
@@ -167,7 +167,7 @@ std::string sensible_number(double value, double uncertainty, std::span<const do
     };
     int enough = decimals;
     for (const double bound : bounds)
-        enough = std::max(enough, telling_digits(value, bound, decimals, most_decimals, text_of));
+        enough = std::max(enough, distinguishing_digits(value, bound, decimals, max_decimals, text_of));
     std::string text = text_of(value, enough);
 
     if (!is_known && text.find('.') != std::string::npos) {

@@ -252,7 +252,7 @@ private:
         return time ? "at " + sensible_number(*time) + "\u00a0s" : std::string();
     }
 
-    std::string value_beside(const MetricRow& metric, const RecordedDemand& demand) const {
+    std::string value_next_to_bound(const MetricRow& metric, const RecordedDemand& demand) const {
         std::vector<double> bounds;
         for (const auto& end : {demand.at_least, demand.at_most})
             if (end) bounds.push_back(*end / metric.per_unit);
@@ -276,7 +276,7 @@ private:
         const bool are_events_missing = run_->event_count() > run_->events().size();
         const bool is_reached =
             step_->done || time || (are_events_missing && metric != nullptr && is_within(metric->value, goal));
-        add(demand_row("Goal", goal, metric, metric != nullptr ? value_beside(*metric, goal) : at(time),
+        add(demand_row("Goal", goal, metric, metric != nullptr ? value_next_to_bound(*metric, goal) : at(time),
                        help_of(metric), is_reached ? reached : missed),
             !is_reached);
     }
@@ -290,7 +290,7 @@ private:
     }
 
     /// Returns the value that broke the limit. It follows the author's sentence in the reason.
-    [[nodiscard]] std::string told_value(const RecordedDemand& limit) const {
+    [[nodiscard]] std::string value_in_reason(const RecordedDemand& limit) const {
         const std::string begin = "Step `" + step_->id + "`: " + limit.reason;
         for (const std::string& reason : summary_->reasons)
             if (reason.starts_with(begin) && reason.size() > begin.size() + 1)
@@ -302,9 +302,10 @@ private:
         const MetricRow* metric = metric_of(limit);
         const bool has_broken = is_broken(limit, metric);
         // The limit on depth also counts depth in air; its metric does not.
-        const bool is_told_by_metric = metric != nullptr && (!has_broken || !is_within(metric->value, limit));
+        const bool has_metric_value = metric != nullptr && (!has_broken || !is_within(metric->value, limit));
         const bool is_unmeasured = metric == nullptr && is_measured_at_end(limit.quantity);
-        add(demand_row("Limit", limit, metric, is_told_by_metric ? value_beside(*metric, limit) : told_value(limit),
+        add(demand_row("Limit", limit, metric,
+                       has_metric_value ? value_next_to_bound(*metric, limit) : value_in_reason(limit),
                        has_broken && !limit.reason.empty() ? limit.reason : help_of(metric),
                        has_broken      ? broken
                        : is_unmeasured ? unmeasured

@@ -99,7 +99,7 @@ drawing::Panel panel_of(const Chart& chart, const std::string& scene, const std:
     panel.x.title = "cost of a tick, p99.9 in us (whisker: longest)";
     panel.x.guides = {{100.0, "100 us"}, {1000.0, "1 ms"}};
     panel.y.title = what;
-    double least_x = 1e300, most_x = 0.0, least_y = 1e300, most_y = 0.0;
+    double min_x = 1e300, max_x = 0.0, min_y = 1e300, max_y = 0.0;
     for (const MethodNote& method : methods_on(chart, title_of(chart, scene).cutter)) {
         drawing::Curve curve{
             .colour = colour_of(method.id), .is_dashed = method.is_as_printed, .is_bold = method.id == "M9"};
@@ -108,19 +108,19 @@ drawing::Panel panel_of(const Chart& chart, const std::string& scene, const std:
             const double y = std::max(floor, value(row->measured)), x = row->measured.cost.p999;
             if (!std::isfinite(y)) continue;
             curve.markers.push_back({x, y, row->measured.cost.longest, 0.0, row->fails.empty(), "", told_of(*row)});
-            least_x = std::min(least_x, x);
-            most_x = std::max(most_x, row->measured.cost.longest);
-            least_y = std::min(least_y, y);
-            most_y = std::max(most_y, y);
+            min_x = std::min(min_x, x);
+            max_x = std::max(max_x, row->measured.cost.longest);
+            min_y = std::min(min_y, y);
+            max_y = std::max(max_y, y);
         }
         if (curve.markers.empty()) continue;
         curve.name = method.id;
         panel.curves.push_back(std::move(curve));
     }
-    if (most_x > 0.0) {
-        panel.x.low = 0.8 * least_x;
-        panel.x.high = 1.25 * std::max(most_x, 1000.0);
-        fit(panel.y, least_y, most_y);
+    if (max_x > 0.0) {
+        panel.x.low = 0.8 * min_x;
+        panel.x.high = 1.25 * std::max(max_x, 1000.0);
+        fit(panel.y, min_y, max_y);
     }
     return panel;
 }

@@ -218,7 +218,7 @@ void look_at_prescribed(const ToolUnderTest& tool, const ToolUnderTest* printed,
 /// at a rate beyond what the test crosses at; then it is looked at in ticks so short that the tip goes no further in
 /// one of them than at the test's fastest feed in a whole one. A step is as large in a short tick; a steep fall is not.
 void look_at_led_by_spring(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
-    constexpr int most_parts = 16;
+    constexpr int max_parts = 16;
     const Body body = make(two_tissues());
     for (const DeviceRecord& device : scope.devices)
         for (const double tilt : {0.0, tilted_by})
@@ -235,8 +235,8 @@ void look_at_led_by_spring(const Scope& scope, const ToolUnderTest& tool, const 
                 if (whole.fastest > fastest_feed) {
                     int parts = 1;
                     Crossing crossing = whole;
-                    while (crossing.fastest > parts * fastest_feed && parts < most_parts) {
-                        parts = std::min(most_parts, static_cast<int>(std::ceil(crossing.fastest / fastest_feed)));
+                    while (crossing.fastest > parts * fastest_feed && parts < max_parts) {
+                        parts = std::min(max_parts, static_cast<int>(std::ceil(crossing.fastest / fastest_feed)));
                         crossing = in_parts(parts);
                     }
                     const std::string told = finding.measured;

@@ -44,7 +44,7 @@ void PortEnergy::see(double force, double deeper, double ceiling) noexcept {
     least_ = std::min(least_, energy_);
 }
 
-int most_turns(const std::vector<double>& force, double period) {
+int max_turns(const std::vector<double>& force, double period) {
     // A turn counts once the force has come back by more than `small_turn` from its last extreme.
     std::vector<std::size_t> turns;
     double low = force.empty() ? 0.0 : force.front(), high = low;
@@ -79,12 +79,12 @@ Judged judge(const Trace& trace, double resolution, bool moves) {
         size = peak_to_peak(held);
     const std::vector<double> late(trace.force.begin() + static_cast<std::ptrdiff_t>(trace.force.size() - held.size()),
                                    trace.force.end());
-    return {size / resolution, most_turns(late, trace.period), trace.energy.least()};
+    return {size / resolution, max_turns(late, trace.period), trace.energy.least()};
 }
 
 std::string in_figures(const Judged& judged) {
     return figure(judged.counts, "counts") + ", " + std::to_string(judged.turns) + " turns, " +
-           figure(1e3 * judged.least_energy, "mJ");
+           figure(1e3 * judged.min_energy, "mJ");
 }
 
 }  // namespace kerf::stability

@@ -28,7 +28,7 @@ private:
 
 /// The most often a force turned back within 100 ms, turns of at most 0.05 N not counted. More than ten: it alternates
 /// faster than 50 Hz.
-[[nodiscard]] int most_turns(const std::vector<double>& force, double period);
+[[nodiscard]] int max_turns(const std::vector<double>& force, double period);
 
 /// One sample a tick of a run at the port.
 struct Trace {
@@ -39,11 +39,11 @@ struct Trace {
 };
 
 struct Judged {
-    double counts = 0.0;        ///< [–] encoder counts from peak to peak after half a second
-    int turns = 0;              ///< within 100 ms
-    double least_energy = 0.0;  ///< [J]
+    double counts = 0.0;      ///< [–] encoder counts from peak to peak after half a second
+    int turns = 0;            ///< within 100 ms
+    double min_energy = 0.0;  ///< [J]
 
-    [[nodiscard]] bool is_stable() const noexcept { return counts < 3.0 && turns <= 10 && least_energy >= -1e-4; }
+    [[nodiscard]] bool is_stable() const noexcept { return counts < 3.0 && turns <= 10 && min_energy >= -1e-4; }
 };
 [[nodiscard]] std::string in_figures(const Judged& judged);
 inline constexpr const char* stable_means = "<3 counts p-p after 0.5 s, <=10 turns in 100 ms, >=-0.1 mJ";

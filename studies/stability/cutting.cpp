@@ -17,10 +17,10 @@ namespace kerf::stability {
 
 namespace {
 
-constexpr double above_face = -0.5e-3;               // [m]
-constexpr double thickness = 16e-3;                  // [m] of the block: four times what the push is to feed
-constexpr int pushing = 2000;                        // [ticks]
-constexpr double least_gain = 1e2, most_gain = 1e5;  // [N·s/m] of bone, what published laws span
+constexpr double above_face = -0.5e-3;            // [m]
+constexpr double thickness = 16e-3;               // [m] of the block: four times what the push is to feed
+constexpr int pushing = 2000;                     // [ticks]
+constexpr double min_gain = 1e2, max_gain = 1e5;  // [N·s/m] of bone, what published laws span
 
 bool alternates(const PortSettings& settings, double gain, double push) {
     constexpr int ticks = 2000, looked_at = 200;
@@ -96,9 +96,9 @@ void look_at_damper(const DeviceRecord& device, const PortSettings& settings, do
     const double most = largest_damper(settings, push), limit = 2.0 * settings.moved_mass() / settings.period;
     finding.measured = "critical gain " + figure(most, "N s/m") + " = " + figure(most / limit) +
                        " x 2m/T, at the bone " + figure(most / scale, "N s/m");
-    finding.criterion = "stable for " + figure(least_gain) + " ... " + figure(most_gain, "N s/m") +
-                        " of bone, scale 1/" + figure(1.0 / scale);
-    finding.outcome = passes(most >= most_gain * scale);
+    finding.criterion = "stable for " + figure(min_gain) + " ... " + figure(max_gain, "N s/m") + " of bone, scale 1/" +
+                        figure(1.0 / scale);
+    finding.outcome = passes(most >= max_gain * scale);
     report(finding);
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double above = -0.5e-3, way = 4e-3;  // [m] from where, and how far
 const BoneBlock block{.thickness = 8e-3};
-constexpr double least_torque =
+constexpr double min_torque =
     0.07;  // [–] of what the thrust gives at the rim: a hand tells no less, and a blade's teeth cancel
 
 struct Drilled {
@@ -95,7 +95,7 @@ void look_at(Way how, const ToolUnderTest& tool, const Scope& scope, const Body&
         for (const double period : {2e-3, 0.5e-3, 0.25e-3}) {
             const Drilled other = at(period);
             const double thrust = apart(at_1_khz.thrust, other.thrust), torque = apart(at_1_khz.torque, other.torque);
-            const bool torque_counts = rms(at_1_khz.torque) >= least_torque * rms(at_1_khz.thrust) * tool.radius;
+            const bool torque_counts = rms(at_1_khz.torque) >= min_torque * rms(at_1_khz.thrust) * tool.radius;
             const double removed = how == Way::printed ? 0.0 : other.removed / at_1_khz.removed - 1.0;
             finding.measured =
                 figure(1e3 * feed, "mm/s, ") + figure(1.0 / period, "Hz") + ": thrust " + figure(100.0 * thrust, "%") +

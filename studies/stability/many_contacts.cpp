@@ -62,22 +62,22 @@ void look_at_many_contacts(const Scope& scope, const Report& report) {
             const CouplingGains gains = in_hands(gains_for(device, 1.0));
             PortSettings settings = port_of(device, no_hand, 0);
             settings.friction = 0.0;  // nothing but the contact takes energy
-            double most_energy = 0.0, least_force = 1e300, most_force = 0.0;
+            double max_energy = 0.0, min_force = 1e300, max_force = 0.0;
             for (const int points : {1, 10, 86, 110, 1000}) {
                 const double each = is_direct ? gains.stiffness / 8.0 : rigid;
                 const Impact impact = fall(body, settings, points, each, gains, is_direct);
-                most_energy = std::max(most_energy, impact.energy);
-                least_force = std::min(least_force, impact.force);
-                most_force = std::max(most_force, impact.force);
+                max_energy = std::max(max_energy, impact.energy);
+                min_force = std::min(min_force, impact.force);
+                max_force = std::max(max_force, impact.force);
             }
-            const double spread = most_force / least_force - 1.0;
+            const double spread = max_force / min_force - 1.0;
             Finding finding{.test = "S-17", .scene = "1 to 1000 points meet a plane at once"};
             finding.method = is_direct ? Method::as_printed : Method::kerf;
             finding.device = device.id;
-            finding.measured = "energy after " + figure(100.0 * most_energy, "%") + ", force " +
-                               figure(least_force, "N") + " ... " + figure(most_force, "N");
+            finding.measured = "energy after " + figure(100.0 * max_energy, "%") + ", force " + figure(min_force, "N") +
+                               " ... " + figure(max_force, "N");
             finding.criterion = "energy <= 100 %, forces within 5 %";
-            finding.outcome = passes(most_energy <= 1.0 && spread < 0.05);
+            finding.outcome = passes(max_energy <= 1.0 && spread < 0.05);
             report(finding);
         }
 }

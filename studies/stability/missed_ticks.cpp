@@ -59,7 +59,7 @@ Stalled press_with_stall(const Body& body, const PortSettings& settings, const C
         else
             port.step(answer(port.reported(), i == back ? missed : 0), now);
         energy.see(port.held(), port.depth() - before, stored(port.depth()));
-        has_faulted = has_faulted || loop.last().is_barred;
+        has_faulted = has_faulted || loop.last().is_closed_or_closing;
         if (loop.last().is_coming_back)
             given_back = std::max(given_back, i + settings.delay + 3);  // the step it ends with included
         if (i >= faded && i < given_back) {
@@ -75,7 +75,7 @@ Stalled press_with_stall(const Body& body, const PortSettings& settings, const C
     }
     stalled.ramped = std::max(0.0, stalled.ramped);
     stalled.given = std::max(0.0, at_fade - energy.least());
-    stalled.is_back = !is_solved || (has_faulted && !loop.last().is_barred);
+    stalled.is_back = !is_solved || (has_faulted && !loop.last().is_closed_or_closing);
     return stalled;
 }
 

@@ -41,7 +41,7 @@ Heard heard_in(const std::vector<double>& force) {
         heard.mean += mean * piece / looked_at;
     }
     heard.rms = std::sqrt(square / looked_at);
-    heard.turns = most_turns({late.begin(), late.end()}, Simulation::dt);
+    heard.turns = max_turns({late.begin(), late.end()}, Simulation::dt);
     return heard;
 }
 

@@ -25,7 +25,7 @@ PortSettings port_of(const DeviceRecord& device, const TestHand& hand, int delay
 }
 
 Port::Port(const PortSettings& settings, double depth) noexcept : settings_(settings), depth_(depth), aim_(depth) {
-    KERF_ASSERT(settings.delay >= 0 && settings.delay <= longest_latency, "whole ticks, at most two");
+    KERF_ASSERT(settings.delay >= 0 && settings.delay <= max_latency, "whole ticks, at most two");
 }
 
 double Port::reported() const noexcept {

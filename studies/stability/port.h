@@ -60,7 +60,7 @@ private:
     PortSettings settings_;
     double depth_, rate_ = 0.0, aim_, held_ = 0.0;
     bool goes_along_ = false;
-    std::array<double, longest_latency> under_way_{};  ///< forces that have not arrived, the oldest first
+    std::array<double, max_latency> under_way_{};  ///< forces that have not arrived, the oldest first
 };
 
 }  // namespace kerf::stability

@@ -15,7 +15,7 @@ Scope Scope::of(bool is_quick) {
     if (is_quick) {
         scope.devices = {*find_device("premium-1.5-6dof")};
         scope.hands = {no_hand, test_hands[2]};
-        scope.most_delay = 1;
+        scope.max_delay = 1;
     } else {
         // What a motor about the shaft adds is tested by tests/core/haptics/torque_axis_test.cpp.
         std::copy_if(all, all + count, std::back_inserter(scope.devices),

@@ -12,7 +12,7 @@ namespace kerf::stability {
 struct Scope {
     std::vector<DeviceRecord> devices;
     std::vector<TestHand> hands;
-    int most_delay = longest_latency;
+    int max_delay = max_latency;
     bool is_quick = false;
 
     /// Every device record, every hand, every delay; quick: one device, the bare one and the nominal hand, no delay
@@ -25,7 +25,7 @@ template <class Look>
 void at_every_port(const Scope& scope, const Look& look) {
     for (const DeviceRecord& device : scope.devices)
         for (const TestHand& hand : scope.hands)
-            for (int delay = 0; delay <= scope.most_delay; ++delay) look(device, port_of(device, hand, delay));
+            for (int delay = 0; delay <= scope.max_delay; ++delay) look(device, port_of(device, hand, delay));
 }
 
 }  // namespace kerf::stability

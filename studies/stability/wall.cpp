@@ -57,7 +57,7 @@ void look_at_the_boundary(const Scope& scope, const Report& report) {
             finding.criterion = "within 2 % of b/(T/2+t_d) = " + figure(theory, "N/m");
             finding.outcome = passes(std::abs(least / theory - 1.0) <= 0.02);
             report(finding);
-            for (settings.delay = 1; settings.delay <= scope.most_delay; ++settings.delay) {
+            for (settings.delay = 1; settings.delay <= scope.max_delay; ++settings.delay) {
                 const double ratio = stiffest_wall(settings) / least, expected = 1.0 / (1.0 + 2.0 * settings.delay);
                 finding.test = "S-03";
                 finding.delay = settings.delay;
@@ -71,7 +71,7 @@ void look_at_the_boundary(const Scope& scope, const Report& report) {
 
 void look_at_friction(const Scope& scope, const Report& report) {
     for (const DeviceRecord& device : scope.devices)
-        for (int delay = 0; delay <= scope.most_delay; ++delay) {
+        for (int delay = 0; delay <= scope.max_delay; ++delay) {
             PortSettings settings = port_of(device, no_hand, delay);
             settings.resolution = 0.0;
             Finding finding{

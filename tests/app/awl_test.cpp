@@ -19,7 +19,7 @@ auto told(const test::WatchedRun& run, const std::string& id) {
     return std::count_if(run.events.begin(), run.events.end(), [&](const EventRow& event) { return event.id == id; });
 }
 
-double most_thrust(const test::WatchedRun& run) {
+double max_thrust(const test::WatchedRun& run) {
     double most = 0.0;
     for (const TickRow& row : run.ticks)
         if (row.step == 1) most = std::max(most, row.thrust);
@@ -31,15 +31,15 @@ TEST(PedicleAwl, AlongTheAxisItGoesInUnderWhatSpongyBoneBears) {
     EXPECT_TRUE(run.is_as_expected);
     EXPECT_GE(told(run, "drilling.crushing"), 1);
     EXPECT_EQ(told(run, "drilling.wall_broken"), 0);
-    EXPECT_NEAR(most_thrust(run), 113.0, 10.0) << "N: 4 mm, 30 degrees, 0.25 g/cm3";
+    EXPECT_NEAR(max_thrust(run), 113.0, 10.0) << "N: 4 mm, 30 degrees, 0.25 g/cm3";
 }
 
 TEST(PedicleAwl, AimedAtTheCanalItIsResistedByThePediclesWallAndBreaksThat) {
     const test::WatchedRun run = outcome_of("aimed-at-the-canal");
     EXPECT_TRUE(run.is_as_expected);
     EXPECT_EQ(told(run, "drilling.wall_broken"), 1);
-    EXPECT_GT(most_thrust(run), 220.0);
-    EXPECT_LT(most_thrust(run), 380.0) << "N: as much as 1 mm of cortex bears";
+    EXPECT_GT(max_thrust(run), 220.0);
+    EXPECT_LT(max_thrust(run), 380.0) << "N: as much as 1 mm of cortex bears";
 }
 
 }  // namespace

@@ -37,7 +37,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr double most_ms = 5000.0, most_mb = 1024.0;
+constexpr double max_ms = 5000.0, max_mb = 1024.0;
 constexpr double spacing = 1e-3;  // [m] of the bone that is made
 
 const std::vector<Input>& catalogue() {
@@ -82,9 +82,9 @@ std::string misplaced(const Body& body) {
                          {2, -7.5, -3}, {2, -3, 2.5}, {2, -3, -8.5}};
     const Vec3 outside[]{{11, -3, -3}, {-6, -3, -3}, {2, 4.5, -3}, {2, -10.5, -3}, {2, -3, 5.5}, {2, -3, -11.5}};
     for (const Vec3 mm : in_bone)
-        if (!(place_on_bone(body, 1e-3 * mm).distance < 0.0)) return at_text(mm) + " is not in bone";
+        if (!(locate_on_bone(body, 1e-3 * mm).distance < 0.0)) return at_text(mm) + " is not in bone";
     for (const Vec3 mm : outside)
-        if (!(place_on_bone(body, 1e-3 * mm).distance > 0.0)) return at_text(mm) + " is in bone";
+        if (!(locate_on_bone(body, 1e-3 * mm).distance > 0.0)) return at_text(mm) + " is in bone";
     return "";
 }
 
@@ -324,8 +324,8 @@ TEST_P(BadInput, EndsAsItsRowSays) {
     EXPECT_EQ(outcome.result.substr(first + 1, second - first - 1), "") << input.name << ": " << told;
     EXPECT_NE(told.find(input.words), std::string::npos)
         << input.name << ": `" << input.words << "` is not in: " << told;
-    EXPECT_LT(outcome.ms, most_ms) << input.name;
-    EXPECT_LT(outcome.mb, most_mb) << input.name;
+    EXPECT_LT(outcome.ms, max_ms) << input.name;
+    EXPECT_LT(outcome.mb, max_mb) << input.name;
 }
 
 std::vector<std::size_t> all_rows() {

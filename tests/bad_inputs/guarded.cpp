@@ -18,8 +18,8 @@
 namespace kerf::test {
 namespace {
 
-constexpr int most_ms = 20'000;                     // then it is stopped
-constexpr rlim_t most_address_space = 16ull << 30;  // [bytes] so that a fault cannot take the machine along
+constexpr int max_ms = 20'000;                     // then it is stopped
+constexpr rlim_t max_address_space = 16ull << 30;  // [bytes] so that a fault cannot take the machine along
 
 /// [kB] of a line of /proc/self/status.
 std::int64_t status_of(const std::string& key) {
@@ -37,7 +37,7 @@ struct Sent {
 };
 
 [[noreturn]] void work_and_send(int pipe, const std::function<std::string()>& work) {
-    const rlimit space{most_address_space, most_address_space};
+    const rlimit space{max_address_space, max_address_space};
     setrlimit(RLIMIT_AS, &space);
     const std::int64_t before = status_of("VmRSS:");
     Sent sent;
@@ -81,7 +81,7 @@ Guarded guarded(const std::function<std::string()>& work) {
     std::string bytes;
     for (;;) {
         pollfd wait{ends[0], POLLIN, 0};
-        if (poll(&wait, 1, std::max(0, most_ms - static_cast<int>(elapsed()))) == 0) {
+        if (poll(&wait, 1, std::max(0, max_ms - static_cast<int>(elapsed()))) == 0) {
             outcome.fault = "took longer than 20 s";
             kill(child, SIGKILL);
             break;

@@ -163,7 +163,7 @@ TEST(ReadMeasures, ADifferenceMayBeNegative) {
 
 TEST(ReadMeasures, RefusesMoreThanThereIsRoomFor) {
     std::string many;
-    for (std::size_t i = 0; i <= most_measures; ++i)
+    for (std::size_t i = 0; i <= max_measures; ++i)
         many += "  m" + std::to_string(i) + ": {surface_distance: {of: menton}}\n";
     Diagnostics diagnostics;
     EXPECT_FALSE(read(replaced(faultless, "measures:\n", "measures:\n" + many), diagnostics));
@@ -172,7 +172,7 @@ TEST(ReadMeasures, RefusesMoreThanThereIsRoomFor) {
 
 TEST(ReadMeasures, RefusesMorePointsThanAConstructionTakes) {
     std::string names = "way";
-    for (std::size_t i = 0; i <= most_construction_points; ++i) names += ", p" + std::to_string(i);
+    for (std::size_t i = 0; i <= max_construction_points; ++i) names += ", p" + std::to_string(i);
     const std::string declared = replaced(faultless, "[way,", "[" + names + ",");
     const MarkedText marked(replaced(declared, "line: [gonion, menton]", "«line»: [" + names + "]"));
     Diagnostics diagnostics;

@@ -16,11 +16,11 @@
 namespace kerf::fuzz {
 namespace {
 
-constexpr std::size_t most_files = 32;
+constexpr std::size_t max_files = 32;
 
 std::vector<DicomHeader> headers_in(std::string_view input, const ScratchFolder& folder) {
     std::vector<DicomHeader> headers;
-    while (input.size() >= 2 && headers.size() < most_files) {
+    while (input.size() >= 2 && headers.size() < max_files) {
         const auto byte = [&](std::size_t at) {
             return static_cast<std::size_t>(static_cast<unsigned char>(input[at]));
         };

@@ -13,6 +13,6 @@ void kerf::fuzz::require(bool holds, const char* promise) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
-    if (count <= kerf::fuzz::most_bytes) kerf::fuzz::reads({reinterpret_cast<const char*>(bytes), count});
+    if (count <= kerf::fuzz::max_bytes) kerf::fuzz::reads({reinterpret_cast<const char*>(bytes), count});
     return 0;
 }

@@ -15,6 +15,6 @@ bool reads(std::string_view input);
 void require(bool holds, const char* promise);
 
 /// Longer inputs are not tried: they take time, and say nothing that short ones do not.
-inline constexpr std::size_t most_bytes = 64 * 1024;
+inline constexpr std::size_t max_bytes = 64 * 1024;
 
 }  // namespace kerf::fuzz

@@ -44,7 +44,7 @@ StrategyHost host() { return {program, &catalog()}; }
 /// A full id by its last word; an unknown word as it is.
 std::string full_id(const std::string& word) {
     for (const ComponentInfo& one : catalog())
-        if (one.kind == KERF_KIND_REMESHER && one.is_meant_by(word)) return one.full_id();
+        if (one.kind == KERF_KIND_REMESHER && one.matches_id(word)) return one.full_id();
     return word;
 }
 

@@ -200,13 +200,13 @@ TEST(PlateFit, IsMeasuredInMillimetres) {
         return fit_of(scene.implants[0], pose, BoneAround(scene.body));
     };
     EXPECT_NEAR(fit_at(0.0).gap, 0.0, 0.1_mm);
-    EXPECT_LT(fit_at(0.0).share, 0.02);
+    EXPECT_LT(fit_at(0.0).fraction_in_bone, 0.02);
     EXPECT_NEAR(fit_at(1.5_mm).gap, 1.5_mm, 0.1_mm);
     EXPECT_NEAR(fit_at(6.0_mm).gap, 6.0_mm, 0.2_mm) << "farther than the field of bone knows";
     EXPECT_EQ(fit_at(25.0_mm).gap, farthest_gap);
-    EXPECT_NEAR(fit_at(-1.0_mm).share, 0.2, 0.02);
+    EXPECT_NEAR(fit_at(-1.0_mm).fraction_in_bone, 0.2, 0.02);
     EXPECT_NEAR(fit_at(-1.0_mm).deepest, 1.0_mm, 0.1_mm);
-    EXPECT_NEAR(fit_at(-4.5_mm).share, 0.9, 0.02);
+    EXPECT_NEAR(fit_at(-4.5_mm).fraction_in_bone, 0.9, 0.02);
     EXPECT_NEAR(fit_at(-4.5_mm).deepest, 4.5_mm, 0.2_mm) << "deeper than the field of bone knows";
 }
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "session/read_session.h"
-#include "tests/support/drill_rig.h"
+#include "tests/support/short_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
 
@@ -25,22 +25,8 @@ namespace {
 
 using namespace literals;
 
-/// The shipped procedure on a coarse grid, over after fifteen seconds: the drill has met bone.
-Scene scene_with(const std::vector<std::string>& settings) {
-    Diagnostics diagnostics;
-    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
-    request.changes.settings = {"accuracy.spacing=0.5 mm", "time_limit=15 s"};
-    request.changes.settings.insert(request.changes.settings.end(), settings.begin(), settings.end());
-    auto documents = check_documents(request, test::plugins(), diagnostics);
-    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
-    if (!made) throw std::runtime_error(to_text(diagnostics));
-    return std::move(*made);
-}
-
-const Scene& short_scene() {
-    static const Scene scene = scene_with({});
-    return scene;
-}
+using test::scene_with;
+using test::short_scene;
 
 std::unique_ptr<Run> new_run(const RunRequest& request = {}) {
     RunOutcome refusal;

@@ -37,7 +37,7 @@ TEST(ScrewGrade, GivesBothWhereTheBreachDecidesNeither) {
 }
 
 TEST(ScrewGrade, ByPlaceTakesTheWorst) {
-    EXPECT_EQ(heary(BreachPlaces{}), "I");
+    EXPECT_EQ(heary(BreachLocations{}), "I");
     EXPECT_EQ(heary({.lateral_of_pedicle = true}), "II");
     EXPECT_EQ(heary({.lateral_of_pedicle = true, .of_body = true}), "III");
     EXPECT_EQ(heary({.medial_of_pedicle = true, .of_body = true}), "IV");

@@ -92,7 +92,7 @@ double turned_by(const std::vector<TickRow>& ticks, Pose TickRow::*pose) {
     return sum;
 }
 
-double most_torque(const std::vector<TickRow>& ticks) {
+double max_torque(const std::vector<TickRow>& ticks) {
     double most = 0.0;
     for (const TickRow& row : ticks) most = std::max(most, row.torque);
     return most;
@@ -136,9 +136,9 @@ TEST(Turning, StallsAtTheHandsTorque) {
                weak = seat_with("by: 7 turns, speed: 60 rpm, torque: 0.5 N*m");
     ASSERT_TRUE(free && weak);
     const test::WatchedRun strong = run_of(*free), stalled = run_of(*weak);
-    EXPECT_GT(most_torque(strong.ticks), 1.0);
+    EXPECT_GT(max_torque(strong.ticks), 1.0);
     // In one reaction the wrist turns by 0.15 of a turn, in which this bone asks for 0.04 N·m more; its flutes add some
-    EXPECT_LT(most_torque(stalled.ticks), 0.75);
+    EXPECT_LT(max_torque(stalled.ticks), 0.75);
     EXPECT_LT(turned_by(stalled.ticks, &TickRow::device_from_handle), 6.5 * 2.0 * pi);
     EXPECT_EQ(stalled.ticks.size(), 60000u) << "until the time is over";
 }
@@ -175,17 +175,19 @@ TEST(Turning, RegrippingEndsAtTheSameAngle) {
     ASSERT_TRUE(whole && gripped);
     const test::WatchedRun a = run_of(*whole), b = run_of(*gripped);
     const double driver = turned_by(a.ticks, &TickRow::world_from_tool);
-    EXPECT_NEAR(turned_by(b.ticks, &TickRow::world_from_tool), driver, most_torque(a.ticks) / wrist);
+    EXPECT_NEAR(turned_by(b.ticks, &TickRow::world_from_tool), driver, max_torque(a.ticks) / wrist);
     EXPECT_NEAR(driver, 7.0 * 2.0 * pi - a.ticks.back().torque / wrist, 5e-3);
-    const auto let_go = ticks_of(b, hand_input_event, "regrip:1"), hold = ticks_of(b, hand_input_event, "regrip:0");
-    EXPECT_GE(let_go.size(), 13u);
-    ASSERT_EQ(let_go.size(), hold.size());
+    const auto release_fraction = ticks_of(b, hand_input_event, "regrip:1"),
+               hold = ticks_of(b, hand_input_event, "regrip:0");
+    EXPECT_GE(release_fraction.size(), 13u);
+    ASSERT_EQ(release_fraction.size(), hold.size());
     for (const EventRow& event : b.events)
         EXPECT_FALSE(event.id == "hand.refused" && event.detail.starts_with("regrip"));
-    for (std::size_t i = 0; i < let_go.size(); ++i)
-        for (std::uint64_t tick = let_go[i]; tick < hold[i]; ++tick) {
+    for (std::size_t i = 0; i < release_fraction.size(); ++i)
+        for (std::uint64_t tick = release_fraction[i]; tick < hold[i]; ++tick) {
             ASSERT_LT(std::abs(sent_torque(b.ticks[tick])), 1e-4) << tick << ": the hand makes no torque";
-            ASSERT_NEAR(turned_by({b.ticks[let_go[i]], b.ticks[tick]}, &TickRow::world_from_tool), 0.0, 1e-3) << tick;
+            ASSERT_NEAR(turned_by({b.ticks[release_fraction[i]], b.ticks[tick]}, &TickRow::world_from_tool), 0.0, 1e-3)
+                << tick;
         }
 }
 

@@ -107,7 +107,7 @@ void expect_reads(const std::string& reader) {
         tick.device_from_handle.position.x = tick.tick % 2 == 0 ? -0.0 : 0.1 * tick.thrust;
         tick.commanded[2] = force_scale * tick.coupled[2] + (tick.tick % 100 == 0 ? 1.0 : 0.0);
         recorder->push(tick);
-        recorder->wait_for_room();
+        recorder->wait_for_capacity();
         add(0, static_cast<double>(tick.tick));
         add(1, tick.device_from_handle.position.x);
         add(2, static_cast<double>(static_cast<float>(tick.thrust)));

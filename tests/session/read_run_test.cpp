@@ -54,7 +54,7 @@ std::unique_ptr<Recorder> recorder_of(const std::string& path, const RunSummary&
     EXPECT_EQ(created.error, "");
     for (const TickRow& row : ticks) {
         created.recorder->push(row);
-        created.recorder->wait_for_room();
+        created.recorder->wait_for_capacity();
     }
     for (const EventRow& event : events) created.recorder->push_event(event);
     return std::move(created.recorder);

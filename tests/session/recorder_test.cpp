@@ -117,7 +117,7 @@ TEST(Recorder, ASessionIsOneFileWithEveryRowPushed) {
         recorder->push(numbered_tick(tick));
         if (tick % 10 == 0) recorder->push_cut({.sequence = tick / 10, .tick = tick});
         if (tick % 1000 == 0) recorder->push_event({tick, 0.0, "entry", "first bone met"});
-        ASSERT_TRUE(recorder->wait_for_room());
+        ASSERT_TRUE(recorder->wait_for_capacity());
     }
     ASSERT_EQ(recorder->finish(test::synthetic_summary()), "");
 
@@ -142,7 +142,7 @@ TEST(Recorder, CompressesAllRowsOfAFinishedSession) {
     for (std::uint64_t tick = 0; tick < 10'000; ++tick) {
         recorder->push(full_tick(tick));
         if (tick % 2 == 0) recorder->push_cut({.sequence = tick / 2, .tick = tick});
-        ASSERT_TRUE(recorder->wait_for_room());
+        ASSERT_TRUE(recorder->wait_for_capacity());
     }
     ASSERT_EQ(recorder->finish(test::synthetic_summary()), "");
 
@@ -162,7 +162,7 @@ TEST(Recorder, WritesTheSameBlocksForTheSameRows) {
         auto recorder = new_recorder(folder / name);
         for (std::uint64_t tick = 0; tick < 9'000; ++tick) {
             recorder->push(full_tick(tick));
-            recorder->wait_for_room();
+            recorder->wait_for_capacity();
             if (is_slow && tick % 1000 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(150));
         }
         EXPECT_EQ(recorder->finish(test::synthetic_summary()), "");
@@ -535,7 +535,7 @@ std::string recorded_until_full(const std::string& path, const std::function<boo
         bool has_room = recorder != nullptr;
         for (std::uint64_t tick = 0; has_room && tick < 60'000; ++tick) {
             recorder->push(numbered_tick(tick));
-            has_room = recorder->wait_for_room();
+            has_room = recorder->wait_for_capacity();
         }
         const std::string error = recorder == nullptr ? "no recorder" : recorder->finish(test::synthetic_summary());
         // What a later look at the file finds, while the limit and the mount still are there
@@ -628,7 +628,7 @@ TEST(Recorder, KeepsItsWalShort) {
     std::uintmax_t longest = 0, largest = 0;
     for (std::uint64_t tick = 0; tick < 120'000; ++tick) {  // over 50 MB
         recorder->push(full_tick(tick));
-        ASSERT_TRUE(recorder->wait_for_room());
+        ASSERT_TRUE(recorder->wait_for_capacity());
         std::error_code not_there;
         if (tick % 1000 == 0)
             if (const auto bytes = std::filesystem::file_size(path + "-wal", not_there); !not_there)
@@ -653,7 +653,7 @@ TEST(Recorder, SaysThatACompleteSessionCouldNotBeFolded) {
         const auto push = [&](std::uint64_t count) {
             for (const std::uint64_t end = tick + count; tick < end; ++tick) {
                 recorder->push_event({tick, 0.0, "entry", std::string(255, 'x')});  // never compressed
-                if (!recorder->wait_for_room()) _exit(3);
+                if (!recorder->wait_for_capacity()) _exit(3);
             }
         };
         // The -wal must have room below the file's length: wait until it has been folded in and begun anew.
@@ -745,7 +745,7 @@ TEST(Recorder, LosesNoRowWhereverTheDiskBecomesFull) {
             bool has_room = true;
             for (std::uint64_t tick = 0; has_room && tick < 20'000; ++tick) {
                 recorder->push(noisy_tick(tick));
-                has_room = recorder->wait_for_room();
+                has_room = recorder->wait_for_capacity();
             }
             const std::string said = recorder->finish(test::synthetic_summary());
             const bool is_finished = ask(path, "SELECT value FROM session WHERE key='state'") == "finished";

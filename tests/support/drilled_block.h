@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/field/cut/bone_view.h"
+#include "core/field/cut/body_query.h"
 #include "tests/support/block.h"
 
 /// A block with a shell, and a drill on its way down, a little oblique and wobbling: committed cut, pending records and
@@ -39,7 +39,7 @@ struct DrilledBlock {
     ToolSolid tool = drill_outline(1.6e-3, 59.0 * 3.14159265358979 / 180.0, 3e-3);
     CutField committed{body, 1024};
     CutTracker tracker{body, tool, committed};
-    BoneView view{body, committed, tracker};
+    BodyQuery view{body, committed, tracker};
     Pose at = pose(-1e-3, 0.0);
     std::uint64_t tick = 0;
 

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/field/cut/bone_view.h"
+#include "core/field/cut/body_query.h"
 
-/// What `BoneView` answers, point by point and straight down: the reference for the batch kernel.
+/// What `BodyQuery` answers, point by point and straight down: the reference for the batch kernel.
 namespace kerf::test {
 
 struct ScalarBoneQuery {
@@ -19,7 +19,7 @@ struct ScalarBoneQuery {
     Pose body_from_tool;
 
     [[nodiscard]] kerf_bone_sample sample(Vec3 point, Vec3 direction) const {
-        const BrickPlace place = place_of(point);
+        const LocatedPoint place = place_of(point);
         kerf_bone_sample s{};
         s.body = -1;
         s.engagement = static_cast<double>(engagement(body.surface.quanta_at(place), committed.quanta_at(place)));
@@ -35,7 +35,7 @@ struct ScalarBoneQuery {
     /// Without pending solids: those `deepest_pending` tells.
     [[nodiscard]] kerf_surface_point nearest_committed(Vec3 point) const {
         const double clamp = body.grid().clamp();
-        const BrickPlace place = place_of(point);
+        const LocatedPoint place = place_of(point);
         const bool is_cut = body.surface.quanta_at(place) < committed.quanta_at(place);
         kerf_surface_point s{};
         s.body = -1;
@@ -59,7 +59,7 @@ struct ScalarBoneQuery {
             const Frame solid_from = tracker.solid_from_tool(i, body_from_tool);
             const Vec3 p = solid_from * point;
             if (-tracker.solid().distance(p) < deepest - tolerance) continue;
-            if (length(turned_back(solid_from, tracker.solid().way_in(p)) - normal) < 1e-5) return true;
+            if (length(turned_back(solid_from, tracker.solid().inward_direction(p)) - normal) < 1e-5) return true;
         }
         return false;
     }
@@ -75,7 +75,7 @@ struct ScalarBoneQuery {
         for (std::size_t i = 0; is_near && i < tracker.solid_count(); ++i) {
             const Frame solid_from = tracker.solid_from_tool(i, body_from_tool);
             if (-tracker.solid().distance(solid_from * point) == deepest)
-                s.normal = turned_back(solid_from, tracker.solid().way_in(solid_from * point));
+                s.normal = turned_back(solid_from, tracker.solid().inward_direction(solid_from * point));
         }
         return s;
     }
@@ -92,7 +92,7 @@ struct ScalarBoneQuery {
 
     /// As the whole of the definition has it, in double: what the answer is near to.
     [[nodiscard]] double present(Vec3 p) const {
-        const BrickPlace place = locate(body, p);
+        const LocatedPoint place = locate(body, p);
         const double bone = std::max(body.surface.at(place), committed.at(place));
         if (bone >= body.grid().clamp()) return bone;
         return std::max(bone, body.region.contains(p) ? tracker.depth_in_pending(p) : -body.grid().clamp());
@@ -100,7 +100,7 @@ struct ScalarBoneQuery {
 
 private:
     [[nodiscard]] GridFrame grid() const { return {body.grid(), body.region, frame_of(body_from_tool)}; }
-    [[nodiscard]] BrickPlace place_of(Vec3 point) const {
+    [[nodiscard]] LocatedPoint place_of(Vec3 point) const {
         const Lattice lattice = grid().lattice();
         const Vec3 g = grid() * point;
         const auto kept = [&](std::size_t axis, double v) {
@@ -123,14 +123,14 @@ private:
     }
     [[nodiscard]] double gap(Vec3 point, Vec3 direction) const {
         double gap = 0.0;
-        for (std::size_t i = tracker.first_that_matters(); i < tracker.solid_count(); ++i) {
+        for (std::size_t i = tracker.first_with_gap(); i < tracker.solid_count(); ++i) {
             const Frame solid_from = tracker.solid_from_tool(i, body_from_tool);
             gap = std::max(gap, tracker.solid().travel_to_leave(solid_from * point, turned(solid_from, direction)));
         }
         return gap;
     }
     /// Of the field that has the surface; tool frame, unit or zero.
-    [[nodiscard]] Vec3 committed_normal(Vec3 point, const BrickPlace& place, bool is_cut) const {
+    [[nodiscard]] Vec3 committed_normal(Vec3 point, const LocatedPoint& place, bool is_cut) const {
         const std::int16_t* brick = !place.is_inside ? nullptr
                                     : is_cut         ? committed.stored(place.brick)
                                                      : body.surface.stored(place.brick);
@@ -150,7 +150,7 @@ private:
         };
         return {along(f.x), along(f.y), along(f.z)};
     }
-    static std::array<float, 3> trilinear_gradient(const std::int16_t* brick, const BrickPlace& at) {
+    static std::array<float, 3> trilinear_gradient(const std::int16_t* brick, const LocatedPoint& at) {
         const std::int16_t* v = brick + at.offset;
         constexpr int y = stored_edge, z = stored_edge * stored_edge;
         const auto lerp = [](float a, float b, float t) { return a + (b - a) * t; };

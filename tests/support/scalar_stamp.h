@@ -27,7 +27,7 @@ struct ScalarStamp {
                 std::array<std::int16_t, stored_samples> raised;
                 std::copy_n(samples, stored_samples, raised.data());
                 for (std::size_t c = 0; c < BrickCells::count; ++c) {
-                    const CellPlace at = CellPlace::of(c);
+                    const CellPosition at = CellPosition::of(c);
                     SampleCell cell = pose.cell_at(i, j, k);
                     cell.first[1] += static_cast<float>(at.first_y);
                     cell.first[2] += static_cast<float>(at.first_z);
@@ -42,7 +42,7 @@ struct ScalarStamp {
         }
         for_each_brick([&](int i, int j, int k, std::int16_t* samples) {
             for_each_sample(i, j, k, samples, [&](int x, int y, int z, std::int16_t& v) {
-                if (v <= 0 && v > -16384 && sweep.holds(g.sample_position(x, y, z), 0.5 * g.quantum())) v = 1;
+                if (v <= 0 && v > -16384 && sweep.contains(g.sample_position(x, y, z), 0.5 * g.quantum())) v = 1;
             });
         });
     }

@@ -179,7 +179,7 @@ private:
         : handle_(at_depth(-1e-3)),
           grip_z_(outline.handling.grip_z),
           period_(period),
-          spring_(folded(in_hands(gains()), one_hand, grip_z_, outline.handling.bending)),
+          spring_(combined_spring(in_hands(gains()), one_hand, grip_z_, outline.handling.bending)),
           simulation_(body, setup, outline, in_hands(gains()), handle_, period) {}
 
     Pose handle_;

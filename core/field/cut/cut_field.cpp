@@ -31,11 +31,11 @@ public:
 
     /// Calls `what` for each sample that the sweep contains, and empties the block.
     template <class Do>
-    void for_each_held(const Do& what) noexcept {
-        std::array<bool, block_capacity> may_hold;
-        sweep_->may_hold(points_, tolerance_, may_hold);
+    void for_each_contained(const Do& what) noexcept {
+        std::array<bool, block_capacity> may_contain;
+        sweep_->may_contain(points_, tolerance_, may_contain);
         for (std::size_t n = 0; n < points_.count; ++n)
-            if (may_hold[n] && sweep_->holds(points_[n], tolerance_)) what(bricks_[n], samples_[n]);
+            if (may_contain[n] && sweep_->contains(points_[n], tolerance_)) what(bricks_[n], samples_[n]);
         points_.count = 0;
     }
 
@@ -57,18 +57,18 @@ CutField::CutField(const Body& body, std::size_t reserve_bricks)
       changed_(body.grid().brick_count(), 0),
       is_full_(body.grid().brick_count(), 0) {
     prepare();
-    if (!body.hollow.is_empty()) begin_with(body.hollow);
+    if (!body.hollow.is_empty()) mark_hollow(body.hollow);
     reserve(reserve_bricks);
 }
 
 void CutField::prepare() {
     const Grid& g = grid();
-    for (std::size_t b = 0; b < g.brick_count(); ++b) most_ += !body_->surface.is_all_air(b);
-    if (most_ > most_stored_bricks) throw std::length_error("more bricks of bone than can be cut");
-    samples_.reserve((most_ + 2) * stored_samples);
-    cells_.reserve(most_);
+    for (std::size_t b = 0; b < g.brick_count(); ++b) max_bricks_ += !body_->surface.is_all_air(b);
+    if (max_bricks_ > max_stored_bricks) throw std::length_error("more bricks of bone than can be cut");
+    samples_.reserve((max_bricks_ + 2) * stored_samples);
+    cells_.reserve(max_bricks_);
     samples_.assign(first_stored, -32767);
-    std::fill(samples_.begin() + gone, samples_.end(), std::int16_t{32767});
+    std::fill(samples_.begin() + all_removed, samples_.end(), std::int16_t{32767});
     for (std::size_t axis = 0; axis < 3; ++axis) last_[axis] = g.samples(axis);
     const Region& region = body_->region;
     if (!region.is_bounded()) return;
@@ -110,18 +110,18 @@ CutField::CutField(const CutField& whole, const PieceMask& mask, std::size_t res
     const Grid& g = grid();
     for (std::size_t index = 0; index < g.brick_count(); ++index) {
         if (body_->surface.is_all_air(index)) continue;
-        const auto [i, j, k] = g.brick_place(index);
+        const auto [i, j, k] = g.brick_coordinates(index);
 
         // The stored samples of a brick include the first ones of its upper neighbours: these must agree too.
-        const PieceMask::Share share = mask.gone_in(index);
-        bool is_alike = share != PieceMask::Share::some;
+        const PieceMask::RemovedExtent extent = mask.removed_extent(index);
+        bool is_alike = extent != PieceMask::RemovedExtent::some;
         for (int c = 1; is_alike && c < 8; ++c) {
             const int bi = i + (c & 1), bj = j + (c >> 1 & 1), bk = k + (c >> 2);
             if (bi < g.bricks[0] && bj < g.bricks[1] && bk < g.bricks[2])
-                is_alike = mask.gone_in(g.brick_index(bi, bj, bk)) == share;
+                is_alike = mask.removed_extent(g.brick_index(bi, bj, bk)) == extent;
         }
-        if (is_alike && (share == PieceMask::Share::everything || whole.start_[index] == gone)) {
-            start_[index] = gone;
+        if (is_alike && (extent == PieceMask::RemovedExtent::everything || whole.start_[index] == all_removed)) {
+            start_[index] = all_removed;
             is_full_[index] = 1;
             continue;
         }
@@ -132,9 +132,10 @@ CutField::CutField(const CutField& whole, const PieceMask& mask, std::size_t res
         for (int z = 0, s = 0; z < stored_edge; ++z)
             for (int y = 0; y < stored_edge; ++y)
                 for (int x = 0; x < stored_edge; ++x, ++s)
-                    samples[s] = !is_alike && mask.is_gone(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z)
-                                     ? std::int16_t{32767}
-                                     : before[s];
+                    samples[s] =
+                        !is_alike && mask.is_removed(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z)
+                            ? std::int16_t{32767}
+                            : before[s];
         find_ranges(index);
     }
     reserve(reserve_bricks);
@@ -147,13 +148,13 @@ std::int16_t* CutField::open_brick(std::size_t index) {
     return brick(start_[index]);
 }
 
-void CutField::begin_with(const LevelSet& hollow) {
+void CutField::mark_hollow(const LevelSet& hollow) {
     for (std::size_t index = 0; index < body_->grid().brick_count(); ++index) {
         if (hollow.is_all_air(index) || body_->surface.is_all_air(index)) continue;
         std::int16_t* samples = open_brick(index);
-        const std::int16_t* room = hollow.stored(index);
+        const std::int16_t* cavity = hollow.stored(index);
         for (std::size_t s = 0; s < stored_samples; ++s)
-            samples[s] = static_cast<std::int16_t>(room ? -room[s] : 32767);
+            samples[s] = static_cast<std::int16_t>(cavity ? -cavity[s] : 32767);
         find_ranges(index);
     }
 }
@@ -162,7 +163,7 @@ void CutField::find_ranges(std::size_t index) noexcept {
     const std::int16_t* samples = brick(start_[index]);
     BrickCells& cells = cells_of(index);
     for (std::size_t cell = 0; cell < BrickCells::count; ++cell) {
-        const std::int16_t* first = samples + CellPlace::of(cell).first_sample();
+        const std::int16_t* first = samples + CellPosition::of(cell).first_sample();
         std::int16_t lowest = 32767, highest = -32767;
         for (int z = 0; z < 3; ++z)
             for (int y = 0; y < 3; ++y)
@@ -179,10 +180,10 @@ void CutField::find_ranges(std::size_t index) noexcept {
 }
 
 void CutField::reserve(std::size_t count) {
-    const std::size_t wanted = std::min(used_ + count, most_);
+    const std::size_t wanted = std::min(used_ + count, max_bricks_);
     if (wanted <= capacity_) return;
     constexpr std::size_t some = 256;  // allocated at a time
-    capacity_ = std::min((wanted + some - 1) / some * some, most_);
+    capacity_ = std::min((wanted + some - 1) / some * some, max_bricks_);
     samples_.resize((capacity_ + 2) * stored_samples, -32767);
     cells_.resize(capacity_);
 }
@@ -190,19 +191,19 @@ void CutField::reserve(std::size_t count) {
 int CutField::stamp(const CutRecord& record, const ToolSolid& solid) {
     StampProgress progress;
     int touched = 0;
-    stamp_on(record, solid, std::numeric_limits<int>::max(), progress, touched);
+    stamp_part(record, solid, std::numeric_limits<int>::max(), progress, touched);
     return touched;
 }
 
-bool CutField::stamp_on(const CutRecord& record, const ToolSolid& solid, int most, StampProgress& progress,
-                        int& touched) {
+bool CutField::stamp_part(const CutRecord& record, const ToolSolid& solid, int maximum, StampProgress& progress,
+                          int& touched) {
     const Sweep sweep(solid, record.from, record.to, 0.25 * grid().spacing, PoseStamp::band(grid().spacing));
     for (; progress.sub_pose <= sweep.sub_poses(); ++progress.sub_pose) {
-        progress.brick = stamp_pose(sweep.sub_pose(progress.sub_pose), solid, progress.brick, most, touched);
+        progress.brick = stamp_pose(sweep.sub_pose(progress.sub_pose), solid, progress.brick, maximum, touched);
         if (progress.brick != StampProgress::to_the_end) return false;
         progress.brick = 0;
     }
-    progress.brick = clear_ridges(sweep, solid, record, progress.brick, most, touched);
+    progress.brick = clear_ridges(sweep, solid, record, progress.brick, maximum, touched);
     return progress.brick == StampProgress::to_the_end;
 }
 
@@ -222,7 +223,7 @@ CutField::BrickBox CutField::bricks_near(const ToolSolid& solid, const Pose& bod
     return box;
 }
 
-std::size_t CutField::stamp_pose(const Pose& body_from_tool, const ToolSolid& solid, std::size_t next, int most,
+std::size_t CutField::stamp_pose(const Pose& body_from_tool, const ToolSolid& solid, std::size_t next, int maximum,
                                  int& touched) {
     const Grid& g = grid();
     const BrickBox box = bricks_near(solid, body_from_tool, PoseStamp::band(g.spacing));
@@ -230,7 +231,7 @@ std::size_t CutField::stamp_pose(const Pose& body_from_tool, const ToolSolid& so
     // Test a block of bricks with bone at a time: does the solid reach them?
     PoseStamp stamp(g, solid, body_from_tool, &memory_);
     PointBlock centres;
-    std::array<std::array<int, 3>, block_capacity> places;
+    std::array<std::array<int, 3>, block_capacity> brick_coordinates_of_block;
     std::array<std::size_t, block_capacity> numbers;
     const double half = 0.5 * brick_edge * g.spacing;
     const std::size_t end = box.count();
@@ -238,23 +239,23 @@ std::size_t CutField::stamp_pose(const Pose& body_from_tool, const ToolSolid& so
     for (std::size_t n = next; n < end || centres.count > 0; ++n) {
         if (n < end) {
             const auto [i, j, k] = place;
-            box.go_on(place);
+            box.next_brick(place);
             if (body_->surface.is_all_air(g.brick_index(i, j, k))) continue;
             const Vec3 low = g.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
-            places[centres.count] = {i, j, k};
+            brick_coordinates_of_block[centres.count] = {i, j, k};
             numbers[centres.count] = n;
             centres.add(low + Vec3{half, half, half});
         }
         if (n + 1 < end && centres.count < block_capacity) continue;
-        const std::size_t looked_at = stamp_bricks(stamp, centres, places.data(), most, touched);
-        if (looked_at < centres.count) return numbers[looked_at];
+        const std::size_t processed = stamp_bricks(stamp, centres, brick_coordinates_of_block.data(), maximum, touched);
+        if (processed < centres.count) return numbers[processed];
         centres.count = 0;
     }
     return StampProgress::to_the_end;
 }
 
 std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, const CutRecord& record,
-                                   std::size_t next, int most, int& touched) noexcept {
+                                   std::size_t next, int maximum, int& touched) noexcept {
     // A sample on a ridge lies a little outside of a sub-pose. A sub-pose that raised samples has allocated the bricks.
     const Grid& g = grid();
     const auto below = [&](double depth) {
@@ -267,7 +268,7 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
     const std::int16_t lowest_before_end =
         !solid.is_convex()
             ? lowest_anywhere
-            : std::max(lowest_anywhere, below(solid.most_gained_outside(inverse(record.from) * record.to)));
+            : std::max(lowest_anywhere, below(solid.max_depth_gain_outside(inverse(record.from) * record.to)));
     const Vec3 forwards = rotate(conjugate(end_from_body.rotation), {0, 0, 1});  // of the tool, body frame
     const double half_cell = (4.0 * std::abs(forwards.x) + std::abs(forwards.y) + std::abs(forwards.z)) * g.spacing;
     const double end = solid.end_z() - end_from_body.position.z + sweep.step() * sweep.sub_poses() + half_cell;
@@ -277,7 +278,7 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
     const double tolerance = 0.5 * quantum_;
     RidgeBlock ridge(sweep, tolerance);
     const auto clear_block = [&] {
-        ridge.for_each_held([&](std::size_t index, std::uint16_t place) {
+        ridge.for_each_contained([&](std::size_t index, std::uint16_t place) {
             brick(start_[index])[place] = 1;
             changed_[index] = 1;
         });
@@ -292,12 +293,12 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
     const std::size_t count = box.count();
     std::array<int, 3> place = next < count ? box[next] : box.first;
     for (std::size_t n = next; n < count; ++n) {
-        if (touched >= most) {
+        if (touched >= maximum) {
             clear_block();
             return n;
         }
         const auto [i, j, k] = place;
-        box.go_on(place);
+        box.next_brick(place);
         const std::size_t index = g.brick_index(i, j, k);
         if (start_[index] == uncut || is_full_[index] != 0) continue;
         if (++quarters % 4 == 0) ++touched;
@@ -305,7 +306,7 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
         const BrickCells& cells = cells_of(index);
         for (std::size_t cell = 0; cell < BrickCells::count; ++cell) {
             if (cells.lowest[cell] > 0 || cells.highest[cell] < lowest_anywhere) continue;
-            const CellPlace at = CellPlace::of(cell);
+            const CellPosition at = CellPosition::of(cell);
             const std::int16_t lowest = lowest_in(g.sample_position(i * brick_edge + 4, j * brick_edge + at.first_y + 1,
                                                                     k * brick_edge + at.first_z + 1));
             if (cells.highest[cell] < lowest) continue;
@@ -330,17 +331,17 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
     return StampProgress::to_the_end;
 }
 
-std::size_t CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places,
-                                   int most, int& touched) {
+std::size_t CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres,
+                                   const std::array<int, 3>* brick_coordinates_of_block, int maximum, int& touched) {
     const double h = grid().spacing;
     const double reach = 0.5 * brick_edge * std::sqrt(3.0) * h + PoseStamp::band(h);
     BlockValues depth;
     stamp.depths_of(centres, depth);
     for (std::size_t n = 0; n < centres.count; ++n) {
         if (-depth[n] >= reach) continue;
-        const auto [i, j, k] = places[n];
+        const auto [i, j, k] = brick_coordinates_of_block[n];
         if (!stamp.may_reach(i, j, k)) continue;
-        if (touched >= most) return n;
+        if (touched >= maximum) return n;
         const std::size_t index = grid().brick_index(i, j, k);
         if (start_[index] == uncut) open_brick(index);
         ++touched;  // also for full bricks, so that the allowance of a tick does not depend on earlier cuts

@@ -60,28 +60,29 @@ public:
     /// too small by at most the height of a ridge, an eighth of a voxel.   [haptic, nonblocking] while `free_bricks()`
     /// suffices; else it allocates.
     int stamp(const CutRecord& record, const ToolSolid& solid);
-    /// Stamps a part of a record: continues at `progress` until about `most` bricks are touched or the record is done.
-    /// Adds the bricks to `touched`. Returns true when the record is done; the result has the same bits as `stamp`.
-    /// [haptic, nonblocking] as above.
-    bool stamp_on(const CutRecord& record, const ToolSolid& solid, int most, StampProgress& progress, int& touched);
+    /// Stamps a part of a record: continues at `progress` until about `maximum` bricks are touched or the record is
+    /// done. Adds the bricks to `touched`. Returns true when the record is done; the result has the same bits as
+    /// `stamp`. [haptic, nonblocking] as above.
+    bool stamp_part(const CutRecord& record, const ToolSolid& solid, int maximum, StampProgress& progress,
+                    int& touched);
 
     /// Allocates `count` more bricks, but at most one for each brick with bone.   [main, worker]
     void reserve(std::size_t count);
     [[nodiscard]] std::size_t free_bricks() const noexcept { return capacity_ - used_; }
 
     /// Returns the trilinear cut [m]: positive where removed, −clamp where never cut.   [any] pure, nonblocking.
-    [[nodiscard]] double at(const BrickPlace& place) const noexcept {
+    [[nodiscard]] double at(const LocatedPoint& place) const noexcept {
         const std::int32_t start = place.is_inside ? start_[place.brick] : uncut;
         if (start < first_stored) return start == uncut ? -clamp_ : clamp_;
         return quantum_ * static_cast<double>(trilinear(brick(start), place));
     }
     /// Returns the trilinear cut [quanta].
-    [[nodiscard]] float quanta_at(const BrickPlace& place) const noexcept {
+    [[nodiscard]] float quanta_at(const LocatedPoint& place) const noexcept {
         const std::int32_t start = place.is_inside ? start_[place.brick] : uncut;
         return start < first_stored ? static_cast<float>(*brick(start)) : trilinear(brick(start), place);
     }
     /// Writes the trilinear cut [quanta] of a block of points.   [any] pure, nonblocking.
-    void quanta_at(const PlaceBlock& places, FloatBlock& quanta) const noexcept {
+    void quanta_at(const LocatedBlock& places, FloatBlock& quanta) const noexcept {
         block_kernel().values(shape(), places.count, places.places(), quanta.data());
     }
     [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored, uncut}; }
@@ -90,7 +91,7 @@ public:
         return start_[brick_index] == uncut ? nullptr : brick(start_[brick_index]);
     }
     /// Returns whether all of a brick belongs to other pieces. Such a brick never changes.
-    [[nodiscard]] bool is_gone(std::size_t brick_index) const noexcept { return start_[brick_index] == gone; }
+    [[nodiscard]] bool is_removed(std::size_t brick_index) const noexcept { return start_[brick_index] == all_removed; }
     /// First and last sample along each axis that may be cut: those strictly within the body's region.
     [[nodiscard]] const std::array<int, 3>& first_sample() const noexcept { return first_; }
     [[nodiscard]] const std::array<int, 3>& last_sample() const noexcept { return last_; }
@@ -108,7 +109,7 @@ public:
 private:
     // All uncut bricks use one common brick of samples, and so do all bricks of other pieces: interpolation needs no
     // special case.
-    static constexpr std::int32_t uncut = 0, gone = stored_samples, first_stored = 2 * stored_samples;
+    static constexpr std::int32_t uncut = 0, all_removed = stored_samples, first_stored = 2 * stored_samples;
     [[nodiscard]] std::int16_t* brick(std::int32_t start) noexcept { return samples_.data() + start; }
     [[nodiscard]] const std::int16_t* brick(std::int32_t start) const noexcept { return samples_.data() + start; }
     [[nodiscard]] BrickCells& cells_of(std::size_t brick_index) noexcept {
@@ -124,7 +125,7 @@ private:
         }
         /// Advances to the next brick. Faster than operator[], whose divisions would dominate the loop over hundreds of
         /// bricks.
-        void go_on(std::array<int, 3>& place) const noexcept {
+        void next_brick(std::array<int, 3>& place) const noexcept {
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 if (++place[axis] <= last[axis]) return;
                 place[axis] = first[axis];
@@ -140,15 +141,15 @@ private:
     /// Returns the bricks whose samples may lie within `band` [m] of the solid.
     [[nodiscard]] BrickBox bricks_near(const ToolSolid& solid, const Pose& body_from_tool, double band) const noexcept;
     /// Stamps one sub-pose from brick number `next` on. Returns the number at which it stopped, or `to_the_end`.
-    std::size_t stamp_pose(const Pose& body_from_tool, const ToolSolid& solid, std::size_t next, int most,
+    std::size_t stamp_pose(const Pose& body_from_tool, const ToolSolid& solid, std::size_t next, int maximum,
                            int& touched);
     /// Stamps the solid on a block of bricks, given their centres and indices. Returns the number of bricks processed.
-    std::size_t stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places, int most,
+    std::size_t stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places, int maximum,
                              int& touched);
     /// Makes samples inside the sweep, but inside none of its sub-poses, one quantum deep. `next` and the result as in
     /// `stamp_pose`; four bricks count as one touched brick.
     std::size_t clear_ridges(const Sweep& sweep, const ToolSolid& solid, const CutRecord& record, std::size_t next,
-                             int most, int& touched) noexcept;
+                             int maximum, int& touched) noexcept;
 
     [[nodiscard]] bool same_in(std::size_t brick_index, const CutField& other) const noexcept;
     /// Reserves memory for every brick that can be cut, and finds the samples that may be cut.
@@ -158,7 +159,7 @@ private:
     /// Allocates a brick without cuts.
     std::int16_t* open_brick(std::size_t brick_index);
     /// Marks the hollow part as removed from the start.
-    void begin_with(const LevelSet& hollow);
+    void mark_hollow(const LevelSet& hollow);
 
     const Body* body_;
     double clamp_ = 0.0, quantum_ = 0.0;
@@ -169,7 +170,7 @@ private:
     BrickSamples<std::int16_t> samples_;  ///< reserved for every brick that can be cut, so that stamping never moves it
     std::vector<BrickCells> cells_;       ///< of the bricks in use
     StampMemory memory_;
-    std::size_t used_ = 0, capacity_ = 0, most_ = 0;  ///< bricks; `most_` is the number with bone
+    std::size_t used_ = 0, capacity_ = 0, max_bricks_ = 0;  ///< bricks; `max_bricks_` is the number with bone
 };
 
 }  // namespace kerf

@@ -16,7 +16,7 @@ namespace {
 // In voxels.
 constexpr double aside_voxels = 0.2;        ///< sideways motion that closes a record: nearly always one sub-pose
 constexpr double along_voxels = 1.0;        ///< slide that closes a record, where the solid covers its slide
-constexpr double look_voxels = 0.05;        ///< motion after which the open stretch is tested again
+constexpr double test_voxels = 0.05;        ///< motion after which the open stretch is tested again
 constexpr double reversal_voxels = 0.0005;  ///< a smaller reversal is rounding
 constexpr double bend_voxels = 0.02;        ///< detour that a record, which is straight, may leave out
 constexpr double stray_voxels = 0.04;  ///< detour sideways that it may leave out: < 1/20 voxel off the straight path
@@ -41,26 +41,26 @@ void CutTracker::restart(const Pose& body_from_tool) noexcept {
 
 void CutTracker::begin_stretch(const Pose& body_from_tool) noexcept {
     open_from_ = farthest_ = corner_ = body_from_tool;
-    farthest_motion_ = looked_at_ = way_aside_ = 0.0;
+    farthest_motion_ = last_tested_motion_ = path_aside_ = 0.0;
     is_open_solid_ = false;
 }
 
-void CutTracker::go_on_from(const CutTracker& other, std::uint64_t next) noexcept {
+void CutTracker::continue_from(const CutTracker& other, std::uint64_t next) noexcept {
     open_from_ = other.open_from_;
     farthest_ = other.farthest_;
     farthest_motion_ = other.farthest_motion_;
     corner_ = other.corner_;
-    way_aside_ = other.way_aside_;
+    path_aside_ = other.path_aside_;
     last_removing_ = other.last_removing_;
     has_removed_ = other.has_removed_;
     is_started_ = other.is_started_;
     solid_ = other.solid_;
     solid_number_ = other.solid_number_;
-    number_from(next);
+    set_next_sequence(next);
     closed_count_ = 0;
-    looked_at_ = 0.0;
+    last_tested_motion_ = 0.0;
     is_open_solid_ = false;
-    look_at_open_stretch();
+    test_open_stretch();
 }
 
 void CutTracker::take_tool(const ToolSolid& solid, std::uint16_t number) noexcept {
@@ -74,41 +74,41 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
     closed_count_ = 0;
 
     const double h = body_->grid().spacing;
-    const auto way_from = [&](const Pose& from) { return travel(*solid_, from, now, PoseStamp::band(h)); };
-    Travel way = way_from(open_from_);
+    const auto travel_from = [&](const Pose& from) { return travel(*solid_, from, now, PoseStamp::band(h)); };
+    Travel stretch_travel = travel_from(open_from_);
     const double further = largest_motion(*solid_, farthest_, now);
-    const bool has_turned = way.motion < farthest_motion_ || way.motion < further;
+    const bool has_turned = stretch_travel.motion < farthest_motion_ || stretch_travel.motion < further;
     // Until the stretch has a corner, its start is the corner.
-    double aside = way_aside_ > 0.0 ? way_from(corner_).aside : way.aside;
-    const bool has_strayed = way_aside_ + aside > way.aside + stray_voxels * h;
+    double aside = path_aside_ > 0.0 ? travel_from(corner_).aside : stretch_travel.aside;
+    const bool has_strayed = path_aside_ + aside > stretch_travel.aside + stray_voxels * h;
     if (further >= reversal_voxels * h &&
-        (has_turned || has_strayed || farthest_motion_ + further > way.motion + bend_voxels * h)) {
+        (has_turned || has_strayed || farthest_motion_ + further > stretch_travel.motion + bend_voxels * h)) {
         close_at(farthest_, tick);
         last_reversal_ = sequence_;
-        way = way_from(open_from_);
-        aside = way.aside;
+        stretch_travel = travel_from(open_from_);
+        aside = stretch_travel.aside;
     }
     if (aside >= stray_voxels * h) {
-        way_aside_ += aside;
+        path_aside_ += aside;
         corner_ = now;
     }
-    if (way.motion >= farthest_motion_) {
+    if (stretch_travel.motion >= farthest_motion_) {
         farthest_ = now;
-        farthest_motion_ = way.motion;
+        farthest_motion_ = stretch_travel.motion;
     }
-    if (way.aside >= aside_voxels * h || way.along >= along_voxels * h)
+    if (stretch_travel.aside >= aside_voxels * h || stretch_travel.along >= along_voxels * h)
         close_at(now, tick);
     else
-        look_at_open_stretch();
+        test_open_stretch();
     return closed_count_;
 }
 
-void CutTracker::look_at_open_stretch() noexcept {
-    if (farthest_motion_ < looked_at_ + look_voxels * body_->grid().spacing) return;
-    looked_at_ = farthest_motion_;
+void CutTracker::test_open_stretch() noexcept {
+    if (farthest_motion_ < last_tested_motion_ + test_voxels * body_->grid().spacing) return;
+    last_tested_motion_ = farthest_motion_;
     if (!is_open_solid_ && !removes_bone(farthest_)) return;
     is_open_solid_ = true;
-    take_newest(farthest_);
+    set_newest_pose(farthest_);
 }
 
 int CutTracker::close(std::uint64_t tick) noexcept {
@@ -138,10 +138,10 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
         commit_oldest();
     }
     pending_[slot(pending_count_++)] = record;
-    take_newest(to);
+    set_newest_pose(to);
 }
 
-void CutTracker::take_newest(const Pose& body_from_tool) noexcept {
+void CutTracker::set_newest_pose(const Pose& body_from_tool) noexcept {
     tool_from_body_[slot(solid_count() - 1)] = inverse(body_from_tool);
     spread_ = {};
     for (std::size_t i = 0; i + 1 < solid_count(); ++i) {
@@ -154,7 +154,7 @@ void CutTracker::take_newest(const Pose& body_from_tool) noexcept {
     }
 }
 
-void CutTracker::commit_passed(const Pose& now, bool is_at_front, int most) {
+void CutTracker::commit_passed(const Pose& now, bool is_at_front, int maximum) {
     const double h = body_->grid().spacing;
     // A tool drawn back from a record's end has passed that end only if it has moved sideways as well.
     const auto is_passed = [&](std::size_t i) {
@@ -170,13 +170,13 @@ void CutTracker::commit_passed(const Pose& now, bool is_at_front, int most) {
     // A few bricks for each waiting record, and more if many wait, so that stamping keeps up with the tool; the full
     // allowance beyond the limit.
     int waiting = progress_.has_begun() ? 1 : 0;
-    while (waiting * bricks_per_record < 2 * most && is_due(static_cast<std::size_t>(waiting))) ++waiting;
+    while (waiting * bricks_per_record < 2 * maximum && is_due(static_cast<std::size_t>(waiting))) ++waiting;
     const int few = std::min(waiting * bricks_per_record, bricks_per_tick);
-    const int allowance = is_behind() ? most : std::min(std::max(few, waiting * bricks_per_record / 2), most);
+    const int allowance = is_behind() ? maximum : std::min(std::max(few, waiting * bricks_per_record / 2), maximum);
     last_bricks_ = 0;
     while (pending_count_ > 0 && last_bricks_ < allowance && (progress_.has_begun() || is_due(0))) {
         if (!progress_.has_begun() && !is_passed(0)) ++early_commits_;
-        if (!committed_->stamp_on(pending(0), *solid_, allowance, progress_, last_bricks_)) break;
+        if (!committed_->stamp_part(pending(0), *solid_, allowance, progress_, last_bricks_)) break;
         drop_oldest();
     }
 }
@@ -187,7 +187,7 @@ void CutTracker::flush() {
 
 int CutTracker::commit_oldest() {
     int bricks = 0;
-    committed_->stamp_on(pending(0), *solid_, std::numeric_limits<int>::max(), progress_, bricks);
+    committed_->stamp_part(pending(0), *solid_, std::numeric_limits<int>::max(), progress_, bricks);
     drop_oldest();
     return bricks;
 }
@@ -198,7 +198,7 @@ void CutTracker::drop_oldest() noexcept {
     --pending_count_;
 }
 
-std::size_t CutTracker::first_that_matters() const noexcept {
+std::size_t CutTracker::first_with_gap() const noexcept {
     // Without a reversal, the last solid is the farthest along; the others lie behind it.
     const bool has_turned = pending_count_ > 0 && last_reversal_ > pending(0).sequence;
     return has_turned ? 0 : solid_count() - std::min<std::size_t>(solid_count(), 1);
@@ -206,7 +206,7 @@ std::size_t CutTracker::first_that_matters() const noexcept {
 
 double CutTracker::gap(Vec3 point, Vec3 direction) const noexcept {
     double gap = 0.0;
-    for (std::size_t i = first_that_matters(); i < solid_count(); ++i) {
+    for (std::size_t i = first_with_gap(); i < solid_count(); ++i) {
         const Pose& tool_from = tool_from_body(i);
         gap = std::max(gap, solid_->travel_to_leave(tool_from * point, rotate(tool_from.rotation, direction)));
     }
@@ -226,26 +226,27 @@ void CutTracker::gap(const Pose& body_from_tool, const Vec3* points, std::size_t
     // rounding.
     PointBlock in_solid, ahead;
     BlockValues depth;
-    for (std::size_t i = solid_count(), first = first_that_matters(); i-- > first;) {
+    for (std::size_t i = solid_count(), first = first_with_gap(); i-- > first;) {
         const Frame solid_from = solid_from_tool(i, body_from_tool);
         std::array<Vec3, block_capacity> along;
         for (std::size_t p = 0; p < (directions.is_one() ? 1 : count); ++p)
             along[p] = turned(solid_from, directions[p]);
-        const auto way = [&](std::size_t p) -> const Vec3& { return along[directions.is_one() ? 0 : p]; };
+        const auto direction_of = [&](std::size_t p) -> const Vec3& { return along[directions.is_one() ? 0 : p]; };
         transform(solid_from, points, count, in_solid);
         const bool knows_more = solid_->is_convex() && i + 1 < solid_count();
         if (knows_more) {
             ahead.count = count;
             for (std::size_t p = 0; p < count; ++p) {
-                ahead.x[p] = in_solid.x[p] + gaps[p] * way(p).x;
-                ahead.y[p] = in_solid.y[p] + gaps[p] * way(p).y;
-                ahead.z[p] = in_solid.z[p] + gaps[p] * way(p).z;
+                ahead.x[p] = in_solid.x[p] + gaps[p] * direction_of(p).x;
+                ahead.y[p] = in_solid.y[p] + gaps[p] * direction_of(p).y;
+                ahead.z[p] = in_solid.z[p] + gaps[p] * direction_of(p).z;
             }
         }
         solid_->depths(knows_more ? ahead : in_solid, depth);
         const double inside = knows_more ? -rounding : rounding;
         for (std::size_t p = 0; p < count; ++p)
-            if (depth[p] > inside) gaps[p] = std::max(gaps[p], solid_->travel_to_leave(in_solid[p], way(p), rounding));
+            if (depth[p] > inside)
+                gaps[p] = std::max(gaps[p], solid_->travel_to_leave(in_solid[p], direction_of(p), rounding));
     }
 }
 
@@ -259,27 +260,27 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
     // Elsewhere: is the outline in present bone, deeper than the accuracy of the wall?
     const double h = body_->grid().spacing;
     const auto& outline = solid_->outline();
-    for (std::size_t way = 0; way < solid_->around(0.0, 0.0).size(); ++way)
+    for (std::size_t azimuth = 0; azimuth < solid_->around(0.0, 0.0).size(); ++azimuth)
         for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
             const double dz = outline[i + 1].z - outline[i].z, dr = outline[i + 1].radius - outline[i].radius,
-                         way_long = std::hypot(dz, dr);
+                         segment_length = std::hypot(dz, dr);
             const double widest = std::max(outline[i].radius, outline[i + 1].radius);
             // No bone is nearer than the distance, so the step is the distance, and at least a voxel.
             for (double s = 0.0;;) {
-                const double t = way_long > 0.0 ? s / way_long : 0.0;
+                const double t = segment_length > 0.0 ? s / segment_length : 0.0;
                 const double radius = outline[i].radius + t * dr;
-                const Vec3 in_tool = solid_->around(radius, outline[i].z + t * dz)[way];
+                const Vec3 in_tool = solid_->around(radius, outline[i].z + t * dz)[azimuth];
                 const Vec3 p = at * in_tool;
                 const double limit = -wall_error(*solid_, in_tool.y == 0.0, radius, widest, h);
                 double step = h;
                 if (body_->region.contains(p)) {
-                    const BrickPlace place = locate(body_->grid(), p);
+                    const LocatedPoint place = locate(body_->grid(), p);
                     const double distance = std::max(body_->surface.at(place), committed_->at(place));
                     if (distance < limit && depth_in_pending(p) < limit) return true;
                     step = std::max(h, distance);
                 }
-                if (s >= way_long) break;
-                s = std::min(way_long, s + step);
+                if (s >= segment_length) break;
+                s = std::min(segment_length, s + step);
             }
         }
     return false;

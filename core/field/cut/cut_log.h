@@ -22,7 +22,7 @@ public:
     static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
     static constexpr int bricks_per_record = 16;  ///< stamped at a time for each waiting record; the rest stays pending
     static constexpr int bricks_per_tick = 32;    ///< total for all waiting records, unless more than four wait
-    static constexpr int most_bricks = 128;       ///< that a tick may stamp, over all bodies and parts of the tick
+    static constexpr int max_bricks = 128;        ///< that a tick may stamp, over all bodies and parts of the tick
 
     CutTracker(const Body& body, const ToolSolid& solid, CutField& committed)
         : body_(&body), solid_(&solid), committed_(&committed) {}
@@ -32,7 +32,7 @@ public:
 
     /// Continues the open stretch of the tracker of a body that has come apart, whose field contains all closed
     /// records. The next record gets the number `next`.   [haptic, nonblocking]
-    void go_on_from(const CutTracker& other, std::uint64_t next) noexcept;
+    void continue_from(const CutTracker& other, std::uint64_t next) noexcept;
     /// Returns the number of the next record.
     [[nodiscard]] std::uint64_t next_sequence() const noexcept { return sequence_; }
 
@@ -44,9 +44,9 @@ public:
     /// Closes the open stretch. Returns as `advance`.   [haptic, nonblocking]
     int close(std::uint64_t tick) noexcept;
 
-    /// Stamps the records that the front has passed by a voxel, about `most` bricks of them. A tool that only retracts
-    /// passes none.   [haptic, nonblocking]
-    void commit_passed(const Pose& body_from_tool, bool is_at_front, int most = most_bricks);
+    /// Stamps the records that the front has passed by a voxel, about `maximum` bricks of them. A tool that only
+    /// retracts passes none.   [haptic, nonblocking]
+    void commit_passed(const Pose& body_from_tool, bool is_at_front, int maximum = max_bricks);
     /// Returns whether too many records are pending: the tool should slow down.
     [[nodiscard]] bool is_behind() const noexcept { return pending_count_ > pending_limit; }
     /// Stamps all pending records: at a tool change, a split, the end.   [haptic, nonblocking]
@@ -71,7 +71,7 @@ public:
     /// Changes the cutting tool; records name it by `number`. Pre: nothing is pending.   [haptic, nonblocking]
     void take_tool(const ToolSolid& solid, std::uint16_t number) noexcept;
     /// Sets the number of the next record.   [haptic, nonblocking]
-    void number_from(std::uint64_t next) noexcept { sequence_ = last_reversal_ = next; }
+    void set_next_sequence(std::uint64_t next) noexcept { sequence_ = last_reversal_ = next; }
     /// Returns the depth of a point inside solid `i` [m]; negative outside.
     [[nodiscard]] double depth_in_pending(std::size_t i, Vec3 point_in_body) const noexcept {
         return -solid_->distance(tool_from_body(i) * point_in_body);
@@ -88,7 +88,7 @@ public:
     [[nodiscard]] const Body& body() const noexcept { return *body_; }
     [[nodiscard]] const ToolSolid& solid() const noexcept { return *solid_; }
     /// Returns the first solid that can make a gap: the solids before it lie behind it.
-    [[nodiscard]] std::size_t first_that_matters() const noexcept;
+    [[nodiscard]] std::size_t first_with_gap() const noexcept;
 
     /// Bounds on the motion of a point when it changes from the frame of the newest solid to another solid's.
     struct Spread {
@@ -107,9 +107,9 @@ private:
     [[nodiscard]] std::size_t slot(std::size_t i) const noexcept { return (pending_first_ + i) % pending_capacity; }
     [[nodiscard]] const Pose& tool_from_body(std::size_t i) const noexcept { return tool_from_body_[slot(i)]; }
     /// Sets the pose of the newest solid and updates `spread_`.
-    void take_newest(const Pose& body_from_tool) noexcept;
+    void set_newest_pose(const Pose& body_from_tool) noexcept;
     void begin_stretch(const Pose& body_from_tool) noexcept;
-    void look_at_open_stretch() noexcept;
+    void test_open_stretch() noexcept;
     int commit_oldest();
     void drop_oldest() noexcept;
     void close_at(const Pose& to, std::uint64_t tick) noexcept;
@@ -124,8 +124,8 @@ private:
     Pose farthest_ = identity_pose();   ///< farthest pose of the open stretch
     double farthest_motion_ = 0.0;      ///< [m] from open_from_
     Pose corner_ = identity_pose();     ///< pose at which the sideways path was measured last
-    double way_aside_ = 0.0;            ///< [m] length of the sideways path up to the corner
-    double looked_at_ = 0.0;            ///< [m] farthest_motion_ at the last test whether the stretch removes bone
+    double path_aside_ = 0.0;           ///< [m] length of the sideways path up to the corner
+    double last_tested_motion_ = 0.0;   ///< [m] farthest_motion_ at the last test whether the stretch removes bone
     bool is_open_solid_ = false;        ///< true if the open stretch removes bone
     Pose last_removing_ = identity_pose();
     bool has_removed_ = false;

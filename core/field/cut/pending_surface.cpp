@@ -24,7 +24,7 @@ PendingSurface::PendingSurface(const CutTracker& tracker, const Pose& body_from_
         newest_from_tool_ = tracker.solid_from_tool(tracker.solid_count() - 1, body_from_tool);
 }
 
-void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox& box, double least,
+void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox& box, double minimum,
                            const bool* may_rise, kerf_surface_point* answers) noexcept {
     if (tracker_->solid_count() == 0) return;
     const ToolSolid& solid = tracker_->solid();
@@ -44,7 +44,7 @@ void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox
     const Vec3 extent = half.x * magnitude(f.x) + half.y * magnitude(f.y) + half.z * magnitude(f.z);
     const double deepest =
         is_convex ? solid.deepest_in(middle, extent + reach) : length(half) + length(reach) - solid.distance(middle);
-    if (deepest + turn <= least) return;  // also continues if a number is NaN
+    if (deepest + turn <= minimum) return;  // also continues if a number is NaN
 
     if (frame_count_ == 0) {
         frames_[frame_count_++] = single(newest_from_tool_);
@@ -74,7 +74,7 @@ void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox
         } else {
             const auto n = static_cast<std::size_t>(which[p]);
             const Frame solid_from = tracker_->solid_from_tool(n == 0 ? frame_count_ - 1 : n - 1, body_from_tool_);
-            answer.normal = turned_back(solid_from, solid.way_in(solid_from * points[p]));
+            answer.normal = turned_back(solid_from, solid.inward_direction(solid_from * points[p]));
         }
     }
 }

@@ -19,8 +19,8 @@ public:
     PendingSurface(const CutTracker& tracker, const Pose& body_from_tool) noexcept;
 
     /// Raises the answers of `count` ≤ `block_capacity` points of the tool, which lie in `box`. No distance is less
-    /// than `least` [m]. If `may_rise` is given, only answers with true may change.   [haptic, nonblocking]
-    void raise(const Vec3* points, std::size_t count, const PointBox& box, double least, const bool* may_rise,
+    /// than `minimum` [m]. If `may_rise` is given, only answers with true may change.   [haptic, nonblocking]
+    void raise(const Vec3* points, std::size_t count, const PointBox& box, double minimum, const bool* may_rise,
                kerf_surface_point* answers) noexcept;
 
 private:

@@ -62,29 +62,29 @@ struct Block {
 
 /// Returns samples of the middle brick: the samples of `others`, and air nearer to them within the stored distances.
 BrickBits nearer_to_others(Block own, Block others) noexcept {
-    BrickBits gone = others.middle();
-    BrickBits settled = gone;
+    BrickBits removed = others.middle();
+    BrickBits settled = removed;
     settled |= own.middle();
     for (int step = 0; step <= static_cast<int>(clamp_voxels); ++step) {
         own = own.grown(step % 2 == 1);
         others = others.grown(step % 2 == 1);
         const BrickBits near_own = own.middle(), near_others = others.middle();
-        gone |= near_others.without(near_own).without(settled);
+        removed |= near_others.without(near_own).without(settled);
         settled |= near_own;
         settled |= near_others;
     }
-    return gone;
+    return removed;
 }
 
 }  // namespace
 
 PieceMask::PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& piece)
-    : grid_(grid), share_(grid.brick_count(), Share::everything), slot_(grid.brick_count(), 0) {
+    : grid_(grid), extent_(grid.brick_count(), RemovedExtent::everything), slot_(grid.brick_count(), 0) {
     // Find bricks with bone of the piece, or of others, in them or in their neighbours.
     std::vector<BrickBits> own(grid.brick_count()), others(grid.brick_count());
     std::vector<std::uint8_t> is_near_own(grid.brick_count(), 0), is_near_others(grid.brick_count(), 0);
     const auto around = [&](std::size_t brick, const auto& what) {
-        const auto at = grid_.brick_place(brick);
+        const auto at = grid_.brick_coordinates(brick);
         for (int k = std::max(at[2] - 1, 0); k <= std::min(at[2] + 1, grid_.bricks[2] - 1); ++k)
             for (int j = std::max(at[1] - 1, 0); j <= std::min(at[1] + 1, grid_.bricks[1] - 1); ++j)
                 for (int i = std::max(at[0] - 1, 0); i <= std::min(at[0] + 1, grid_.bricks[0] - 1); ++i)
@@ -99,31 +99,31 @@ PieceMask::PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& pi
         if (!others[brick].is_empty()) around(brick, [&](std::size_t b, int, int, int) { is_near_others[b] = 1; });
     });
 
-    for (std::size_t b = 0; b < share_.size(); ++b) {
+    for (std::size_t b = 0; b < extent_.size(); ++b) {
         if (is_near_own[b] == 0) continue;
-        share_[b] = Share::nothing;
+        extent_[b] = RemovedExtent::nothing;
         if (is_near_others[b] == 0) continue;
         Block mine, theirs;
         around(b, [&](std::size_t n, int x, int y, int z) {
             mine.put(own[n], x, y, z);
             theirs.put(others[n], x, y, z);
         });
-        const BrickBits gone = nearer_to_others(mine, theirs);
-        if (gone.is_empty()) continue;
-        share_[b] = Share::some;
+        const BrickBits removed = nearer_to_others(mine, theirs);
+        if (removed.is_empty()) continue;
+        extent_[b] = RemovedExtent::some;
         slot_[b] = static_cast<std::uint32_t>(some_.size());
-        some_.push_back(gone);
+        some_.push_back(removed);
     }
 }
 
-bool PieceMask::is_gone(int i, int j, int k) const noexcept {
+bool PieceMask::is_removed(int i, int j, int k) const noexcept {
     // Stored samples beyond the last brick count as its last samples.
     const auto in_grid = [&](int v, std::size_t axis) { return std::min(v, grid_.samples(axis) - 1); };
     i = in_grid(i, 0);
     j = in_grid(j, 1);
     k = in_grid(k, 2);
     const std::size_t b = grid_.brick_index(i / brick_edge, j / brick_edge, k / brick_edge);
-    if (share_[b] != Share::some) return share_[b] == Share::everything;
+    if (extent_[b] != RemovedExtent::some) return extent_[b] == RemovedExtent::everything;
     return some_[slot_[b]].has(i % brick_edge, j % brick_edge, k % brick_edge);
 }
 

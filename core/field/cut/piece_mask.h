@@ -21,15 +21,15 @@ public:
     /// Makes the mask of `piece`, a part of all bone `all`.   [worker]
     PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& piece);
 
-    enum class Share : std::uint8_t { nothing, some, everything };
-    [[nodiscard]] Share gone_in(std::size_t brick_index) const noexcept { return share_[brick_index]; }
+    enum class RemovedExtent : std::uint8_t { nothing, some, everything };
+    [[nodiscard]] RemovedExtent removed_extent(std::size_t brick_index) const noexcept { return extent_[brick_index]; }
     /// Returns whether sample (i, j, k) of the grid is marked; also valid on the grid's upper border.
-    [[nodiscard]] bool is_gone(int i, int j, int k) const noexcept;
+    [[nodiscard]] bool is_removed(int i, int j, int k) const noexcept;
 
 private:
     Grid grid_;
-    std::vector<Share> share_;
-    std::vector<std::uint32_t> slot_;  ///< index into `some_`, for bricks with Share::some
+    std::vector<RemovedExtent> extent_;
+    std::vector<std::uint32_t> slot_;  ///< index into `some_`, for bricks with RemovedExtent::some
     std::vector<BrickBits> some_;
 };
 

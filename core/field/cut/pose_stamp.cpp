@@ -10,19 +10,19 @@ namespace {
 
 /// Returns whether cells should be compared with earlier stamps. Near a blade most cells change with every record, and
 /// the test takes longer than it saves.
-bool pays_to_remember(const ToolSolid& solid) noexcept { return solid.is_convex() && !solid.is_prism(); }
+bool uses_memory(const ToolSolid& solid) noexcept { return solid.is_convex() && !solid.is_prism(); }
 
 constexpr int rounding = 2;  // [quanta]
 /// Returns whether a test can succeed. With a smaller reserve, rounding uses it up: a cell that rose with the last
 /// stamp most likely rises with this one.
-bool pays_to_ask(std::int16_t spare) noexcept { return spare > rounding; }
+bool is_worth_testing(std::int16_t spare) noexcept { return spare > rounding; }
 
 }  // namespace
 
 PoseStamp::PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool, StampMemory* memory) noexcept
     : grid_(&grid),
       solid_(&solid),
-      memory_(pays_to_remember(solid) ? memory : nullptr),
+      memory_(uses_memory(solid) ? memory : nullptr),
       tool_from_body_(inverse(body_from_tool)),
       band_(band(grid.spacing)) {
     const Vec3 tip = (1.0 / grid.spacing) * (body_from_tool * Vec3{0, 0, solid.tip_z()} - grid.origin);
@@ -88,10 +88,10 @@ const PoseStamp::Motion* PoseStamp::motion_since(std::uint32_t number) noexcept 
     return motion.is_known ? &motion : nullptr;
 }
 
-double PoseStamp::most_gained(const Motion& motion, Vec3 middle, Vec3 half) const noexcept {
+double PoseStamp::max_depth_gain(const Motion& motion, Vec3 middle, Vec3 half) const noexcept {
     const double size = length(half), spread = motion.turned * size + motion.error * (length(middle) + size);
-    const double gained = solid_->most_gained(middle, half, motion.shift + cross(motion.turn, middle), spread,
-                                              grid_->clamp() + grid_->quantum());
+    const double gained = solid_->max_depth_gain(middle, half, motion.shift + cross(motion.turn, middle), spread,
+                                                 grid_->clamp() + grid_->quantum());
     return gained / grid_->quantum() + rounding;
 }
 
@@ -103,17 +103,17 @@ Vec3 PoseStamp::extent(double along_x, double across) const noexcept {
     return {reach(x.x, y.x, z.x), reach(x.y, y.y, z.y), reach(x.z, y.z, z.z)};
 }
 
-bool PoseStamp::is_as_before(const BrickCells& cells, int i, int j, int k) noexcept {
+bool PoseStamp::cannot_rise(const BrickCells& cells, int i, int j, int k) noexcept {
     const Motion* since = motion_since(cells.compared);
     if (since == nullptr) return false;
-    const std::int16_t least = *std::min_element(cells.spare.begin(), cells.spare.end());
+    const std::int16_t minimum = *std::min_element(cells.spare.begin(), cells.spare.end());
     constexpr double half = 0.5 * brick_edge;
-    return pays_to_ask(least) && most_gained(*since, place_in(cell_at(i, j, k), half, half, half),
-                                             extent(half, half)) <= static_cast<double>(least);
+    return is_worth_testing(minimum) && max_depth_gain(*since, position_in(cell_at(i, j, k), half, half, half),
+                                                       extent(half, half)) <= static_cast<double>(minimum);
 }
 
 bool PoseStamp::raise_cells(std::int16_t* samples, BrickCells& cells, int i, int j, int k) noexcept {
-    if (is_as_before(cells, i, j, k)) return false;
+    if (cannot_rise(cells, i, j, k)) return false;
     if (memory_ != nullptr && number_ == 0) number_ = memory_->add(*solid_, tool_from_body_);
     const Motion* since = motion_since(cells.compared);
     SampleCell cell = cell_at(i, j, k);
@@ -122,8 +122,8 @@ bool PoseStamp::raise_cells(std::int16_t* samples, BrickCells& cells, int i, int
     // 1-Lipschitz, by the depth of the cell's centre plus the distance from there.
     PointBlock middles;
     for (std::size_t n = 0; n < BrickCells::count; ++n) {
-        const CellPlace at = CellPlace::of(n);
-        middles.add(place_in(cell, 4.0, at.first_y + 1.0, at.first_z + 1.0));
+        const CellPosition at = CellPosition::of(n);
+        middles.add(position_in(cell, 4.0, at.first_y + 1.0, at.first_z + 1.0));
     }
     BlockValues depth;
     PointBlock gradient;
@@ -154,13 +154,13 @@ bool PoseStamp::raise_cells(std::int16_t* samples, BrickCells& cells, int i, int
             keep(spare);
             continue;
         }
-        if (since != nullptr && pays_to_ask(cells.spare[n])) {
-            if (const double spare = cells.spare[n] - most_gained(*since, middles[n], half); spare >= 0.0) {
+        if (since != nullptr && is_worth_testing(cells.spare[n])) {
+            if (const double spare = cells.spare[n] - max_depth_gain(*since, middles[n], half); spare >= 0.0) {
                 keep(spare);
                 continue;
             }
         }
-        const CellPlace at = CellPlace::of(n);
+        const CellPosition at = CellPosition::of(n);
         cell.first[1] = first[0] + static_cast<float>(at.first_y);
         cell.first[2] = first[1] + static_cast<float>(at.first_z);
         const SingleOutline outline =
@@ -189,7 +189,7 @@ bool PoseStamp::raise(std::int16_t* samples, BrickCells& cells, int i, int j, in
     if (!raise_cells(raised.data(), cells, i, j, k)) return false;
     bool is_changed = false;
     for (std::size_t cell = 0; cell < BrickCells::count; ++cell) {
-        const CellPlace at = CellPlace::of(cell);
+        const CellPosition at = CellPosition::of(cell);
         int lowest = 32767, highest = -32767;
         for (int z = at.first_z; z < at.first_z + 3; ++z)
             for (int y = at.first_y; y < at.first_y + 3; ++y)

@@ -28,10 +28,10 @@ struct BrickCells {
 };
 
 /// Position of a cell in its brick: three layers of three rows.
-struct CellPlace {
+struct CellPosition {
     int first_y, first_z;
 
-    [[nodiscard]] static constexpr CellPlace of(std::size_t cell) noexcept {
+    [[nodiscard]] static constexpr CellPosition of(std::size_t cell) noexcept {
         const int n = static_cast<int>(cell);
         return {n % 3 * 3, n / 3 * 3};
     }
@@ -75,12 +75,12 @@ private:
     };
 
     /// Returns whether no sample of a brick can rise, according to earlier stamps; errs towards false.
-    [[nodiscard]] bool is_as_before(const BrickCells& cells, int i, int j, int k) noexcept;
+    [[nodiscard]] bool cannot_rise(const BrickCells& cells, int i, int j, int k) noexcept;
     bool raise_cells(std::int16_t* samples, BrickCells& cells, int i, int j, int k) noexcept;
     /// Returns the motion since stamp `number`; null: unknown.
     [[nodiscard]] const Motion* motion_since(std::uint32_t number) noexcept;
     /// Returns a position in a brick, given in samples from its first; tool frame [m].
-    [[nodiscard]] Vec3 place_in(const SampleCell& brick, double x, double y, double z) const noexcept {
+    [[nodiscard]] Vec3 position_in(const SampleCell& brick, double x, double y, double z) const noexcept {
         return origin_ + (static_cast<double>(brick.first[0]) + x) * along_[0] +
                (static_cast<double>(brick.first[1]) + y) * along_[1] +
                (static_cast<double>(brick.first[2]) + z) * along_[2];
@@ -89,7 +89,7 @@ private:
     /// `across` along y and z.
     [[nodiscard]] Vec3 extent(double along_x, double across) const noexcept;
     /// Returns an upper bound of the gain in depth [quanta] of any sample of a box since an earlier stamp.
-    [[nodiscard]] double most_gained(const Motion& motion, Vec3 middle_in_tool, Vec3 half) const noexcept;
+    [[nodiscard]] double max_depth_gain(const Motion& motion, Vec3 middle_in_tool, Vec3 half) const noexcept;
 
     const Grid* grid_;
     const ToolSolid* solid_;

@@ -9,14 +9,14 @@ namespace kerf {
 
 namespace {
 /// Returns the fraction of a voxel inside a surface at distance `d` voxels from its centre.
-double inside_share(double d) noexcept { return std::clamp(0.5 - d, 0.0, 1.0); }
+double inside_fraction(double d) noexcept { return std::clamp(0.5 - d, 0.0, 1.0); }
 
 /// Returns the fraction of a voxel that two half spaces have in common, which alone have the fractions `a` and `b`. The
 /// cosine between their inward directions is `cosine`. For parallel directions it is the smaller fraction, for
 /// perpendicular ones the product, for opposite ones the overlap max(0, a + b − 1). In between it is linear in the
 /// cosine. An edge of a cut has perpendicular directions: treated as opposite, it would lose a twelfth of a voxel's
 /// area for each length of edge.
-double common_share(double a, double b, double cosine) noexcept {
+double common_fraction(double a, double b, double cosine) noexcept {
     const double across = a * b;
     return cosine > 0.0 ? across + cosine * (std::min(a, b) - across)
                         : across + cosine * (across - std::max(0.0, a + b - 1.0));
@@ -36,37 +36,37 @@ double cosine_of(const std::int16_t* bone, const std::int16_t* cut) noexcept {
 }
 
 /// Fractions of a voxel per sample of a brick: bone before all cuts, and bone lost to the cut.
-class BrickShares {
+class BrickFractions {
 public:
-    BrickShares(const Body& body, const CutField& cut, std::size_t brick) noexcept
+    BrickFractions(const Body& body, const CutField& cut, std::size_t brick) noexcept
         : voxels_per_quantum_(body.grid().quantum() / body.grid().spacing),
           removed_(cut.stored(brick)),
           bone_(body.surface.stored(brick)),
           uniform_(body.surface.uniform_value(brick)),
-          has_room_(!body.hollow.is_empty()),
-          room_(has_room_ ? body.hollow.stored(brick) : nullptr),
-          no_room_(has_room_ ? body.hollow.uniform_value(brick) : 0) {}
+          has_cavity_(!body.hollow.is_empty()),
+          cavity_(has_cavity_ ? body.hollow.stored(brick) : nullptr),
+          uniform_cavity_(has_cavity_ ? body.hollow.uniform_value(brick) : 0) {}
 
     [[nodiscard]] double bone(int sample) const noexcept {
         int before = bone_ != nullptr ? bone_[sample] : uniform_;
-        if (has_room_) before = std::max(before, -(room_ != nullptr ? room_[sample] : no_room_));
-        return inside_share(voxels_per_quantum_ * before);
+        if (has_cavity_) before = std::max(before, -(cavity_ != nullptr ? cavity_[sample] : uniform_cavity_));
+        return inside_fraction(voxels_per_quantum_ * before);
     }
     /// Returns the fraction lost at a sample, of its fraction of bone `bone`.
     [[nodiscard]] double lost(int sample, double bone) const noexcept {
-        const double cut = removed_ != nullptr ? inside_share(-voxels_per_quantum_ * removed_[sample]) : 0.0;
+        const double cut = removed_ != nullptr ? inside_fraction(-voxels_per_quantum_ * removed_[sample]) : 0.0;
         if (bone <= 0.0 || cut <= 0.0) return 0.0;
         if (bone >= 1.0 || cut >= 1.0) return std::min(bone, cut);
-        return common_share(bone, cut, cosine_of(bone_ != nullptr ? bone_ + sample : nullptr, removed_ + sample));
+        return common_fraction(bone, cut, cosine_of(bone_ != nullptr ? bone_ + sample : nullptr, removed_ + sample));
     }
 
 private:
     double voxels_per_quantum_;
     const std::int16_t *removed_, *bone_;
     std::int16_t uniform_;
-    bool has_room_;
-    const std::int16_t* room_;
-    int no_room_;
+    bool has_cavity_;
+    const std::int16_t* cavity_;
+    int uniform_cavity_;
 };
 
 template <class Do>
@@ -78,38 +78,39 @@ void for_each_sample(const Do& what) noexcept {
 
 }  // namespace
 
-std::array<float, KERF_MAX_TISSUES> RemovedVolume::gone_in(const CutField& cut, std::size_t brick) const noexcept {
-    std::array<double, KERF_MAX_TISSUES> gone{};
-    const BrickShares shares(*body_, cut, brick);
+std::array<float, KERF_MAX_TISSUES> RemovedVolume::removed_voxels(const CutField& cut,
+                                                                  std::size_t brick) const noexcept {
+    std::array<double, KERF_MAX_TISSUES> removed{};
+    const BrickFractions fractions(*body_, cut, brick);
     for_each_sample([&](int sample, int, int, int) {
-        const double share = shares.lost(sample, shares.bone(sample));
-        if (share <= 0.0) return;
-        BrickPlace place;
+        const double fraction = fractions.lost(sample, fractions.bone(sample));
+        if (fraction <= 0.0) return;
+        LocatedPoint place;
         place.is_inside = true;
         place.brick = brick;
         place.offset = sample;
         double weight[KERF_MAX_TISSUES];
         material_weights(*body_, place, weight);
-        for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) gone[m] += share * weight[m];
+        for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) removed[m] += fraction * weight[m];
     });
     std::array<float, KERF_MAX_TISSUES> result{};
-    std::transform(gone.begin(), gone.end(), result.begin(), [](double v) { return static_cast<float>(v); });
+    std::transform(removed.begin(), removed.end(), result.begin(), [](double v) { return static_cast<float>(v); });
     return result;
 }
 
 void RemovedVolume::update(const CutField& cut, std::span<const std::size_t> changed) {
     const double h = body_->grid().spacing, voxel_volume = h * h * h;
     for (const std::size_t b : changed) {
-        const auto now = gone_in(cut, b);
+        const auto now = removed_voxels(cut, b);
         for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m)
             total_[m] += (static_cast<double>(now[m]) - static_cast<double>(per_brick_[b][m])) * voxel_volume;
         per_brick_[b] = now;
     }
 }
 
-void RemovedVolume::go_on_with(const CutField& cut) {
+void RemovedVolume::reset_baseline(const CutField& cut) {
     for (std::size_t b = 0; b < per_brick_.size(); ++b)
-        if (cut.stored(b) != nullptr && !cut.is_gone(b)) per_brick_[b] = gone_in(cut, b);
+        if (cut.stored(b) != nullptr && !cut.is_removed(b)) per_brick_[b] = removed_voxels(cut, b);
 }
 
 double RemovedVolume::total() const noexcept {
@@ -122,15 +123,15 @@ double bone_volume(const Body& body, const CutField& cut) noexcept {
     const Grid& g = body.grid();
     double voxels = 0.0;
     for (std::size_t b = 0; b < g.brick_count(); ++b) {
-        if (body.surface.is_all_air(b) || cut.is_gone(b)) continue;
-        const std::array<int, 3> at = g.brick_place(b);
-        const BrickShares shares(body, cut, b);
+        if (body.surface.is_all_air(b) || cut.is_removed(b)) continue;
+        const std::array<int, 3> at = g.brick_coordinates(b);
+        const BrickFractions fractions(body, cut, b);
         for_each_sample([&](int sample, int x, int y, int z) {
             if (!body.region.contains(
                     g.sample_position(at[0] * brick_edge + x, at[1] * brick_edge + y, at[2] * brick_edge + z)))
                 return;
-            const double bone = shares.bone(sample);
-            voxels += bone - shares.lost(sample, bone);
+            const double bone = fractions.bone(sample);
+            voxels += bone - fractions.lost(sample, bone);
         });
     }
     return voxels * g.spacing * g.spacing * g.spacing;

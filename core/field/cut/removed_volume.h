@@ -21,14 +21,15 @@ public:
     void update(const CutField& cut, std::span<const std::size_t> changed);
     /// Starts to count the removal of a separated piece: the removed part of `cut` at this time belongs to other pieces
     /// and does not count.   [worker]
-    void go_on_with(const CutField& cut);
+    void reset_baseline(const CutField& cut);
 
     /// Returns the removed volume of material `m` [m³].
     [[nodiscard]] double of_material(std::size_t m) const noexcept { return total_[m]; }
     [[nodiscard]] double total() const noexcept;
 
 private:
-    [[nodiscard]] std::array<float, KERF_MAX_TISSUES> gone_in(const CutField& cut, std::size_t brick) const noexcept;
+    [[nodiscard]] std::array<float, KERF_MAX_TISSUES> removed_voxels(const CutField& cut,
+                                                                     std::size_t brick) const noexcept;
 
     const Body* body_;
     std::vector<std::array<float, KERF_MAX_TISSUES>> per_brick_;  ///< [voxels]

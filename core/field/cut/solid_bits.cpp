@@ -45,7 +45,7 @@ BrickBits solid_bits(const Body& body, const CutField& cut, std::size_t index) n
     BrickBits bits = bone == nullptr && removed == nullptr
                          ? BrickBits::full()
                          : solid_bits(bone != nullptr ? bone : removed, removed != nullptr ? removed : bone);
-    const auto [i, j, k] = body.grid().brick_place(index);
+    const auto [i, j, k] = body.grid().brick_coordinates(index);
     const auto within = [&](std::size_t axis, int brick) {  // a bit for each sample of a row that may be cut
         const int low = std::clamp(cut.first_sample()[axis] - brick * brick_edge, 0, brick_edge);
         const int high = std::clamp(cut.last_sample()[axis] - brick * brick_edge + 1, low, brick_edge);

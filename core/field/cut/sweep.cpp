@@ -52,33 +52,34 @@ Pose between(const Pose& from, const Pose& to, double t) noexcept {
 
 Sweep::Sweep(const ToolSolid& solid, const Pose& from, const Pose& to, double step, double depth) noexcept
     : solid_(&solid), from_(from), to_(to) {
-    const Travel way = travel(solid, from, to, depth);
-    motion_ = way.motion;
-    const double slides = way.along > 0.0 ? way.along / longest_slide(solid, depth) : 0.0;
+    const Travel step_length = travel(solid, from, to, depth);
+    motion_ = step_length.motion;
+    const double slides = step_length.along > 0.0 ? step_length.along / longest_slide(solid, depth) : 0.0;
     count_ = static_cast<int>(
-        std::clamp(std::ceil(std::min(motion_ / step, std::max(way.aside / step, slides))), 1.0, 4096.0));
+        std::clamp(std::ceil(std::min(motion_ / step, std::max(step_length.aside / step, slides))), 1.0, 4096.0));
 }
 
 Sweep::Instant Sweep::at(double t, Vec3 point) const noexcept {
     return {t, -solid_->distance(inverse(between(from_, to_, t)) * point)};
 }
 
-bool Sweep::holds(Vec3 point, double tolerance) const noexcept {
+bool Sweep::contains(Vec3 point, double tolerance) const noexcept {
     Instant before = at(0.0, point);
     if (before.depth > tolerance) return true;
     for (int i = 1; i <= count_; ++i) {
         const Instant next = at(static_cast<double>(i) / count_, point);
-        if (next.depth > tolerance || holds_between(before, next, point, tolerance)) return true;
+        if (next.depth > tolerance || contains_between(before, next, point, tolerance)) return true;
         before = next;
     }
     return false;
 }
 
-void Sweep::may_hold(const PointBlock& points, double tolerance, std::array<bool, block_capacity>& may) const noexcept {
+void Sweep::may_contain(const PointBlock& points, double tolerance,
+                        std::array<bool, block_capacity>& may) const noexcept {
     may.fill(false);
     if (points.count == 0) return;
     constexpr double rounding = 1e-12;  // [m]
-    const double least = tolerance - rounding, way = step();
+    const double minimum = tolerance - rounding, step_length = step();
     Pose last = from_;
     BlockValues before, after;
     PointBlock at_start, at_end, gradient;
@@ -91,7 +92,8 @@ void Sweep::may_hold(const PointBlock& points, double tolerance, std::array<bool
         if (!solid_->is_convex()) {
             solid_->depths(inverse(next), points, after);
             for (std::size_t p = 0; p < points.count; ++p)
-                may[p] = may[p] || before[p] > least || after[p] > least || 0.5 * (before[p] + after[p] + way) > least;
+                may[p] = may[p] || before[p] > minimum || after[p] > minimum ||
+                         0.5 * (before[p] + after[p] + step_length) > minimum;
             before = after;
             continue;
         }
@@ -100,26 +102,28 @@ void Sweep::may_hold(const PointBlock& points, double tolerance, std::array<bool
         transform(inverse(next), points, at_end);
         solid_->tangents(at_end, after, gradient);
         const Quat turn = conjugate(last.rotation) * next.rotation;
-        const double bend = 2.0 * length({turn.x, turn.y, turn.z}) * way;
+        const double bend = 2.0 * length({turn.x, turn.y, turn.z}) * step_length;
         for (std::size_t p = 0; p < points.count; ++p) {
             const double back = gradient.x[p] * (at_start.x[p] - at_end.x[p]) +
                                 gradient.y[p] * (at_start.y[p] - at_end.y[p]) +
                                 gradient.z[p] * (at_start.z[p] - at_end.z[p]);
-            may[p] = may[p] || after[p] + (back > 0.0 ? back : 0.0) + bend > least;
+            may[p] = may[p] || after[p] + (back > 0.0 ? back : 0.0) + bend > minimum;
         }
         at_start = at_end;
         last = next;
     }
 }
 
-bool Sweep::holds_between(const Instant& a, const Instant& b, Vec3 point, double tolerance) const noexcept {
-    const double way = slack * motion_ * (b.t - a.t);
+bool Sweep::contains_between(const Instant& a, const Instant& b, Vec3 point, double tolerance) const noexcept {
+    const double step_length = slack * motion_ * (b.t - a.t);
     constexpr double finest = 1e-7;  // [m] for points outside, whose depth may be nearly constant along the path
-    if (0.5 * (a.depth + b.depth + way) <= tolerance || way <= (tolerance < 0.0 ? finest : tolerance)) return false;
+    if (0.5 * (a.depth + b.depth + step_length) <= tolerance || step_length <= (tolerance < 0.0 ? finest : tolerance))
+        return false;
     const Instant middle = at(0.5 * (a.t + b.t), point);
     if (middle.depth > tolerance) return true;
-    return a.depth > b.depth ? holds_between(a, middle, point, tolerance) || holds_between(middle, b, point, tolerance)
-                             : holds_between(middle, b, point, tolerance) || holds_between(a, middle, point, tolerance);
+    return a.depth > b.depth
+               ? contains_between(a, middle, point, tolerance) || contains_between(middle, b, point, tolerance)
+               : contains_between(middle, b, point, tolerance) || contains_between(a, middle, point, tolerance);
 }
 
 }  // namespace kerf

@@ -44,12 +44,12 @@ public:
     /// Returns whether the solid contains `point` (body frame) deeper than `tolerance` [m] at any pose of the motion.
     /// The distance to a solid changes no faster than its points move. This bounds it between two poses; intervals are
     /// bisected until the bound decides.   [any] pure, nonblocking.
-    [[nodiscard]] bool holds(Vec3 point, double tolerance) const noexcept;
+    [[nodiscard]] bool contains(Vec3 point, double tolerance) const noexcept;
 
-    /// Writes for a block of points whether `holds` may be true. For most points that are outside, the cost is two
+    /// Writes for a block of points whether `contains` may be true. For most points that are outside, the cost is two
     /// distances.   [any] pure, nonblocking.
-    void may_hold(const PointBlock& points_in_body, double tolerance,
-                  std::array<bool, block_capacity>& may) const noexcept;
+    void may_contain(const PointBlock& points_in_body, double tolerance,
+                     std::array<bool, block_capacity>& may) const noexcept;
 
 private:
     static constexpr double slack = 1.02;  ///< for rotations, whose speed is not quite uniform between two sub-poses
@@ -58,7 +58,8 @@ private:
         double t, depth;
     };
     [[nodiscard]] Instant at(double t, Vec3 point) const noexcept;
-    [[nodiscard]] bool holds_between(const Instant& a, const Instant& b, Vec3 point, double tolerance) const noexcept;
+    [[nodiscard]] bool contains_between(const Instant& a, const Instant& b, Vec3 point,
+                                        double tolerance) const noexcept;
 
     const ToolSolid* solid_;
     Pose from_, to_;

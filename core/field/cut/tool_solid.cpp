@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-double squared(double v) noexcept { return v * v; }
+double square(double v) noexcept { return v * v; }
 
 double radius_at(const std::vector<kerf_profile_point>& outline, const std::vector<OutlineSegment>& segments,
                  double z) noexcept {
@@ -150,23 +150,23 @@ double ToolSolid::distance(double r, double z) const noexcept {
     if (!(depth < 0.0)) return -depth;
 
     // Outside, the nearest point of that plane may lie beyond the face's edges.
-    bool is_beside = (front.z - z == depth && r <= front.radius) || (z - back.z == depth && r <= back.radius);
+    bool is_next_to_face = (front.z - z == depth && r <= front.radius) || (z - back.z == depth && r <= back.radius);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
         const OutlineSegment& s = segments_[i];
         const double along =
             ((r - outline_[i].radius) * s.along_r + (z - outline_[i].z) * s.along_z) * s.inverse_length2;
-        is_beside = is_beside || (to_face(s) == depth && along >= 0.0 && along <= 1.0);
+        is_next_to_face = is_next_to_face || (to_face(s) == depth && along >= 0.0 && along <= 1.0);
     }
-    return is_beside ? -depth : std::sqrt(squared_distance(r, z));
+    return is_next_to_face ? -depth : std::sqrt(squared_distance(r, z));
 }
 
-double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread, double deepest) const noexcept {
+double ToolSolid::max_depth_gain(Vec3 middle, Vec3 half, Vec3 moved, double spread, double deepest) const noexcept {
     // Inside, the depth is the minimum over the planes of its faces, and concave. It grows by no more than at its
     // former point, along the steepest of the faces that may have been the nearest. Outside of several faces, the
     // direction to their edge lies between their normals.
     const double size = length(moved) + spread, r = radius_of(middle);
-    const double aside = std::sqrt(squared(half.x) + squared(half.y)) + size, along = half.z + size;
-    const double lateral = std::sqrt(squared(moved.x) + squared(moved.y));
+    const double aside = std::sqrt(square(half.x) + square(half.y)) + size, along = half.z + size;
+    const double lateral = std::sqrt(square(moved.x) + square(moved.y));
     double outwards = -lateral;  // lower bound
     if (aside < 0.7 * r) {       // an angle of at most asin(aside / r)
         const double in_the_middle = (middle.x * moved.x + middle.y * moved.y) / r;
@@ -192,22 +192,22 @@ double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread,
     for_each_plane([&](const Plane& p) {
         const bool may_be_nearest =
             p.depth - nearest.depth <= std::abs(p.out - nearest.out) * aside + std::abs(p.on - nearest.on) * along;
-        const double least = p.depth - p.out * aside - std::abs(p.on) * along;
-        if ((may_be_nearest && least <= deepest) || least <= 0.0) gain = std::max(gain, p.gain);
+        const double minimum = p.depth - p.out * aside - std::abs(p.on) * along;
+        if ((may_be_nearest && minimum <= deepest) || minimum <= 0.0) gain = std::max(gain, p.gain);
     });
     if (gain <= 0.0) return gain;
     return is_blunt_ ? std::min(2.0 * gain, size) : size;  // two faces that meet at 60° or more
 }
 
-double ToolSolid::most_gained_outside(const Pose& moved) const noexcept {
+double ToolSolid::max_depth_gain_outside(const Pose& moved) const noexcept {
     // Depth is concave: it grows by no more than the motion into the solid, along the direction from the nearest point
     // of the solid. Before the back end this direction leads forwards or sideways, unless a face points backwards. A
     // rotation moves a point that ends inside by at most its chord about the origin, and rotates the direction.
     const Vec3 shift = moved.position;
-    const bool looks_back =
+    const bool has_backward_face =
         std::any_of(segments_.begin(), segments_.end(), [](const OutlineSegment& s) { return s.normal_z < 0.0; });
     const double into =
-        looks_back ? length(shift) : std::sqrt(squared(shift.x) + squared(shift.y)) + std::max(0.0, -shift.z);
+        has_backward_face ? length(shift) : std::sqrt(square(shift.x) + square(shift.y)) + std::max(0.0, -shift.z);
     const double farthest =
         std::max(std::abs(tip_z()), std::abs(end_z())) + largest_radius_ + half_thickness_ + length(shift);
     return into + 2.0 * length({moved.rotation.x, moved.rotation.y, moved.rotation.z}) * farthest;
@@ -215,16 +215,16 @@ double ToolSolid::most_gained_outside(const Pose& moved) const noexcept {
 
 bool ToolSolid::has_edge_within(Vec3 middle, Vec3 half, double distance) const noexcept {
     if (!is_blunt_) return true;
-    const double x = std::abs(middle.x), y = std::abs(middle.y), least_x = std::max(0.0, x - half.x),
-                 least_y = std::max(0.0, y - half.y);
+    const double x = std::abs(middle.x), y = std::abs(middle.y), min_x = std::max(0.0, x - half.x),
+                 min_y = std::max(0.0, y - half.y);
     if (is_prism() &&
         std::abs(y - half_thickness_) - half.y < distance)  // then any point of the outline counts as an edge
-        return std::abs(this->distance(x, middle.z)) < distance + std::sqrt(squared(half.x) + squared(half.z));
-    const double nearest = is_prism() ? least_x : std::sqrt(squared(least_x) + squared(least_y));
-    const double farthest = is_prism() ? x + half.x : std::sqrt(squared(x + half.x) + squared(y + half.y));
+        return std::abs(this->distance(x, middle.z)) < distance + std::sqrt(square(half.x) + square(half.z));
+    const double nearest = is_prism() ? min_x : std::sqrt(square(min_x) + square(min_y));
+    const double farthest = is_prism() ? x + half.x : std::sqrt(square(x + half.x) + square(y + half.y));
     return std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
         const double aside = std::max({0.0, nearest - edge.radius, edge.radius - farthest});
-        return squared(aside) + squared(std::max(0.0, std::abs(middle.z - edge.z) - half.z)) < squared(distance);
+        return square(aside) + square(std::max(0.0, std::abs(middle.z - edge.z) - half.z)) < square(distance);
     });
 }
 
@@ -236,19 +236,19 @@ double ToolSolid::squared_distance(double r, double z) const noexcept {
         const OutlineSegment& s = segments_[i];
         const double dr = r - a.radius, dz = z - a.z;
         const double t = std::clamp((dr * s.along_r + dz * s.along_z) * s.inverse_length2, 0.0, 1.0);
-        nearest2 = std::min(nearest2, squared(dr - t * s.along_r) + squared(dz - t * s.along_z));
+        nearest2 = std::min(nearest2, square(dr - t * s.along_r) + square(dz - t * s.along_z));
     }
     const auto &front = outline_.front(), &back = outline_.back();
     if (front.radius > 0.0)
-        nearest2 = std::min(nearest2, squared(std::max(0.0, r - front.radius)) + squared(z - front.z));
-    return std::min(nearest2, squared(std::max(0.0, r - back.radius)) + squared(z - back.z));
+        nearest2 = std::min(nearest2, square(std::max(0.0, r - front.radius)) + square(z - front.z));
+    return std::min(nearest2, square(std::max(0.0, r - back.radius)) + square(z - back.z));
 }
 
 double ToolSolid::deepest_in(Vec3 middle, Vec3 half) const noexcept {
     const double low = middle.z - half.z, high = middle.z + half.z;
     const double beside =
         is_prism() ? std::abs(middle.x) - half.x
-                   : std::sqrt(squared(middle.x) + squared(middle.y)) - std::sqrt(squared(half.x) + squared(half.y));
+                   : std::sqrt(square(middle.x) + square(middle.y)) - std::sqrt(square(half.x) + square(half.y));
     const double r = std::max(0.0, beside);
     double depth = std::min(tip_z() - low, high - end_z());
     if (is_prism()) depth = std::min(depth, half_thickness_ - std::max(0.0, std::abs(middle.y) - half.y));
@@ -257,7 +257,7 @@ double ToolSolid::deepest_in(Vec3 middle, Vec3 half) const noexcept {
     return depth;
 }
 
-Vec3 ToolSolid::way_in_of_prism(Vec3 p) const noexcept {
+Vec3 ToolSolid::inward_direction_of_prism(Vec3 p) const noexcept {
     const double r = radius_of(p), side = std::abs(p.y) - half_thickness_, flat = distance(r, p.z);
     const Vec3 across{0.0, p.y < 0.0 ? 1.0 : -1.0, 0.0};
     const bool is_inside = flat <= 0.0 && side <= 0.0;
@@ -277,7 +277,7 @@ Vec3 ToolSolid::way_in_of_prism(Vec3 p) const noexcept {
     } else {
         double nearest2 = 1e300;
         const auto consider = [&](double off_r, double off_z) {
-            const double d2 = squared(off_r) + squared(off_z);
+            const double d2 = square(off_r) + square(off_z);
             if (d2 >= nearest2) return;
             nearest2 = d2;
             in_r = -off_r;
@@ -297,8 +297,8 @@ Vec3 ToolSolid::way_in_of_prism(Vec3 p) const noexcept {
     return normalized(Vec3{p.x < 0.0 ? -in_r : in_r, beside * across.y, in_z});
 }
 
-Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
-    if (is_prism()) return way_in_of_prism(p);
+Vec3 ToolSolid::inward_direction(Vec3 p) const noexcept {
+    if (is_prism()) return inward_direction_of_prism(p);
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
     if (is_convex_) {  // inside: away from the plane of the nearest face
         const double to_front = tip_z() - p.z, to_back = p.z - end_z();
@@ -317,7 +317,7 @@ Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
     // Along the line from the nearest point of the outline; inwards if the point lies on the outline.
     double nearest2 = 1e300, off_r = 0.0, off_z = 0.0, in_r = 0.0, in_z = 0.0;
     const auto consider = [&](double dr, double dz, double inwards_r, double inwards_z) {
-        const double d2 = squared(dr) + squared(dz);
+        const double d2 = square(dr) + square(dz);
         if (d2 >= nearest2) return;
         nearest2 = d2;
         off_r = dr;
@@ -337,13 +337,12 @@ Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
 
     if (is_hollow()) {  // the distance to the bore is radial
         const double off = r - bore_;
-        if (squared(off) < nearest2 && (r < bore_ || distance(p) < 0.0))
+        if (square(off) < nearest2 && (r < bore_ || distance(p) < 0.0))
             return r > 0.0 ? Vec3{p.x / r, p.y / r, 0.0} : Vec3{1.0, 0.0, 0.0};
     }
     for (const OutlineGap& gap : slabs_) {
         const double off = p.z - gap.middle, beside = std::abs(off) - gap.half;
-        if (squared(beside) < nearest2 && (beside < 0.0 || distance(p) < 0.0))
-            return {0.0, 0.0, off < 0.0 ? -1.0 : 1.0};
+        if (square(beside) < nearest2 && (beside < 0.0 || distance(p) < 0.0)) return {0.0, 0.0, off < 0.0 ? -1.0 : 1.0};
     }
     const double sign = distance(p) < 0.0 ? 1.0 : -1.0;
     if (nearest2 > 0.0) {
@@ -405,7 +404,7 @@ double ToolSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) cons
         if (direction.z < 0.0 && p.z > gap.front) consider((gap.front - p.z) / direction.z);
     }
     if (is_hollow()) {  // (x + t dx)² + (y + t dy)² = bore², towards the axis
-        const double A = squared(direction.x) + squared(direction.y);
+        const double A = square(direction.x) + square(direction.y);
         const double B = p.x * direction.x + p.y * direction.y, C = p.x * p.x + p.y * p.y - bore_ * bore_;
         if (const double discriminant = B * B - A * C; B < 0.0 && discriminant >= 0.0)
             consider(C / (-B + std::sqrt(discriminant)));
@@ -416,7 +415,7 @@ double ToolSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) cons
         const double m = (a.radius - b.radius) / (a.z - b.z);
         const double q = a.radius - m * a.z;
         const double c0 = q + m * p.z, c1 = m * direction.z;
-        const double A = squared(direction.x) + squared(direction.y) - c1 * c1;
+        const double A = square(direction.x) + square(direction.y) - c1 * c1;
         const double B = p.x * direction.x + p.y * direction.y - c0 * c1;
         const double C = p.x * p.x + p.y * p.y - c0 * c0;
         double roots[2];

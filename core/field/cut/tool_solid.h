@@ -93,13 +93,13 @@ public:
     /// Returns an upper bound of the gain in depth [m] of any point of a box by its last motion. The motion is `moved`,
     /// with an uncertainty of `spread` [m]. Negative: all points have become less deep. Points that were deeper than
     /// `deepest` do not count. Pre: convex, not a prism.   [any] pure, nonblocking.
-    [[nodiscard]] double most_gained(Vec3 middle_in_tool, Vec3 half_extent, Vec3 moved, double spread,
-                                     double deepest) const noexcept;
+    [[nodiscard]] double max_depth_gain(Vec3 middle_in_tool, Vec3 half_extent, Vec3 moved, double spread,
+                                        double deepest) const noexcept;
 
     /// Returns an upper bound of the depth gained [m]: former distance plus present depth. It is valid for a point that
     /// was outside, ahead of the solid's back end, and is inside after the motion `moved`. It is also valid at any
     /// instant of a straight motion with uniform rotation. Pre: convex.   [any] pure, nonblocking.
-    [[nodiscard]] double most_gained_outside(const Pose& moved) const noexcept;
+    [[nodiscard]] double max_depth_gain_outside(const Pose& moved) const noexcept;
 
     /// Returns whether an edge of the outline or of the solid's ends may be within `distance` [m] of a point of a box.
     /// If none is: a point of the box that lies outside a convex solid, by at most half of `distance`, is nearest to
@@ -108,7 +108,7 @@ public:
 
     /// Returns the unit vector along which a point's depth grows fastest: inside, away from the nearest surface;
     /// outside, towards it; on the surface, inwards.   [any] pure.
-    [[nodiscard]] Vec3 way_in(Vec3 point_in_tool) const noexcept;
+    [[nodiscard]] Vec3 inward_direction(Vec3 point_in_tool) const noexcept;
 
     /// Returns the distance [m] that `point` must travel along unit `direction` to leave the solid; 0 if it is outside
     /// or on the surface (within `tolerance`). Always finite: the solid is bounded.   [any] pure.
@@ -137,10 +137,10 @@ public:
     /// [any] nonblocking
     template <class Visit>
     void for_each_ring(double apart, const Visit& visit) const {
-        constexpr double most = 64.0;  // along one stretch
+        constexpr double maximum = 64.0;  // along one stretch
         for (std::size_t i = 0; i + 1 < outline_.size(); ++i) {
             const double dz = outline_[i + 1].z - outline_[i].z, dr = outline_[i + 1].radius - outline_[i].radius;
-            const int steps = static_cast<int>(std::clamp(std::ceil(std::hypot(dz, dr) / apart), 1.0, most));
+            const int steps = static_cast<int>(std::clamp(std::ceil(std::hypot(dz, dr) / apart), 1.0, maximum));
             for (int step = i == 0 ? 0 : 1; step <= steps; ++step) {
                 const double t = static_cast<double>(step) / steps;
                 visit(around(outline_[i].radius + t * dr, outline_[i].z + t * dz));
@@ -163,7 +163,7 @@ private:
     }
     /// Returns the signed distance in that plane.
     [[nodiscard]] double distance(double r, double z) const noexcept;
-    [[nodiscard]] Vec3 way_in_of_prism(Vec3 p) const noexcept;
+    [[nodiscard]] Vec3 inward_direction_of_prism(Vec3 p) const noexcept;
     /// Returns the squared distance to the nearest point of the outline.
     [[nodiscard]] double squared_distance(double r, double z) const noexcept;
     [[nodiscard]] OutlineShape shape() const noexcept {

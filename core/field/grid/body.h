@@ -43,7 +43,7 @@ struct Body {
 
 /// Returns the cell in which to sample bone at a point: outside the region, at its nearest face.
 /// [any] pure, nonblocking.
-[[nodiscard]] inline BrickPlace locate(const Body& body, Vec3 point_in_body) noexcept {
+[[nodiscard]] inline LocatedPoint locate(const Body& body, Vec3 point_in_body) noexcept {
     return locate(body.grid(), body.region.nearest(point_in_body));
 }
 
@@ -56,7 +56,7 @@ inline constexpr float quantum_in_voxels = static_cast<float>(clamp_voxels / 327
 }
 
 /// Returns the signed distance to the bone before any cut [m], negative inside.   [any] pure, nonblocking.
-[[nodiscard]] inline double uncut_distance(const Body& body, const BrickPlace& place) noexcept {
+[[nodiscard]] inline double uncut_distance(const Body& body, const LocatedPoint& place) noexcept {
     const double distance = body.surface.at(place);
     return body.hollow.is_empty() ? distance : std::max(distance, -body.hollow.at(place));
 }
@@ -71,20 +71,20 @@ inline constexpr float quantum_in_voxels = static_cast<float>(clamp_voxels / 327
 }
 
 /// Writes the weights of the materials in a cell, in the order of priority; they sum to 1.
-inline void material_weights(const Body& body, const BrickPlace& place, double (&weight)[KERF_MAX_TISSUES]) noexcept {
+inline void material_weights(const Body& body, const LocatedPoint& place, double (&weight)[KERF_MAX_TISSUES]) noexcept {
     float left = 1.0f;
     const std::size_t last = body.materials.size() - 1;
     for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) weight[m] = 0.0;
     for (std::size_t m = 0; m < last; ++m) {
-        const float share = left * coverage(body.materials[m].border.quanta_at(place));
-        weight[m] = static_cast<double>(share);
-        left -= share;
+        const float fraction = left * coverage(body.materials[m].border.quanta_at(place));
+        weight[m] = static_cast<double>(fraction);
+        left -= fraction;
     }
     weight[last] = static_cast<double>(left);
 }
 
 /// Writes the weights of the materials for a block of cells, material by material.
-inline void material_weights(const Body& body, const PlaceBlock& places,
+inline void material_weights(const Body& body, const LocatedBlock& places,
                              std::array<FloatBlock, KERF_MAX_TISSUES>& weight) noexcept {
     const std::size_t last = body.materials.size() - 1;
     FloatBlock& left = weight[last];

@@ -14,7 +14,7 @@ DensityField DensityField::build(const Grid& grid, const std::function<bool(std:
     field.start_.assign(grid.brick_count() + 1, -1);
     std::size_t needed = 0;
     for (std::size_t brick = 0; brick < grid.brick_count(); ++brick) needed += is_needed(brick);
-    if (needed > most_stored_bricks) throw std::length_error("more bricks than one field can store");
+    if (needed > max_stored_bricks) throw std::length_error("more bricks than one field can store");
     field.samples_.reserve(needed * stored_samples);
     for (int k = 0; k < grid.bricks[2]; ++k)
         for (int j = 0; j < grid.bricks[1]; ++j)

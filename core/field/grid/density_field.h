@@ -24,13 +24,13 @@ public:
 
     [[nodiscard]] bool is_empty() const noexcept { return samples_.empty(); }
     /// Returns the trilinear density [kg/m³]; `elsewhere` in bricks without samples.   [any] pure, nonblocking.
-    [[nodiscard]] double at(const BrickPlace& place, double elsewhere) const noexcept {
+    [[nodiscard]] double at(const LocatedPoint& place, double elsewhere) const noexcept {
         if (is_empty() || !place.is_inside) return elsewhere;
         const std::int32_t start = start_[place.brick];
         return start < 0 ? elsewhere : static_cast<double>(trilinear(brick(start), place));
     }
     /// Writes the trilinear density of a block of cells. Pre: not empty.   [any] pure, nonblocking.
-    void at(const PlaceBlock& places, double elsewhere, FloatBlock& densities) const noexcept {
+    void at(const LocatedBlock& places, double elsewhere, FloatBlock& densities) const noexcept {
         block_kernel().densities(start_.data(), samples_.data(), places.count, places.places(),
                                  static_cast<float>(elsewhere), densities.data());
     }

@@ -17,7 +17,7 @@ inline constexpr int brick_edge = 8;                                            
 inline constexpr int stored_edge = brick_edge + 1;                              ///< with the apron of one
 inline constexpr int stored_samples = stored_edge * stored_edge * stored_edge;  ///< 729
 /// Maximum number of bricks that one field can store: indices of samples have 31 bits, and two are for uniform bricks.
-inline constexpr std::size_t most_stored_bricks = std::numeric_limits<std::int32_t>::max() / stored_samples - 2;
+inline constexpr std::size_t max_stored_bricks = std::numeric_limits<std::int32_t>::max() / stored_samples - 2;
 /// Distances are stored up to this many voxels from the surface.
 inline constexpr double clamp_voxels = 4.0;
 
@@ -36,7 +36,7 @@ struct Grid {
                static_cast<std::size_t>(i);
     }
     /// Returns the coordinates of a brick along each axis.
-    [[nodiscard]] std::array<int, 3> brick_place(std::size_t index) const noexcept {
+    [[nodiscard]] std::array<int, 3> brick_coordinates(std::size_t index) const noexcept {
         const auto nx = static_cast<std::size_t>(bricks[0]), ny = static_cast<std::size_t>(bricks[1]);
         return {static_cast<int>(index % nx), static_cast<int>(index / nx % ny), static_cast<int>(index / nx / ny)};
     }
@@ -54,7 +54,7 @@ struct Grid {
 
 /// A point in the grid: its brick, cell and fractions. `is_inside` is false outside the grid; then no other member is
 /// valid.
-struct BrickPlace {
+struct LocatedPoint {
     bool is_inside = false;
     std::size_t brick = 0;
     int offset = 0;  ///< of the cell's low corner within the brick's 9³ samples
@@ -70,7 +70,7 @@ struct BrickPlace {
 
 /// Returns the cell of coordinates in voxels times 2^bits. A coordinate less than one unit below the first sample
 /// counts as on it.
-[[nodiscard]] inline BrickPlace locate_fixed(const Grid& grid, int bits, double gx, double gy, double gz) noexcept {
+[[nodiscard]] inline LocatedPoint locate_fixed(const Grid& grid, int bits, double gx, double gy, double gz) noexcept {
     const double one = static_cast<double>(std::int64_t{1} << bits);
     // NaN compares false: outside.
     const bool is_inside = gx > -1.0 && gy > -1.0 && gz > -1.0 && gx < grid.samples(0) * one &&
@@ -79,7 +79,7 @@ struct BrickPlace {
     const int x = static_cast<int>(gx), y = static_cast<int>(gy), z = static_cast<int>(gz);
     const int i = x >> bits, j = y >> bits, k = z >> bits, behind = (1 << bits) - 1;
     const auto fraction = [&](int v) { return static_cast<float>(v & behind) * static_cast<float>(1.0 / one); };
-    BrickPlace place;
+    LocatedPoint place;
     place.is_inside = true;
     place.brick = grid.brick_index(i / brick_edge, j / brick_edge, k / brick_edge);
     place.offset = ((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge;
@@ -89,7 +89,7 @@ struct BrickPlace {
     return place;
 }
 
-[[nodiscard]] inline BrickPlace locate(const Grid& grid, Vec3 p) noexcept {
+[[nodiscard]] inline LocatedPoint locate(const Grid& grid, Vec3 p) noexcept {
     const int bits = fraction_bits(grid);
     const double one = static_cast<double>(std::int64_t{1} << bits), scale = one / grid.spacing;
     const double gx = (p.x - grid.origin.x) * scale;
@@ -101,7 +101,7 @@ struct BrickPlace {
 /// Returns the trilinear value of one brick's stored samples. In float: for integers up to 32767 the error is less than
 /// a hundredth.
 template <class Sample>
-[[nodiscard]] inline float trilinear(const Sample* brick, const BrickPlace& at) noexcept {
+[[nodiscard]] inline float trilinear(const Sample* brick, const LocatedPoint& at) noexcept {
     constexpr int y = stored_edge, z = stored_edge * stored_edge;
     const Sample* v = brick + at.offset;
     const auto lerp = [](float a, float b, float t) { return a + (b - a) * t; };

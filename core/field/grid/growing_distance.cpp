@@ -11,7 +11,7 @@ namespace kerf {
 namespace {
 
 /// Returns the distance at a point whose neighbours along the axes lie `near` [m] from the border: |∇d| = 1, upwind.
-double solved(std::array<double, 3> near, std::array<double, 3> spacing) {
+double solve_eikonal(std::array<double, 3> near, std::array<double, 3> spacing) {
     for (std::size_t a = 0; a < 2; ++a)  // nearest first
         for (std::size_t b = 0; b < 2 - a; ++b)
             if (near[b] > near[b + 1]) {
@@ -57,7 +57,7 @@ void grow_distances(const std::array<int, 3>& size, const std::array<double, 3>&
                             near[axis] = std::min(before, behind);
                         }
                         if (std::min({near[0], near[1], near[2]}) >= std::min(distance[at], farthest)) continue;
-                        const double found = solved(near, spacing);
+                        const double found = solve_eikonal(near, spacing);
                         if (found >= distance[at]) continue;
                         distance[at] = found;
                         has_changed = true;

@@ -37,7 +37,7 @@ LevelSet LevelSet::build(const Grid& grid, DistanceSource& distance) {
                 set.start_[grid.brick_index(i, j, k)] = is_stored ? to_be_stored : at_centre > 0.0 ? air : solid;
                 stored += is_stored;
             }
-    if (stored > most_stored_bricks) throw std::length_error("more bricks than one field can store");
+    if (stored > max_stored_bricks) throw std::length_error("more bricks than one field can store");
     set.samples_.reserve((stored + 2) * stored_samples);
     std::array<double, stored_samples> distances{};
 

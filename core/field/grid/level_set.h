@@ -17,26 +17,26 @@ namespace kerf {
 class LevelSet {
 public:
     /// Samples `distance` (body frame [m] → [m], negative inside, 1-Lipschitz) at every grid node near its zero.
-    /// Throws std::length_error, before it takes memory, if more than `most_stored_bricks` are near it.   [main]
+    /// Throws std::length_error, before it takes memory, if more than `max_stored_bricks` are near it.   [main]
     static LevelSet build(const Grid& grid, DistanceSource& distance);
     static LevelSet build(const Grid& grid, const std::function<double(Vec3)>& distance);
 
     /// Returns the trilinear distance [m], within ± clamp; outside the grid `+clamp`.   [any] pure, nonblocking.
-    [[nodiscard]] double at(const BrickPlace& place) const noexcept {
+    [[nodiscard]] double at(const LocatedPoint& place) const noexcept {
         const std::int32_t start = place.is_inside ? start_[place.brick] : air;
         if (start < first_stored) return start == air ? clamp_ : -clamp_;
         return quantum_ * static_cast<double>(trilinear(brick(start), place));
     }
     /// Returns the trilinear distance [quanta].
-    [[nodiscard]] float quanta_at(const BrickPlace& place) const noexcept {
+    [[nodiscard]] float quanta_at(const LocatedPoint& place) const noexcept {
         const std::int32_t start = place.is_inside ? start_[place.brick] : air;
         return start < first_stored ? static_cast<float>(*brick(start)) : trilinear(brick(start), place);
     }
     /// Writes the trilinear distance of a block of cells [m] or [quanta].   [any] pure, nonblocking.
-    void at(const PlaceBlock& places, BlockValues& distances) const noexcept {
+    void at(const LocatedBlock& places, BlockValues& distances) const noexcept {
         block_kernel().metres(shape(), places.count, places.places(), quantum_, clamp_, distances.data());
     }
-    void quanta_at(const PlaceBlock& places, FloatBlock& quanta) const noexcept {
+    void quanta_at(const LocatedBlock& places, FloatBlock& quanta) const noexcept {
         block_kernel().values(shape(), places.count, places.places(), quanta.data());
     }
     [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored, solid}; }

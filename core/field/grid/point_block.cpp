@@ -33,7 +33,7 @@ GridFrame::GridFrame(const Grid& grid, const Region& region, const Frame& body_f
         lattice_.end[axis] = static_cast<std::uint32_t>(grid.samples(axis)) << bits;
 }
 
-void GridFrame::place(const Vec3* points, std::size_t count, PlaceBlock& places, PointBox* box) const noexcept {
+void GridFrame::place(const Vec3* points, std::size_t count, LocatedBlock& places, PointBox* box) const noexcept {
     places.count = count;
     block_kernel().place(
         fixed_from_points_, lattice_, count, points,

@@ -64,14 +64,14 @@ void transform(const Pose& a_from_b, const PointBlock& points_in_b, PointBlock& 
 /// Transforms `count` ≤ `block_capacity` points.
 void transform(const Frame& a_from_b, const Vec3* points_in_b, std::size_t count, PointBlock& points_in_a) noexcept;
 
-/// As `BrickPlace`, for a block. The last point is repeated up to a multiple of eight.
-struct PlaceBlock {
+/// As `LocatedPoint`, for a block. The last point is repeated up to a multiple of eight.
+struct LocatedBlock {
     std::size_t count = 0;
     /// Outside the grid `brick` is Grid::brick_count(), and no other member is valid.
     alignas(32) std::array<std::int32_t, block_capacity> brick, offset;
     alignas(32) FloatBlock fx, fy, fz;
 
-    [[nodiscard]] ConstPlaces places() const noexcept {
+    [[nodiscard]] ConstLocatedArrays places() const noexcept {
         return {brick.data(), offset.data(), fx.data(), fy.data(), fz.data()};
     }
 };
@@ -82,11 +82,11 @@ public:
 
     /// Writes the cells of `count` ≤ `block_capacity` points; a point outside the region is moved to its nearest face.
     /// [any] pure, nonblocking.
-    void locate(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept {
+    void locate(const Vec3* points, std::size_t count, LocatedBlock& places) const noexcept {
         place(points, count, places, nullptr);
     }
     /// Writes the cells, and returns the bounding box of the points.
-    [[nodiscard]] PointBox locate_box(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept {
+    [[nodiscard]] PointBox locate_box(const Vec3* points, std::size_t count, LocatedBlock& places) const noexcept {
         PointBox box;
         place(points, count, places, &box);
         return box;
@@ -96,7 +96,7 @@ public:
     [[nodiscard]] const Lattice& lattice() const noexcept { return lattice_; }
 
 private:
-    void place(const Vec3* points, std::size_t count, PlaceBlock& places, PointBox* box) const noexcept;
+    void place(const Vec3* points, std::size_t count, LocatedBlock& places, PointBox* box) const noexcept;
 
     Frame fixed_from_points_;
     Lattice lattice_;

@@ -17,7 +17,7 @@ namespace {
 
 /// Returns the present distance [m], positive in air, up to the clamp of the fields.
 double distance_to(const CutBone& piece, Vec3 p) {
-    const BrickPlace place = locate(*piece.bone, p);
+    const LocatedPoint place = locate(*piece.bone, p);
     if (!place.is_inside) return piece.bone->grid().clamp();
     return std::max(piece.bone->surface.at(place), piece.cut->at(place));
 }
@@ -83,10 +83,10 @@ std::optional<Bridge> bridge_between(const CutBone& a, const CutBone& b, const P
     const Vec3 around{margin, margin, margin};
     const Grid own = Grid::covering(low - around, high + around, h);
     const FarDistances from_a(own, to_a), from_b(own, to_b);
-    double least = HUGE_VAL;
+    double minimum = HUGE_VAL;
     for (std::size_t n = 0; n < from_a.count(); ++n)
-        if (from_a[n] >= 0.0 && from_b[n] >= 0.0) least = std::min(least, from_a[n] + from_b[n]);
-    const double width = 1.05 * least + 0.5 * h;
+        if (from_a[n] >= 0.0 && from_b[n] >= 0.0) minimum = std::min(minimum, from_a[n] + from_b[n]);
+    const double width = 1.05 * minimum + 0.5 * h;
     Body bridge;
     bridge.id = "bridge";
     bridge.surface = LevelSet::build(own, [&](Vec3 p) {
@@ -96,7 +96,7 @@ std::optional<Bridge> bridge_between(const CutBone& a, const CutBone& b, const P
     for (const Material& material : a.bone->materials)
         bridge.materials.push_back(
             {material.id, material.density, LevelSet::build(own, [&](Vec3) { return own.clamp(); })});
-    return Bridge{std::move(bridge), least};
+    return Bridge{std::move(bridge), minimum};
 }
 
 }  // namespace kerf

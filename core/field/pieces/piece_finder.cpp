@@ -53,15 +53,15 @@ PieceFinder::PieceFinder(const Body& body, const CutField& cut)
       is_full_(grid_.brick_count(), 0),
       slot_(grid_.brick_count(), -1),
       first_node_(grid_.brick_count()) {
-    for (std::size_t b = 0; b < grid_.brick_count(); ++b) label(b, solid_bits(body, cut, b));
+    for (std::size_t b = 0; b < grid_.brick_count(); ++b) set_components(b, solid_bits(body, cut, b));
     for (std::size_t b = 0; b < grid_.brick_count(); ++b)
-        if (count_[b] != 0) look_at_sides(b);
-    look_at_everything();  // allocates the memory for later searches
+        if (count_[b] != 0) update_contacts(b);
+    search_graph();  // allocates the memory for later searches
     size_.resize(parent_.size());
     whole_searches_ = 0;
 }
 
-void PieceFinder::label(std::size_t brick, const BrickBits& bits) {
+void PieceFinder::set_components(std::size_t brick, const BrickBits& bits) {
     bits_[brick] = bits;
     samples_[brick] = static_cast<std::uint16_t>(bits.count());
     is_full_[brick] = bits.is_full();
@@ -95,34 +95,34 @@ void PieceFinder::label(std::size_t brick, const BrickBits& bits) {
     many_[static_cast<std::size_t>(slot_[brick])] = std::move(components);
 }
 
-void PieceFinder::look_at_sides(std::size_t brick) noexcept {
-    const auto at = grid_.brick_place(brick);
+void PieceFinder::update_contacts(std::size_t brick) noexcept {
+    const auto at = grid_.brick_coordinates(brick);
     for (std::size_t a = 0; a < 3; ++a) {
-        if (at[a] > 0) look_at_side(a, brick - step_[a], brick);
-        if (at[a] + 1 < grid_.bricks[a]) look_at_side(a, brick, brick + step_[a]);
+        if (at[a] > 0) update_contact(a, brick - step_[a], brick);
+        if (at[a] + 1 < grid_.bricks[a]) update_contact(a, brick, brick + step_[a]);
     }
 }
 
 /// Updates the contact between a brick and the next one along an axis.
-void PieceFinder::look_at_side(std::size_t axis, std::size_t low, std::size_t high) noexcept {
+void PieceFinder::update_contact(std::size_t axis, std::size_t low, std::size_t high) noexcept {
     const bool has_both = count_[low] != 0 && count_[high] != 0,
-               is_asked = has_both && (count_[low] > 1 || count_[high] > 1);
-    const bool touches =
-        has_both && !is_asked && ((is_full_[low] & is_full_[high]) != 0 || touch_along(axis, bits_[low], bits_[high]));
+               needs_components = has_both && (count_[low] > 1 || count_[high] > 1);
+    const bool touches = has_both && !needs_components &&
+                         ((is_full_[low] & is_full_[high]) != 0 || touch_along(axis, bits_[low], bits_[high]));
     const auto put = [](std::uint8_t& bits, std::size_t side, bool is_set) {
         bits = static_cast<std::uint8_t>((bits & ~(1u << side)) | (is_set ? 1u << side : 0u));
     };
     put(sides_[low].touches, 2 * axis + 1, touches);
     put(sides_[high].touches, 2 * axis, touches);
-    put(sides_[low].is_asked, 2 * axis + 1, is_asked);
-    put(sides_[high].is_asked, 2 * axis, is_asked);
+    put(sides_[low].needs_components, 2 * axis + 1, needs_components);
+    put(sides_[high].needs_components, 2 * axis, needs_components);
 }
 
 /// Returns whether a dirty brick cannot have split its piece: it is one component as before, and still touches all
 /// neighbours that it touched. Only decided if its neighbours are one component each, too.
-bool PieceFinder::holds(const Dirty& dirty) const noexcept {
+bool PieceFinder::is_unsplit(const Dirty& dirty) const noexcept {
     const Sides &was = dirty.sides, &is = sides_[dirty.brick];
-    return dirty.components.empty() && count_[dirty.brick] == 1 && (was.is_asked | is.is_asked) == 0 &&
+    return dirty.components.empty() && count_[dirty.brick] == 1 && (was.needs_components | is.needs_components) == 0 &&
            (was.touches & ~is.touches) == 0;
 }
 
@@ -141,17 +141,17 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
         d.before = bits_[b];
         d.sides = sides_[b];
         if (count_[b] > 1) d.components = many_[static_cast<std::size_t>(slot_[b])];
-        label(b, now);
+        set_components(b, now);
     }
-    for (const Dirty& d : dirty) look_at_sides(d.brick);
-    std::erase_if(dirty, [&](const Dirty& d) { return holds(d); });
-    fallen_apart_.clear();
-    while (!dirty.empty()) look_at_the_box(take_neighbours(dirty));
-    if (fallen_apart_.empty()) return {};
+    for (const Dirty& d : dirty) update_contacts(d.brick);
+    std::erase_if(dirty, [&](const Dirty& d) { return is_unsplit(d); });
+    split_components_.clear();
+    while (!dirty.empty()) search_box(take_neighbours(dirty));
+    if (split_components_.empty()) return {};
 
-    look_at_everything();
+    search_graph();
     std::map<std::uint32_t, std::vector<std::uint32_t>> parts_of;  // by the first root: roots of all parts
-    for (const auto& places : fallen_apart_) {
+    for (const auto& places : split_components_) {
         std::vector<std::uint32_t> roots;
         for (const auto& [brick, component] : places) roots.push_back(parent_[node(brick, component)]);
         std::sort(roots.begin(), roots.end());
@@ -181,7 +181,7 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
     }
 
     std::vector<LoosePart> loose = loose_parts_of(pieces);
-    for (const LoosePart& part : loose) take_away(part.bone);
+    for (const LoosePart& part : loose) remove_bone(part.bone);
     return loose;
 }
 
@@ -250,11 +250,11 @@ std::vector<PieceFinder::Dirty> PieceFinder::take_neighbours(std::vector<Dirty>&
     std::vector<Dirty> near;
     near.push_back(std::move(left.back()));
     left.pop_back();
-    Box box{grid_.brick_place(near.front().brick), grid_.brick_place(near.front().brick)};
+    Box box{grid_.brick_coordinates(near.front().brick), grid_.brick_coordinates(near.front().brick)};
     for (bool has_grown = true; has_grown;) {
         has_grown = false;
         for (std::size_t n = 0; n < left.size();) {
-            const auto at = grid_.brick_place(left[n].brick);
+            const auto at = grid_.brick_coordinates(left[n].brick);
             bool meets = true;
             for (std::size_t a = 0; a < 3; ++a) meets = meets && at[a] >= box.first[a] - 2 && at[a] <= box.last[a] + 2;
             if (!meets) {
@@ -275,10 +275,10 @@ std::vector<PieceFinder::Dirty> PieceFinder::take_neighbours(std::vector<Dirty>&
 }
 
 /// Finds components of the box around dirty bricks that were connected before and are several components now.
-void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
-    Box box{grid_.brick_place(dirty.front().brick), grid_.brick_place(dirty.front().brick)};
+void PieceFinder::search_box(const std::vector<Dirty>& dirty) {
+    Box box{grid_.brick_coordinates(dirty.front().brick), grid_.brick_coordinates(dirty.front().brick)};
     for (const Dirty& d : dirty) {
-        const auto at = grid_.brick_place(d.brick);
+        const auto at = grid_.brick_coordinates(d.brick);
         for (std::size_t a = 0; a < 3; ++a) {
             box.first[a] = std::min(box.first[a], at[a]);
             box.last[a] = std::max(box.last[a], at[a]);
@@ -299,7 +299,7 @@ void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
     // `part_of` is the index of a brick in `dirty`; bricks that are not dirty are unchanged.
     box_.part_of.assign(bricks, none);
     for (std::size_t d = 0; d < dirty.size(); ++d) {
-        const auto at = grid_.brick_place(dirty[d].brick);
+        const auto at = grid_.brick_coordinates(dirty[d].brick);
         const auto in = [&](std::size_t a) { return static_cast<std::size_t>(at[a] - box.first[a]); };
         box_.part_of[(in(2) * extent(1) + in(1)) * extent(0) + in(0)] = static_cast<std::uint32_t>(d);
     }
@@ -351,12 +351,12 @@ void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
             part->second.try_emplace(new_root, brick_at(n), c);
     });
     for (const auto& [root, places] : parts) {
-        auto& list = fallen_apart_.emplace_back();
+        auto& list = split_components_.emplace_back();
         for (const auto& [new_root, place] : places) list.push_back(place);
     }
 }
 
-void PieceFinder::look_at_everything() {
+void PieceFinder::search_graph() {
     ++whole_searches_;
     constexpr unsigned last_along_x = 1u << 0;
     std::uint32_t nodes = 0;
@@ -381,11 +381,11 @@ void PieceFinder::join_everything() {
         joined;  // the last pair joined along each axis: two rows meet in many bricks
     joined.fill({none, none});
     for (std::size_t b = 0; b < bits_.size(); ++b) {
-        const unsigned touches = sides_[b].touches, is_asked = sides_[b].is_asked;
-        if (((touches | is_asked) & next) == 0) continue;
+        const unsigned touches = sides_[b].touches, needs_components = sides_[b].needs_components;
+        if (((touches | needs_components) & next) == 0) continue;
         for (std::size_t a = 0; a < 3; ++a) {
             const std::size_t other = b + step_[a];
-            if ((is_asked & next_along[a]) != 0) {
+            if ((needs_components & next_along[a]) != 0) {
                 join_along(parent_, a, components(b), first_node_[b], components(other), first_node_[other]);
             } else if ((touches & next_along[a]) != 0 && a > 0) {
                 const std::pair both{first_node_[b], first_node_[other]};
@@ -395,11 +395,11 @@ void PieceFinder::join_everything() {
     }
 }
 
-void PieceFinder::take_away(const SampleSet& bone) {
+void PieceFinder::remove_bone(const SampleSet& bone) {
     bone.for_each([&](std::size_t brick, const BrickBits& bits) {
         if (count_[brick] > 1) {
-            label(brick, bits_[brick].without(bits));
-            look_at_sides(brick);
+            set_components(brick, bits_[brick].without(bits));
+            update_contacts(brick);
             return;
         }
         // The brick has one component: remove it, and all its contacts.
@@ -423,7 +423,7 @@ std::size_t PieceFinder::samples() const noexcept {
 }
 
 std::size_t PieceFinder::count_pieces() {
-    look_at_everything();
+    search_graph();
     std::size_t pieces = 0;
     for (std::uint32_t n = 0; n < parent_.size(); ++n) pieces += parent_[n] == n;
     return pieces;

@@ -56,8 +56,8 @@ private:
     };
     /// Contacts of a brick with its six neighbours: −x, +x, −y, +y, −z, +z, one bit each.
     struct Sides {
-        std::uint8_t touches = 0;   ///< both have one component, and these touch
-        std::uint8_t is_asked = 0;  ///< one of them has several components: compare these
+        std::uint8_t touches = 0;           ///< both have one component, and these touch
+        std::uint8_t needs_components = 0;  ///< one of them has several components: compare these
     };
     struct Dirty {
         std::size_t brick;
@@ -74,18 +74,18 @@ private:
         if (count_[brick] == 1) return {&bits_[brick], 1};
         return many_[static_cast<std::size_t>(slot_[brick])];
     }
-    void label(std::size_t brick, const BrickBits& bits);
-    void look_at_sides(std::size_t brick) noexcept;
-    void look_at_side(std::size_t axis, std::size_t low, std::size_t high) noexcept;
-    [[nodiscard]] bool holds(const Dirty& dirty) const noexcept;
+    void set_components(std::size_t brick, const BrickBits& bits);
+    void update_contacts(std::size_t brick) noexcept;
+    void update_contact(std::size_t axis, std::size_t low, std::size_t high) noexcept;
+    [[nodiscard]] bool is_unsplit(const Dirty& dirty) const noexcept;
     [[nodiscard]] std::vector<Dirty> take_neighbours(std::vector<Dirty>& left);
-    void look_at_the_box(const std::vector<Dirty>& dirty);
-    void look_at_everything();
+    void search_box(const std::vector<Dirty>& dirty);
+    void search_graph();
     [[nodiscard]] std::uint32_t node(std::size_t brick, std::size_t component) const noexcept {
         return first_node_[brick] + static_cast<std::uint32_t>(component);
     }
     void join_everything();
-    void take_away(const SampleSet& bone);
+    void remove_bone(const SampleSet& bone);
     [[nodiscard]] std::vector<LoosePart> loose_parts_of(const std::vector<std::vector<std::uint32_t>>& pieces);
 
     Grid grid_;
@@ -109,7 +109,7 @@ private:
     std::uint64_t whole_searches_ = 0;
 
     // The box. For each component that split in it: one brick and component of each of its parts.
-    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> fallen_apart_;
+    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> split_components_;
     struct Scratch {
         std::vector<std::uint32_t> before, after, first_before, first_after, part_of;
     } box_;

@@ -25,12 +25,12 @@ PresentPiece::PresentPiece(const Body& whole, CutField field)
       changed(whole.grid().brick_count()) {}
 
 PresentBone::PresentBone(const Body& body, std::size_t reserve_bricks) {
-    pieces_.reserve(most_bodies);
+    pieces_.reserve(max_bodies);
     pieces_.push_back(std::make_unique<PresentPiece>(body, CutField(body, reserve_bricks)));
 }
 
-void PresentBone::look_for_pieces(double crumb) {
-    looks_for_pieces_ = true;
+void PresentBone::find_pieces(double crumb) {
+    finds_pieces_ = true;
     crumb_ = crumb;
     for (auto& piece : pieces_)
         if (!piece->finder) piece->finder.emplace(*piece->bone, piece->cut);
@@ -39,16 +39,16 @@ void PresentBone::look_for_pieces(double crumb) {
 std::vector<Separation> PresentBone::apply(const CutRecord& record, const ToolSolid& solid) {
     std::vector<Separation> separations;
     for (std::size_t body = 0, count = pieces_.size(); body < count; ++body)
-        if (body == record.body || pieces_[body]->still_in == record.body)
+        if (body == record.body || pieces_[body]->recorded_as == record.body)
             if (auto separation = apply_to(static_cast<std::uint16_t>(body), record, solid))
                 separations.push_back(std::move(*separation));
     return separations;
 }
 
-void PresentBone::adopted(const Separation& separation) {
+void PresentBone::mark_adopted(const Separation& separation) {
     for (std::size_t n = 1; n < separation.parts.size(); ++n) {
         PresentPiece& part = *pieces_[separation.parts[n].body];
-        part.still_in.reset();
+        part.recorded_as.reset();
         part.image.reset();
     }
 }
@@ -57,8 +57,8 @@ std::uint16_t PresentBone::add(const Body& body) {
     const auto id = static_cast<std::uint16_t>(pieces_.size());
     pieces_.push_back(std::make_unique<PresentPiece>(body, CutField(body, 0)));
     PresentPiece& piece = *pieces_.back();
-    if (looks_for_pieces_) piece.finder.emplace(body, piece.cut);
-    piece.came_off = id;
+    if (finds_pieces_) piece.finder.emplace(body, piece.cut);
+    piece.separated_from = id;
     added_ += bone_volume(body, piece.cut);
     for (std::size_t b = 0; b < body.grid().brick_count(); ++b) piece.changed.add(b);
     return id;
@@ -69,8 +69,8 @@ BoneImage PresentBone::image() {
     BoneImage all{{}, crumbs_, refused_, crumb_volume_, added_};
     for (auto& piece : pieces_) {
         if (piece->image == nullptr)
-            piece->image = std::make_shared<const PieceImage>(
-                PieceImage{piece->bone, piece->cut, piece->removed, piece->still_in, piece->came_off, piece->history});
+            piece->image = std::make_shared<const PieceImage>(PieceImage{
+                piece->bone, piece->cut, piece->removed, piece->recorded_as, piece->separated_from, piece->history});
         all.pieces.push_back(piece->image);
     }
     return all;
@@ -94,9 +94,9 @@ void PresentBone::restore(const BoneImage& image) {
         piece.cut = was.cut;
         piece.removed = was.removed;
         (void)piece.uncounted.take();
-        if (looks_for_pieces_) piece.finder.emplace(*piece.bone, piece.cut);
-        piece.still_in = was.still_in;
-        piece.came_off = was.came_off;
+        if (finds_pieces_) piece.finder.emplace(*piece.bone, piece.cut);
+        piece.recorded_as = was.recorded_as;
+        piece.separated_from = was.separated_from;
         piece.history = was.history;
         piece.image = image.pieces[body];
     }
@@ -140,7 +140,7 @@ Separation PresentBone::part(std::uint16_t body, const CutRecord& record, std::v
         if (volume_of(part.samples) < crumb_) {
             ++separation.crumbs;
             separation.crumb_volume += volume_of(part.samples);
-        } else if (pieces_.size() + kept.size() < most_bodies) {
+        } else if (pieces_.size() + kept.size() < max_bodies) {
             kept.push_back(&part);
         } else {
             ++refused_;
@@ -158,17 +158,18 @@ Separation PresentBone::part(std::uint16_t body, const CutRecord& record, std::v
         const auto id = static_cast<std::uint16_t>(pieces_.size());
         separation.parts.push_back({id, volume_of(part->samples), mask_of(part->bone)});
         auto piece = std::make_unique<PresentPiece>(*parent.bone, CutField(whole, *separation.parts.back().mask, 0));
-        piece->removed.go_on_with(piece->cut);
+        piece->removed.reset_baseline(piece->cut);
         piece->finder.emplace(*piece->bone, piece->cut);
-        piece->still_in = parent.still_in.value_or(body);
-        piece->came_off = body;
+        piece->recorded_as = parent.recorded_as.value_or(body);
+        piece->separated_from = body;
         piece->history = parent.history;
         pieces_.push_back(std::move(piece));
     }
     parent.cut = CutField(whole, *separation.parts.front().mask, 0);
-    parent.removed.go_on_with(parent.cut);
+    parent.removed.reset_baseline(parent.cut);
     for (std::size_t b = 0; b < g.brick_count(); ++b)  // its surface has changed where the separated parts were
-        if (separation.parts.front().mask->gone_in(b) != PieceMask::Share::nothing) parent.changed.add(b);
+        if (separation.parts.front().mask->removed_extent(b) != PieceMask::RemovedExtent::nothing)
+            parent.changed.add(b);
     return separation;
 }
 

@@ -15,7 +15,7 @@
 /// The present bone: every record is stamped at once, and separated parts are pieces.
 namespace kerf {
 
-inline constexpr std::size_t most_bodies = 16;
+inline constexpr std::size_t max_bodies = 16;
 
 /// The separation of a body by a record.
 struct Separation {
@@ -51,8 +51,8 @@ struct PieceImage {
     const Body* bone;
     CutField cut;
     RemovedVolume removed;
-    std::optional<std::uint16_t> still_in;
-    std::uint16_t came_off;
+    std::optional<std::uint16_t> recorded_as;
+    std::uint16_t separated_from;
     CutHistory history;
 };
 
@@ -68,15 +68,15 @@ struct PresentPiece {
     PresentPiece(const Body& whole, CutField field);
 
     const Body* bone;
-    CutField cut;                             ///< without lag
-    RemovedVolume removed;                    ///< cut from it since it became a body, except in
-    BrickList uncounted;                      ///< these changed bricks
-    std::optional<PieceFinder> finder;        ///< only if pieces are searched for
-    BrickList changed;                        ///< since `take_changed`
-    std::optional<std::uint16_t> still_in;    ///< until adoption, records of its cuts name this body
-    std::uint16_t came_off = 0;               ///< the body from which it separated
-    CutHistory history;                       ///< the records that changed it and its former bodies
-    std::shared_ptr<const PieceImage> image;  ///< its present state, once a snapshot was taken
+    CutField cut;                              ///< without lag
+    RemovedVolume removed;                     ///< cut from it since it became a body, except in
+    BrickList uncounted;                       ///< these changed bricks
+    std::optional<PieceFinder> finder;         ///< only if pieces are searched for
+    BrickList changed;                         ///< since `take_changed`
+    std::optional<std::uint16_t> recorded_as;  ///< until adoption, records of its cuts name this body
+    std::uint16_t separated_from = 0;          ///< the body from which it separated
+    CutHistory history;                        ///< the records that changed it and its former bodies
+    std::shared_ptr<const PieceImage> image;   ///< its present state, once a snapshot was taken
 };
 
 class PresentBone {
@@ -85,15 +85,15 @@ public:
     PresentBone(const Body& body, std::size_t reserve);
 
     /// Starts the search for pieces: bone that separates becomes a body, if it is larger than `crumb` [m³].   [main]
-    void look_for_pieces(double crumb);
+    void find_pieces(double crumb);
 
     /// Stamps a record into its body, and into separated parts of that body that have not been adopted. Makes bodies of
     /// parts that it separates, and returns the separations.   [worker]
     std::vector<Separation> apply(const CutRecord& record, const ToolSolid& solid);
     /// Marks a separation as adopted: later records name its parts themselves.   [worker]
-    void adopted(const Separation& separation);
+    void mark_adopted(const Separation& separation);
 
-    /// Adds another body, which must outlive this object. Returns its id. Pre: fewer than `most_bodies`.   [worker]
+    /// Adds another body, which must outlive this object. Returns its id. Pre: fewer than `max_bodies`.   [worker]
     std::uint16_t add(const Body& body);
 
     /// Returns a snapshot for `restore`.   [worker]
@@ -130,7 +130,7 @@ private:
     [[nodiscard]] Separation part(std::uint16_t body, const CutRecord& record, std::vector<LoosePart> loose);
 
     std::vector<std::unique_ptr<PresentPiece>> pieces_;
-    bool looks_for_pieces_ = false;
+    bool finds_pieces_ = false;
     double crumb_ = 0.0, crumb_volume_ = 0.0, added_ = 0.0;
     std::size_t crumbs_ = 0, refused_ = 0;
 };

@@ -24,7 +24,7 @@ Mesh every_sample(const Body& body, const CutField& cut) {
     // Slightly more than the size of a wall through the middle of every brick.
     PatchWeld weld(body.grid(), 128 * bricks.size(), 256 * bricks.size());
     for (std::size_t n = 0; n < bricks.size(); ++n) {
-        if (n + 1 < bricks.size()) mesher->expect(cut, bricks[n + 1]);
+        if (n + 1 < bricks.size()) mesher->prefetch(cut, bricks[n + 1]);
         weld.add(bricks[n], mesher->mesh(cut, bricks[n]));
     }
     return std::move(weld).mesh();

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int outside_grid = 8192;  ///< [quanta] about a voxel
 
-constexpr std::array<int, 3> sample_of(int place) noexcept {
-    return {(place & 15) - 1, (place >> 4 & 15) - 1, (place >> 8 & 15) - 1};
+constexpr std::array<int, 3> sample_of(int slot) noexcept {
+    return {(slot & 15) - 1, (slot >> 4 & 15) - 1, (slot >> 8 & 15) - 1};
 }
 
 /// The numbers of the set bits of a byte, in ascending order.
@@ -34,9 +34,10 @@ constexpr std::array<SetBits, 256> set_bits = [] {
 
 /// Writes `first` + n for each set bit n of a byte, padded with arbitrary values to eight. Returns the end of the list.
 inline std::uint16_t* list(std::uint16_t* to, unsigned byte, int first) noexcept {
-    std::array<std::uint16_t, 8> places = set_bits[byte & 255].at;  // a copy, so that the compiler can exclude aliasing
-    for (std::uint16_t& place : places) place = static_cast<std::uint16_t>(place + first);
-    std::memcpy(to, places.data(), sizeof places);
+    std::array<std::uint16_t, 8> slot_count =
+        set_bits[byte & 255].at;  // a copy, so that the compiler can exclude aliasing
+    for (std::uint16_t& slot : slot_count) slot = static_cast<std::uint16_t>(slot + first);
+    std::memcpy(to, slot_count.data(), sizeof slot_count);
     return to + set_bits[byte & 255].count;
 }
 
@@ -65,7 +66,7 @@ bool BrickPatch::is_same_as(const PatchView& other) const noexcept {
            same(tissue_, other.tissue);
 }
 
-BrickMesher::BrickMesher(const Body& body) : body_(&body), to_places_(body.grid(), {}, frame_of(identity_pose())) {
+BrickMesher::BrickMesher(const Body& body) : body_(&body), locator_(body.grid(), {}, frame_of(identity_pose())) {
     const Grid& g = body.grid();
     frame_ = {{static_cast<float>(g.origin.x), static_cast<float>(g.origin.y), static_cast<float>(g.origin.z)},
               static_cast<float>(g.spacing),
@@ -81,7 +82,7 @@ BrickMesher::BrickMesher(const Body& body) : body_(&body), to_places_(body.grid(
         }
 }
 
-std::array<int, 3> BrickMesher::place_in_grid(std::size_t brick) const noexcept {
+std::array<int, 3> BrickMesher::coordinates_of(std::size_t brick) const noexcept {
     const auto& bricks = body_->grid().bricks;
     const int b = static_cast<int>(brick);
     return {b % bricks[0], b / bricks[0] % bricks[1], b / bricks[0] / bricks[1]};
@@ -93,15 +94,15 @@ bool BrickMesher::may_cross(const CutField& cut, std::size_t brick) const noexce
     const bool has_both = surface.has_outside(brick) || cut.stored(brick) != nullptr;
     if (has_both && !body_->region.is_bounded()) return true;
 
-    const std::array<int, 3> at = place_in_grid(brick);
+    const std::array<int, 3> at = coordinates_of(brick);
     bool is_closed_here = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         is_closed_here = is_closed_here || at[axis] == 0 || at[axis] + 1 == body_->grid().bricks[axis];
         if (beyond_[axis].empty()) continue;
         const auto first = beyond_[axis].begin() + at[axis] * brick_edge + 1;
-        const auto [least, most] = std::minmax_element(first, first + stored_edge);
-        if (*least >= 0) return false;
-        is_closed_here = is_closed_here || *most >= 0;
+        const auto [minimum, maximum] = std::minmax_element(first, first + stored_edge);
+        if (*minimum >= 0) return false;
+        is_closed_here = is_closed_here || *maximum >= 0;
     }
     return has_both || is_closed_here;
 }
@@ -115,20 +116,20 @@ BrickAround BrickMesher::around(const FieldShape& field, const std::array<int, 3
         std::array<int, 3> next = at;
         next[axis] += side % 2 == 0 ? -1 : 1;
         const bool is_in_grid = next[axis] >= 0 && next[axis] < g.bricks[axis];
-        bricks.beside[side] =
+        bricks.neighbour[side] =
             field.samples + field.start[is_in_grid ? g.brick_index(next[0], next[1], next[2]) : g.brick_count()];
     }
     return bricks;
 }
 
 PatchView BrickMesher::mesh(const CutField& cut, std::size_t brick) noexcept {
-    const std::array<int, 3> at = place_in_grid(brick);
+    const std::array<int, 3> at = coordinates_of(brick);
     const BlockKernel& kernel = block_kernel();
-    const BrickAround bone = around(body_->surface.shape(), at), gone = around(cut.shape(), at);
-    kernel.larger_rows(bone, gone, samples(), inside_.data());
+    const BrickAround bone = around(body_->surface.shape(), at), removed = around(cut.shape(), at);
+    kernel.larger_rows(bone, removed, samples(), inside_.data());
     const bool is_cut_off = is_near_region_faces(at);
     if (is_cut_off) {
-        kernel.larger_beside(bone, gone, samples());
+        kernel.larger_border(bone, removed, samples());
         cut_off_at_region(at);
     }
 
@@ -149,30 +150,30 @@ PatchView BrickMesher::mesh(const CutField& cut, std::size_t brick) noexcept {
     constexpr unsigned whole_row = 0x3fe;
     if (some == 0 || (all == whole_row && !is_at_border)) return {};
 
-    if (!is_cut_off) kernel.larger_beside(bone, gone, samples());
+    if (!is_cut_off) kernel.larger_border(bone, removed, samples());
     list_edges_and_cells(first);
     for (std::size_t axis = 0; axis < 3; ++axis) frame_.first[axis] = at[axis] * brick_edge;
     vertex_count_ = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::uint16_t* places_along = edges_along_[axis].data();
-        kernel.crossings(samples(), places_along, count_along_[axis], static_cast<int>(axis), frame_,
+        const std::uint16_t* slots_along = edges_along_[axis].data();
+        kernel.crossings(samples(), slots_along, count_along_[axis], static_cast<int>(axis), frame_,
                          &vertices_[vertex_count_]);
         for (std::size_t n = 0; n < count_along_[axis]; ++n) {
-            number_[axis * places + places_along[n]] = static_cast<std::uint16_t>(vertex_count_ + n);
-            edges_[vertex_count_ + n] = static_cast<std::uint16_t>(places_along[n] | axis << 12);
+            number_[axis * slot_count + slots_along[n]] = static_cast<std::uint16_t>(vertex_count_ + n);
+            edges_[vertex_count_ + n] = static_cast<std::uint16_t>(slots_along[n] | axis << 12);
         }
         vertex_count_ += count_along_[axis];
     }
     if (is_at_border) close_at_border(at);
     make_triangles();
-    label(brick);
+    assign_tissues(brick);
     return {{vertices_.data(), vertex_count_},
             {tissue_.data(), vertex_count_},
             {edges_.data(), vertex_count_},
             {triangles_.data(), triangle_count_}};
 }
 
-void BrickMesher::expect(const CutField& cut, std::size_t brick) const noexcept {
+void BrickMesher::prefetch(const CutField& cut, std::size_t brick) const noexcept {
     const auto fetch = [](const std::int16_t* first, int count) {
         constexpr int line = 32;
         for (int n = 0; n < count; n += line) __builtin_prefetch(first + n);
@@ -205,11 +206,11 @@ void BrickMesher::cut_off_at_region(const std::array<int, 3>& at) noexcept {
     const std::int16_t *along_x = beyond(0), *along_y = beyond(1), *along_z = beyond(2);
     for (int z = 0; z < 11; ++z)
         for (int y = 0; y < 11; ++y) {
-            std::int16_t* row = samples() + z * place_layer + y * place_row;
-            const std::int16_t least = std::max(along_y[y], along_z[z]);
+            std::int16_t* row = samples() + z * slot_layer + y * slot_row;
+            const std::int16_t minimum = std::max(along_y[y], along_z[z]);
             unsigned signs = 0;
             for (int x = 0; x < 11; ++x) {
-                row[x] = std::max({row[x], along_x[x], least});
+                row[x] = std::max({row[x], along_x[x], minimum});
                 signs |= (row[x] < 0 ? 1U : 0U) << x;
             }
             const bool is_own_row = y > 0 && y < 10 && z > 0 && z < 10;
@@ -233,32 +234,32 @@ void BrickMesher::list_edges_and_cells(const std::array<int, 3>& first) noexcept
     const bool is_closed_at_x = first[0] < 0;
     for (int z = first[2]; z <= brick_edge; ++z)
         for (int y = first[1]; y <= brick_edge; ++y) {
-            const int row = (z + 1) * 16 + y + 1, place = row << 4 | 1;  // of x = 0
+            const int row = (z + 1) * 16 + y + 1, slot = row << 4 | 1;  // of x = 0
             const std::uint16_t* inside = &inside_[static_cast<std::size_t>(row)];
             const unsigned here = inside[0], next = inside[1], above = inside[16], both = inside[17];
 
             const unsigned crosses_x = (here ^ here >> 1) & 0x1ff;
             if (((crosses_x & (is_closed_at_x ? 0x1ff : 0x1fe)) | (here ^ next) | (here ^ above) | (here ^ both)) == 0)
                 continue;
-            if (is_closed_at_x && (crosses_x & 1) != 0) *along_x++ = static_cast<std::uint16_t>(place - 1);
-            along_x = list(along_x, crosses_x >> 1, place);
+            if (is_closed_at_x && (crosses_x & 1) != 0) *along_x++ = static_cast<std::uint16_t>(slot - 1);
+            along_x = list(along_x, crosses_x >> 1, slot);
             if (y < brick_edge) {
                 const unsigned crosses_y = here ^ next;
-                along_y = list(along_y, crosses_y >> 1, place);
-                *along_y = static_cast<std::uint16_t>(place + brick_edge);
+                along_y = list(along_y, crosses_y >> 1, slot);
+                *along_y = static_cast<std::uint16_t>(slot + brick_edge);
                 along_y += crosses_y >> 9;
             }
             if (z < brick_edge) {
                 const unsigned crosses_z = here ^ above;
-                along_z = list(along_z, crosses_z >> 1, place);
-                *along_z = static_cast<std::uint16_t>(place + brick_edge);
+                along_z = list(along_z, crosses_z >> 1, slot);
+                *along_z = static_cast<std::uint16_t>(slot + brick_edge);
                 along_z += crosses_z >> 9;
             }
             if (y < brick_edge && z < brick_edge) {
                 const unsigned some = here | next | above | both, all = here & next & above & both;
                 const unsigned crossed = (some | some >> 1) & ~(all & all >> 1);
-                if (is_closed_at_x && (crossed & 1) != 0) *cells++ = static_cast<std::uint16_t>(place - 1);
-                cells = list(cells, crossed >> 1, place);
+                if (is_closed_at_x && (crossed & 1) != 0) *cells++ = static_cast<std::uint16_t>(slot - 1);
+                cells = list(cells, crossed >> 1, slot);
             }
         }
     count_along_ = {static_cast<std::size_t>(along_x - edges_along_[0].data()),
@@ -280,20 +281,20 @@ void BrickMesher::make_triangles() noexcept {
             for (std::size_t n = 0; n < 3 * all[c].count; ++n) {
                 const std::size_t edge = cell_cases[c].triangles[n / 3][n % 3];
                 const int start = edge_start[edge];
-                const int corner = (start & 1) + (start >> 1 & 1) * place_row + (start >> 2) * place_layer;
-                all[c].offset[n] = static_cast<std::uint16_t>(edge / 4 * places + static_cast<std::size_t>(corner));
+                const int corner = (start & 1) + (start >> 1 & 1) * slot_row + (start >> 2) * slot_layer;
+                all[c].offset[n] = static_cast<std::uint16_t>(edge / 4 * slot_count + static_cast<std::size_t>(corner));
             }
         }
         return all;
     }();
     std::array<std::uint16_t, 3>* to = triangles_.data();
     for (std::size_t c = 0; c < cell_count_; ++c) {
-        const std::uint16_t place = cells_[c];
-        const std::uint16_t* inside = &inside_[place >> 4];
-        const int x = place & 15;
+        const std::uint16_t slot = cells_[c];
+        const std::uint16_t* inside = &inside_[slot >> 4];
+        const int x = slot & 15;
         const Case& what = cases[(inside[0] >> x & 3) | (inside[1] >> x & 3) << 2 | (inside[16] >> x & 3) << 4 |
                                  (inside[17] >> x & 3) << 6];
-        const std::uint16_t* number = &number_[place];
+        const std::uint16_t* number = &number_[slot];
         const auto write = [&](std::size_t n) {
             to[n] = {number[what.offset[3 * n]], number[what.offset[3 * n + 1]], number[what.offset[3 * n + 2]]};
         };
@@ -314,7 +315,7 @@ void BrickMesher::close_at_border(const std::array<int, 3>& at) noexcept {
         return true;
     };
     const auto value = [&](const std::array<int, 3>& s) {
-        return is_in_grid(s) ? samples()[(s[0] + 1) + (s[1] + 1) * place_row + (s[2] + 1) * place_layer] : outside_grid;
+        return is_in_grid(s) ? samples()[(s[0] + 1) + (s[1] + 1) * slot_row + (s[2] + 1) * slot_layer] : outside_grid;
     };
     for (std::size_t v = 0; v < vertex_count_; ++v) {
         const std::size_t axis = edges_[v] >> 12;
@@ -340,7 +341,7 @@ void BrickMesher::close_at_border(const std::array<int, 3>& at) noexcept {
     }
 }
 
-void BrickMesher::label(std::size_t brick) noexcept {
+void BrickMesher::assign_tissues(std::size_t brick) noexcept {
     // Without a border of a material the brick has one material: the first that contains it.
     const std::size_t last = body_->materials.size() - 1;
     std::size_t only = 0;
@@ -355,7 +356,7 @@ void BrickMesher::label(std::size_t brick) noexcept {
         return;
     }
     std::array<Vec3, block_capacity> inwards;
-    PlaceBlock at;
+    LocatedBlock at;
     std::array<FloatBlock, KERF_MAX_TISSUES> weight;
     for (std::size_t begin = 0; begin < vertex_count_; begin += block_capacity) {
         // Half a voxel inwards, so that the border of the shell does not decide.
@@ -366,13 +367,13 @@ void BrickMesher::label(std::size_t brick) noexcept {
             inwards[n] = {v.position[0] - step * v.normal[0], v.position[1] - step * v.normal[1],
                           v.position[2] - step * v.normal[2]};
         }
-        to_places_.locate(inwards.data(), count, at);
+        locator_.locate(inwards.data(), count, at);
         material_weights(*body_, at, weight);
         for (std::size_t n = 0; n < count; ++n) {
-            std::size_t most = 0;
+            std::size_t maximum = 0;
             for (std::size_t m = 1; m <= last; ++m)
-                if (weight[m][n] > weight[most][n]) most = m;
-            tissue_[begin + n] = static_cast<std::uint8_t>(most);
+                if (weight[m][n] > weight[maximum][n]) maximum = m;
+            tissue_[begin + n] = static_cast<std::uint8_t>(maximum);
         }
     }
 }

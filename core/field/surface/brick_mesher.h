@@ -60,16 +60,16 @@ public:
     /// Returns false if no cell of the brick can have a surface, according to its stored ranges.   [worker]
     [[nodiscard]] bool may_cross(const CutField& cut, std::size_t brick) const noexcept;
     /// Prefetches the samples of a brick that `mesh` will need soon.   [worker]
-    void expect(const CutField& cut, std::size_t brick) const noexcept;
+    void prefetch(const CutField& cut, std::size_t brick) const noexcept;
     /// Returns the patch of a brick; empty if it has no surface. Valid until the next call.   [worker]
     PatchView mesh(const CutField& cut, std::size_t brick) noexcept;
 
 private:
-    static constexpr std::size_t places = 10 * std::size_t{place_layer}, margin = 288;
-    static constexpr std::size_t most_cells = 9 * 9 * 9, slack = 16;
-    static constexpr std::size_t most_vertices = 3 * 9 * 9 * 9, most_triangles = 5 * most_cells;
+    static constexpr std::size_t slot_count = 10 * std::size_t{slot_layer}, margin = 288;
+    static constexpr std::size_t max_patch_cells = 9 * 9 * 9, slack = 16;
+    static constexpr std::size_t max_patch_vertices = 3 * 9 * 9 * 9, max_patch_triangles = 5 * max_patch_cells;
 
-    [[nodiscard]] std::array<int, 3> place_in_grid(std::size_t brick) const noexcept;
+    [[nodiscard]] std::array<int, 3> coordinates_of(std::size_t brick) const noexcept;
     [[nodiscard]] BrickAround around(const FieldShape& field, const std::array<int, 3>& at) const noexcept;
     [[nodiscard]] std::int16_t* samples() noexcept { return samples_.data() + margin; }
     [[nodiscard]] bool is_near_region_faces(const std::array<int, 3>& at) const noexcept;
@@ -78,25 +78,25 @@ private:
     void list_edges_and_cells(const std::array<int, 3>& first) noexcept;
     void make_triangles() noexcept;
     void close_at_border(const std::array<int, 3>& at) noexcept;
-    void label(std::size_t brick) noexcept;
+    void assign_tissues(std::size_t brick) noexcept;
 
     const Body* body_;
-    GridFrame to_places_;
+    GridFrame locator_;
     SampleFrame frame_{};
     /// Distance beyond the region [quanta] of samples −1 … one past the last along each axis; empty without a region.
     std::array<std::vector<std::int16_t>, 3> beyond_;
 
-    alignas(64) std::array<std::int16_t, margin + 11 * place_layer + margin> samples_{};
-    alignas(64) std::array<std::uint16_t, places / place_row + 2 * place_row> inside_{};
-    std::array<std::array<std::uint16_t, most_cells + slack>, 3> edges_along_{};
+    alignas(64) std::array<std::int16_t, margin + 11 * slot_layer + margin> samples_{};
+    alignas(64) std::array<std::uint16_t, slot_count / slot_row + 2 * slot_row> inside_{};
+    std::array<std::array<std::uint16_t, max_patch_cells + slack>, 3> edges_along_{};
     std::array<std::size_t, 3> count_along_{};
-    std::array<std::uint16_t, most_cells + slack> cells_{};
+    std::array<std::uint16_t, max_patch_cells + slack> cells_{};
     std::size_t cell_count_ = 0, vertex_count_ = 0, triangle_count_ = 0;
-    std::array<std::uint16_t, 3 * places> number_{};  ///< index of the vertex on the edge from a slot along an axis
-    std::array<SurfaceVertex, most_vertices + slack> vertices_{};
-    std::array<std::uint16_t, most_vertices + slack> edges_{};
-    std::array<std::uint8_t, most_vertices + slack> tissue_{};
-    std::array<std::array<std::uint16_t, 3>, most_triangles + slack> triangles_{};
+    std::array<std::uint16_t, 3 * slot_count> number_{};  ///< index of the vertex on the edge from a slot along an axis
+    std::array<SurfaceVertex, max_patch_vertices + slack> vertices_{};
+    std::array<std::uint16_t, max_patch_vertices + slack> edges_{};
+    std::array<std::uint8_t, max_patch_vertices + slack> tissue_{};
+    std::array<std::array<std::uint16_t, 3>, max_patch_triangles + slack> triangles_{};
 };
 
 }  // namespace kerf

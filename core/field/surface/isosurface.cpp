@@ -19,9 +19,9 @@ constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 
 /// One pass through the cells, layer by layer in z. Cell (i, j, k) lies between samples (i, j, k) and (i+1, j+1, k+1).
 /// The outermost cells, from −1 on, reach out of the grid and close the surface.
-class Walk {
+class MarchingCubes {
 public:
-    explicit Walk(const SampleGrid& grid)
+    explicit MarchingCubes(const SampleGrid& grid)
         : grid_(grid),
           row_(static_cast<std::size_t>(grid.size[0]) + 2),
           layer_(row_ * (static_cast<std::size_t>(grid.size[1]) + 2)) {
@@ -150,7 +150,7 @@ Mesh isosurface(const SampleGrid& grid) {
     KERF_ASSERT(grid.spacing > 0.0, "give the spacing of the samples in metres");
     KERF_ASSERT(grid.value != nullptr, "give the function to draw");
     if (grid.size[0] <= 0 || grid.size[1] <= 0 || grid.size[2] <= 0) return {};
-    return Walk(grid).mesh();
+    return MarchingCubes(grid).mesh();
 }
 
 }  // namespace kerf

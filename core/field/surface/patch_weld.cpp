@@ -8,13 +8,13 @@ namespace kerf {
 namespace {
 
 /// The faces of a brick on which a slot lies: bits 0 … 2 for the lower ones, 3 … 5 for the upper ones.
-constexpr std::array<std::uint8_t, 10 * place_layer> faces_of_place = [] {
-    std::array<std::uint8_t, 10 * place_layer> faces{};
-    for (std::size_t place = 0; place < faces.size(); ++place)
+constexpr std::array<std::uint8_t, 10 * slot_layer> faces_of_slot = [] {
+    std::array<std::uint8_t, 10 * slot_layer> faces{};
+    for (std::size_t slot = 0; slot < faces.size(); ++slot)
         for (unsigned axis = 0; axis < 3; ++axis) {
-            const std::size_t at = place >> 4 * axis & 15;
-            if (at == 1) faces[place] = static_cast<std::uint8_t>(faces[place] | 1U << axis);
-            if (at == 9) faces[place] = static_cast<std::uint8_t>(faces[place] | 8U << axis);
+            const std::size_t at = slot >> 4 * axis & 15;
+            if (at == 1) faces[slot] = static_cast<std::uint8_t>(faces[slot] | 1U << axis);
+            if (at == 9) faces[slot] = static_cast<std::uint8_t>(faces[slot] | 8U << axis);
         }
     return faces;
 }();
@@ -58,7 +58,7 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
                   *numbers = number_.data();
     const std::uint16_t* edges = patch.edges.data();
     const auto faces_of = [&](std::size_t v) -> unsigned {
-        return faces_of_place[edges[v] & 0xfff] & ~(9U << (edges[v] >> 12)) & (lower_faces | 0x38);
+        return faces_of_slot[edges[v] & 0xfff] & ~(9U << (edges[v] >> 12)) & (lower_faces | 0x38);
     };
     for (std::uint32_t v = 0; v < count; ++v) {
         const bool is_inner = faces_of(v) == 0;

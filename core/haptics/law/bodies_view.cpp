@@ -25,13 +25,13 @@ void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const 
     for (const auto& body : bodies) {
         const Pose body_from_tool = body->body_from(world_from_tool);
         body->view.place(body_from_tool);
-        body->is_near = body->is_present && !held.holds(body->id);
+        body->is_near = body->is_present && !held.contains(body->id);
         if (bodies.size() > 1 && body->is_near) {
             const auto box = tool.box(body_from_tool);
             body->is_near = body->is_near_box(box.low, box.high, body->bone->grid().clamp());
         }
         if (!body->is_near || !body->is_cuttable) continue;
-        place_[near_count_] = {body->id, body_from_tool};
+        tool_poses_[near_count_] = {body->id, body_from_tool};
         near_[near_count_++] = body.get();
     }
     cuttable_count_ = near_count_;
@@ -60,7 +60,7 @@ void BodiesView::sample(const Vec3* points, std::uint32_t count, Directions dire
 }
 
 std::uint32_t BodiesView::threads(kerf_thread* out, std::uint32_t capacity) const noexcept {
-    return threads_->write(places(), out, capacity);
+    return threads_->write(tool_poses(), out, capacity);
 }
 
 void BodiesView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {

@@ -37,7 +37,9 @@ public:
     void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
     std::uint32_t threads(kerf_thread* out, std::uint32_t capacity) const noexcept;
     /// Returns the tool's poses in the near bodies that can be cut.
-    [[nodiscard]] std::span<const ToolInBody> places() const noexcept { return {place_.data(), cuttable_count_}; }
+    [[nodiscard]] std::span<const ToolInBody> tool_poses() const noexcept {
+        return {tool_poses_.data(), cuttable_count_};
+    }
 
 private:
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
@@ -55,8 +57,8 @@ private:
     }
 
     const BodyThreads* threads_;
-    std::array<LiveBody*, most_bodies> near_{};
-    std::array<ToolInBody, most_bodies> place_{};      ///< poses of the tool in the near cuttable bodies
+    std::array<LiveBody*, max_bodies> near_{};
+    std::array<ToolInBody, max_bodies> tool_poses_{};  ///< poses of the tool in the near cuttable bodies
     std::size_t near_count_ = 0, cuttable_count_ = 0;  ///< cuttable bodies come first
     kerf_bone_query query_{};
 };

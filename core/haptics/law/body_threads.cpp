@@ -8,7 +8,7 @@ namespace kerf {
 
 namespace {
 
-bool is_at_least(double value, double least) noexcept { return std::isfinite(value) && value >= least; }
+bool is_at_least(double value, double minimum) noexcept { return std::isfinite(value) && value >= minimum; }
 
 bool is_pose(const kerf_pose& pose) noexcept {
     const auto& [p, q] = pose;
@@ -69,7 +69,7 @@ bool BodyThreads::leave(const kerf_thread& thread, std::span<const ToolInBody> n
     const bool is_new = thread.number == KERF_NEW_THREAD;
     if (is_new ? is_full() : thread.number >= count_) return false;
     const std::size_t number = is_new ? count_++ : thread.number;
-    Kept& kept = kept_[number];
+    StoredThread& kept = kept_[number];
     if (is_new) kept.is_passed_on = false;
     kept.thread = thread;
     kept.thread.number = static_cast<std::uint32_t>(number);
@@ -79,11 +79,11 @@ bool BodyThreads::leave(const kerf_thread& thread, std::span<const ToolInBody> n
     return true;
 }
 
-void BodyThreads::pass_on(std::uint16_t from, std::uint16_t to) noexcept {
+void BodyThreads::inherit(std::uint16_t from, std::uint16_t to) noexcept {
     const std::size_t before = count_;
     for (std::size_t i = 0; i < before && !is_full(); ++i) {
         if (kept_[i].thread.body != from) continue;
-        Kept& copy = kept_[count_];
+        StoredThread& copy = kept_[count_];
         copy = {kept_[i].thread, true};
         copy.thread.body = to;
         copy.thread.number = static_cast<std::uint32_t>(count_++);

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool leave(const kerf_thread& thread, std::span<const ToolInBody> near) noexcept;
     /// Copies the threads of body `from` to body `to`, which was separated from it, until the table is full.
     /// [haptic, nonblocking]
-    void pass_on(std::uint16_t from, std::uint16_t to) noexcept;
+    void inherit(std::uint16_t from, std::uint16_t to) noexcept;
 
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
     /// Returns thread `i`, with its pose in the body frame.
@@ -45,11 +45,11 @@ public:
     [[nodiscard]] double volume() const noexcept;
 
 private:
-    struct Kept {
+    struct StoredThread {
         kerf_thread thread{};       ///< `tool_from_thread` is `body_from_thread` here
         bool is_passed_on = false;  ///< true: the volume of its groove is counted in another body
     };
-    std::array<Kept, KERF_MAX_THREADS> kept_{};  ///< the first `count_` are in use
+    std::array<StoredThread, KERF_MAX_THREADS> kept_{};  ///< the first `count_` are in use
     std::size_t count_ = 0;
 };
 

@@ -16,7 +16,7 @@ struct Compliance {
     return {a.shift + b.shift, a.mixed + b.mixed, a.turn + b.turn};
 }
 /// Returns the compliance at a point `ahead` [m] closer to the tip.   [any] pure.
-[[nodiscard]] constexpr Compliance seen_ahead(Compliance c, double ahead) noexcept {
+[[nodiscard]] constexpr Compliance at_point_ahead(Compliance c, double ahead) noexcept {
     return {c.shift + ahead * (2.0 * c.mixed + ahead * c.turn), c.mixed + ahead * c.turn, c.turn};
 }
 
@@ -27,7 +27,7 @@ struct TipBending {
 };
 /// Returns the compliance at the tip for the bending shape of a force there. Leaves out the different shape that a
 /// torque causes.   [any] pure.
-[[nodiscard]] constexpr Compliance bent(TipBending tip) noexcept {
+[[nodiscard]] constexpr Compliance bending_compliance(TipBending tip) noexcept {
     return {tip.deflection, tip.slope, tip.deflection > 0.0 ? tip.slope * tip.slope / tip.deflection : 0.0};
 }
 

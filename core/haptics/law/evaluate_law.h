@@ -20,7 +20,7 @@ namespace kerf {
 
 /// The evaluated law at one pose: the plugin's channels, then the host's own walls.
 struct EvaluatedLaw {
-    std::array<kerf_channel, most_channels> channel{};
+    std::array<kerf_channel, max_balance_channels> channel{};
     std::uint32_t count = 0;                            ///< number of channels in use
     std::uint32_t law_count = 0;                        ///< number of them from the plugin's law; they come first
     Vec6 wrench{};                                      ///< of the law, in addition to its channels, tool frame

@@ -38,13 +38,13 @@ bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, c
     return other.is_near_box(low, high, margin);
 }
 
-/// Returns the first vertex in each cube of a lattice. Widens the lattice until there are at most `most` cubes.
-std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t most, double apart) {
+/// Returns the first vertex in each cube of a lattice. Widens the lattice until there are at most `maximum` cubes.
+std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t maximum, double apart) {
     for (;; apart *= 1.25) {
         std::map<std::tuple<int, int, int>, Vec3> cubes;
         const auto cube = [&](double x) { return static_cast<int>(std::floor(x / apart)); };
         for (const Vec3& p : vertices) cubes.try_emplace({cube(p.x), cube(p.y), cube(p.z)}, p);
-        if (cubes.size() > most) continue;
+        if (cubes.size() > maximum) continue;
         std::vector<Vec3> points;
         for (const auto& [at, p] : cubes) points.push_back(p);
         return points;
@@ -54,11 +54,11 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t most, d
 }  // namespace
 
 HeldBody::HeldBody()
-    : points_(most_points),
-      octant_(most_points),
-      asked_(most_points),
-      octant_of_asked_(most_points),
-      answers_(most_points) {}
+    : points_(max_points),
+      octant_(max_points),
+      query_points_(max_points),
+      query_octants_(max_points),
+      query_results_(max_points) {}
 
 void HeldBody::take(Bodies bodies, std::size_t body, const Pose& world_from_tool) noexcept {
     body_ = body;
@@ -75,12 +75,12 @@ void HeldBody::find_points(Bodies bodies) {
     std::vector<Vec3> surface;
     double apart = 1.5e-3;
     for (const auto& body : bodies) {
-        if (!holds(body->id) || !body->is_present) continue;
+        if (!contains(body->id) || !body->is_present) continue;
         apart = std::max(apart, body->bone->grid().spacing);
         for (const Vec3 p : bone_surface(*body->bone, body->committed).vertices)
             surface.push_back(tool_from_[body->id] * p);
     }
-    const std::vector<Vec3> points = thinned(surface, most_points, apart);
+    const std::vector<Vec3> points = thinned(surface, max_points, apart);
     count_ = points.size();
     if (count_ == 0) return;
     low_ = high_ = points.front();
@@ -98,18 +98,18 @@ void HeldBody::find_points(Bodies bodies) {
 
 void HeldBody::move(Bodies bodies, const Pose& world_from_tool) const noexcept {
     for (const auto& body : bodies)
-        if (holds(body->id)) body->world_from_body = world_from_tool * tool_from_[body->id];
+        if (contains(body->id)) body->world_from_body = world_from_tool * tool_from_[body->id];
 }
 
 double HeldBody::largest_motion(const Pose& from, const Pose& to) const noexcept {
-    double most = 0.0;
-    for (const Vec3 corner : corners_of(low_, high_)) most = std::max(most, length(to * corner - from * corner));
-    return most;
+    double maximum = 0.0;
+    for (const Vec3 corner : corners_of(low_, high_)) maximum = std::max(maximum, length(to * corner - from * corner));
+    return maximum;
 }
 
 bool HeldBody::is_near_another(Bodies bodies, const Pose& world_from_tool, double margin) const noexcept {
     return count_ > 0 && std::any_of(bodies.begin(), bodies.end(), [&](const auto& other) {
-               return !holds(other->id) && other->is_present &&
+               return !contains(other->id) && other->is_present &&
                       box_comes_near(*other, corners_of(low_, high_), other->body_from(world_from_tool), margin);
            });
 }
@@ -120,35 +120,35 @@ std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, ke
         Vec6 d{};
     };
     if (count_ == 0) return 0;
-    std::array<Touch, most_held_channels> touch{};
+    std::array<Touch, max_held_channels> touch{};
     for (const auto& other : bodies) {
-        if (holds(other->id) || !other->is_present) continue;
+        if (contains(other->id) || !other->is_present) continue;
         const Pose other_from_tool = other->body_from(world_from_tool);
         if (!box_comes_near(*other, corners_of(low_, high_), other_from_tool, near_contact)) continue;
-        std::size_t asked = 0;
+        std::size_t queried = 0;
         for (std::size_t i = 0; i < count_; ++i) {
             const Vec3 p = other_from_tool * points_[i];
             if (!other->is_near_box(p, p, near_contact)) continue;
-            asked_[asked] = points_[i];
-            octant_of_asked_[asked++] = octant_[i];
+            query_points_[queried] = points_[i];
+            query_octants_[queried++] = octant_[i];
         }
-        if (asked == 0) continue;
+        if (queried == 0) continue;
         other->view.place(other_from_tool);
-        other->view.nearest(asked_.data(), static_cast<std::uint32_t>(asked), answers_.data());
-        for (std::size_t i = 0; i < asked; ++i) {
-            Touch& t = touch[octant_of_asked_[i]];
-            if (answers_[i].body >= 0 && answers_[i].normal != Vec3{})
-                t.deepest = std::max(t.deepest, -answers_[i].distance);
+        other->view.nearest(query_points_.data(), static_cast<std::uint32_t>(queried), query_results_.data());
+        for (std::size_t i = 0; i < queried; ++i) {
+            Touch& t = touch[query_octants_[i]];
+            if (query_results_[i].body >= 0 && query_results_[i].normal != Vec3{})
+                t.deepest = std::max(t.deepest, -query_results_[i].distance);
         }
         // The channel averages all points nearly as deep as the deepest. With a single point, the choice between two
         // equally deep points would chatter.
-        for (std::size_t i = 0; i < asked; ++i) {
-            const kerf_surface_point& answer = answers_[i];
-            Touch& t = touch[octant_of_asked_[i]];
+        for (std::size_t i = 0; i < queried; ++i) {
+            const kerf_surface_point& answer = query_results_[i];
+            Touch& t = touch[query_octants_[i]];
             const double depth = -answer.distance, ahead = depth - t.deepest + std::max(nearly, 0.5 * t.deepest);
             if (answer.body < 0 || answer.normal == Vec3{} || ahead <= 0.0 || depth <= -near_contact) continue;
             const double weight = ahead * ahead;
-            const Vec6 d = rate_at(asked_[i], -answer.normal);
+            const Vec6 d = rate_at(query_points_[i], -answer.normal);
             t.weight += weight;
             t.depth += weight * depth;
             for (std::size_t k = 0; k < 6; ++k) t.d[k] += weight * d[k];

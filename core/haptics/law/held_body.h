@@ -19,18 +19,18 @@ class HeldBody {
 public:
     using Bodies = std::span<const std::unique_ptr<LiveBody>>;
     /// Maximum number of surface points: about 1.5 mm apart on a piece the size of a hand.
-    static constexpr std::size_t most_points = 2048;
+    static constexpr std::size_t max_points = 2048;
 
     HeldBody();
 
     [[nodiscard]] bool is_any() const noexcept { return members_ != 0; }
     /// Returns whether a body is held, or fused to the held one.
-    [[nodiscard]] bool holds(std::size_t body) const noexcept { return (members_ >> body & 1u) != 0; }
+    [[nodiscard]] bool contains(std::size_t body) const noexcept { return (members_ >> body & 1u) != 0; }
     [[nodiscard]] std::size_t body() const noexcept { return body_; }  ///< the gripped one
 
     /// Grips a body and the bodies fused to it. They touch nothing until `find_points`.   [haptic, nonblocking]
     void take(Bodies bodies, std::size_t body, const Pose& world_from_tool) noexcept;
-    void let_go() noexcept { members_ = 0; }
+    void release_fraction() noexcept { members_ = 0; }
     /// Discards the contact points after a change of shape.   [haptic, nonblocking]
     void forget_points() noexcept { count_ = 0; }
 
@@ -46,21 +46,21 @@ public:
     [[nodiscard]] double largest_motion(const Pose& from, const Pose& to) const noexcept;
     /// Returns whether the held bodies come within `margin` [m] of another body.   [haptic, nonblocking]
     [[nodiscard]] bool is_near_another(Bodies bodies, const Pose& world_from_tool, double margin) const noexcept;
-    /// Writes one contact channel for each of the eight octants that touches, at most `most_held_channels`. Returns
+    /// Writes one contact channel for each of the eight octants that touches, at most `max_held_channels`. Returns
     /// their number. [haptic, nonblocking]
     std::size_t add_contact(Bodies bodies, const Pose& world_from_tool, kerf_channel* channels) noexcept;
 
 private:
     std::size_t body_ = 0;
-    std::uint32_t members_ = 0;                  ///< bit i: body i is held
-    std::array<Pose, most_bodies> tool_from_{};  ///< poses of the bodies
-    std::vector<Vec3> points_;                   ///< tool frame [m]; size `most_points`, the first `count_` are in use
+    std::uint32_t members_ = 0;                 ///< bit i: body i is held
+    std::array<Pose, max_bodies> tool_from_{};  ///< poses of the bodies
+    std::vector<Vec3> points_;                  ///< tool frame [m]; size `max_points`, the first `count_` are in use
     std::vector<std::uint8_t> octant_;
     std::size_t count_ = 0;
     Vec3 low_{}, high_{};  ///< bounding box of the points, tool frame [m]
-    std::vector<Vec3> asked_;
-    std::vector<std::uint8_t> octant_of_asked_;
-    std::vector<kerf_surface_point> answers_;
+    std::vector<Vec3> query_points_;
+    std::vector<std::uint8_t> query_octants_;
+    std::vector<kerf_surface_point> query_results_;
 };
 
 }  // namespace kerf

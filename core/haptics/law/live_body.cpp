@@ -24,8 +24,8 @@ void LiveBody::find_box() {
     const Grid& g = bone->grid();
     std::array<int, 3> first{g.bricks[0], g.bricks[1], g.bricks[2]}, last{-1, -1, -1};
     for (std::size_t b = 0; b < g.brick_count(); ++b) {
-        if (bone->surface.is_all_air(b) || committed.is_gone(b)) continue;
-        const auto at = g.brick_place(b);
+        if (bone->surface.is_all_air(b) || committed.is_removed(b)) continue;
+        const auto at = g.brick_coordinates(b);
         for (std::size_t a = 0; a < 3; ++a) {
             first[a] = std::min(first[a], at[a]);
             last[a] = std::max(last[a], at[a]);

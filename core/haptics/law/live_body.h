@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/field/cut/bone_view.h"
+#include "core/field/cut/body_query.h"
 #include "core/field/cut/piece_mask.h"
 #include "core/field/pieces/present_bone.h"
 
@@ -34,7 +34,7 @@ struct LiveBody {
     const Body* bone;
     CutField committed;
     CutTracker tracker;
-    BoneView view;
+    BodyQuery view;
     Pose world_from_body = identity_pose();
     Vec3 low{}, high{};       ///< bounding box of its bone, body frame [m]
     std::uint16_t group;      ///< bodies of one group are rigid to each other; id of the group's first member

@@ -11,7 +11,7 @@ bool metal_wall(const LiveBody& body, const ToolOutline& tool, kerf_channel& cha
     constexpr double near_contact = 0.3e-3;  // [m] no channel beyond this distance
     const auto all = [](const std::array<Vec3, 8>&) { return true; };
     const auto entered = [](Vec3, const kerf_surface_point& metal) {
-        return metal.body < 0 ? Entered{} : Entered{-metal.distance, -metal.normal};
+        return metal.body < 0 ? Penetration{} : Penetration{-metal.distance, -metal.normal};
     };
     return outline_wall(OwnContact::metal, tool.is_implant() ? tool.staying : tool.cutting, body.view,
                         2.0 * body.bone->grid().spacing, -near_contact, all, entered, channel, tool.is_implant());

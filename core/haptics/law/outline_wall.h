@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/field/cut/bone_view.h"
+#include "core/field/cut/body_query.h"
 #include "core/field/cut/tool_solid.h"
 #include "core/haptics/law/channel.h"
 #include "kerf/force.hpp"
@@ -15,13 +15,13 @@
 namespace kerf {
 
 /// Penetration of an outline point into an obstacle.
-struct Entered {
+struct Penetration {
     double depth = 0.0;  ///< [m]
     Vec3 into{};         ///< unit, into the obstacle; zero: no obstacle there
 };
 
 /// Sets one channel at the point of a cutting outline that is deepest in an obstacle. Returns false and leaves
-/// `channel` unchanged if no point is deeper than `least`.
+/// `channel` unchanged if no point is deeper than `minimum`.
 /// @param view     placed at the tool
 /// @param apart    [m] distance between rings of the outline
 /// @param least    [m] smallest depth; a negative value includes near points
@@ -30,18 +30,18 @@ struct Entered {
 /// @param is_seat  true: contact with a face across the axis puts the channel on the axis
 /// [haptic, nonblocking]
 template <typename Concerns, typename Enters>
-[[nodiscard]] bool outline_wall(OwnContact id, const ToolSolid& cutting, const BoneView& view, double apart,
-                                double least, const Concerns& concerns, const Enters& entered, kerf_channel& channel,
-                                bool is_seat = false) noexcept {
+[[nodiscard]] bool outline_wall(OwnContact id, const ToolSolid& cutting, const BodyQuery& view, double apart,
+                                double minimum, const Concerns& concerns, const Enters& entered, kerf_channel& channel,
+                                bool is_seating = false) noexcept {
     constexpr double stiffness = 1e6;  // [N/m] of the obstacle, bone or metal [assumed]
-    Entered deepest{least, {}};
+    Penetration deepest{minimum, {}};
     Vec3 at{};
     cutting.for_each_ring(apart, [&](const std::array<Vec3, 8>& ring) {
         if (!concerns(ring)) return;
         std::array<kerf_surface_point, 8> nearest;
         view.nearest(ring.data(), static_cast<std::uint32_t>(ring.size()), nearest.data());
         for (std::size_t n = 0; n < ring.size(); ++n) {
-            const Entered here = entered(ring[n], nearest[n]);
+            const Penetration here = entered(ring[n], nearest[n]);
             if (here.into == Vec3{} || here.depth <= deepest.depth) continue;
             deepest = here;
             at = ring[n];
@@ -49,7 +49,7 @@ template <typename Concerns, typename Enters>
     });
     if (deepest.into == Vec3{}) return false;
     constexpr double across = 0.95;  // [–] cosine between normal and axis
-    if (is_seat && std::abs(deepest.into.z) > across) at.x = at.y = 0.0;
+    if (is_seating && std::abs(deepest.into.z) > across) at.x = at.y = 0.0;
     channel = contact_channel(id, rate_at(at, deepest.into), stiffness, deepest.depth);
     return true;
 }

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-bool region_wall(const Body& body, const BoneView& view, const ToolSolid& cutting, const Pose& body_from_tool,
+bool region_wall(const Body& body, const BodyQuery& view, const ToolSolid& cutting, const Pose& body_from_tool,
                  kerf_channel& channel) noexcept {
     const Region& region = body.region;
     if (!region.is_bounded()) return false;
@@ -22,7 +22,7 @@ bool region_wall(const Body& body, const BoneView& view, const ToolSolid& cuttin
     };
     // The wall pushes along the shorter of two directions out of that bone: back over the region's face, or to the
     // bone's own surface beyond it.
-    const auto entered = [&](Vec3 point, const kerf_surface_point& bone) -> Entered {
+    const auto entered = [&](Vec3 point, const kerf_surface_point& bone) -> Penetration {
         const double over = beyond(point), below = -bone.distance;
         if (over <= 0.0 || below <= 0.0) return {};
         if (below < over && bone.normal != Vec3{}) return {below, -bone.normal};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/field/cut/bone_view.h"
+#include "core/field/cut/body_query.h"
 #include "core/field/cut/tool_solid.h"
 
 namespace kerf {
@@ -9,7 +9,7 @@ namespace kerf {
 /// Sets one contact channel of the host that keeps a tool out of bone beyond the body's region, which cannot be cut.
 /// The channel is at the point of the cutting outline that is deepest in that bone. Returns false and leaves `channel`
 /// unchanged if the outline does not enter it. [haptic, nonblocking]
-[[nodiscard]] bool region_wall(const Body& body, const BoneView& view, const ToolSolid& cutting,
+[[nodiscard]] bool region_wall(const Body& body, const BodyQuery& view, const ToolSolid& cutting,
                                const Pose& body_from_tool, kerf_channel& channel) noexcept;
 
 }  // namespace kerf

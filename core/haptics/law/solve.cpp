@@ -57,7 +57,7 @@ using Mat3 = std::array<std::array<double, 3>, 3>;
 /// Returns the fraction of a block's drag that the Hessian keeps along a saturated part. Almost none is right near the
 /// solution. If nothing else resists that part, such steps are too long and wander about the kinks of the channels.
 /// Later iterations therefore also try larger fractions.
-double kept_in(int iteration) noexcept {
+double saturated_drag_fraction(int iteration) noexcept {
     constexpr double usual = 1e-3, other[] = {1e-3, 0.1, 1.0};
     return iteration <= 12 ? usual : other[iteration % 3];
 }
@@ -112,18 +112,18 @@ void add_inertia(const Balance& b, Mat6& h) noexcept {
 }
 
 /// All forces at one rate: −gradient (the force out of balance) and the terms of the Hessian.
-struct At {
+struct Evaluation {
     Vec6 out_of_balance;
     Vec3 force_pull, torque_pull;
-    std::array<ChannelForce, most_channels> channel;  ///< one for each channel of the balance
+    std::array<ChannelForce, max_balance_channels> channel;  ///< one for each channel of the balance
 };
 
 double release_force(const Balance& b, const Vec6& u) noexcept {
     return b.release_damping * std::max(0.0, dot(b.release_along, linear(u)) - b.release_from);
 }
 
-At evaluate(const Balance& b, const Vec6& u) noexcept {
-    At at;  // all members are set below, except unused channels
+Evaluation evaluate(const Balance& b, const Vec6& u) noexcept {
+    Evaluation at;  // all members are set below, except unused channels
     at.force_pull = b.force.pull - b.force.drag * centre_velocity(b, u);
     at.torque_pull = b.torque.pull - b.torque.drag * angular(u);
     Vec6 g = at_tip(b, clamped(at.force_pull, b.force.limit), clamped(at.torque_pull, b.torque.limit));
@@ -145,7 +145,7 @@ At evaluate(const Balance& b, const Vec6& u) noexcept {
     return at;
 }
 
-Mat6 hessian(const Balance& b, const Vec6& u, const At& at, double kept_when_saturated) noexcept {
+Mat6 hessian(const Balance& b, const Vec6& u, const Evaluation& at, double kept_when_saturated) noexcept {
     Mat6 h{};
     add_coupling(b, stiffness(b.force, at.force_pull, kept_when_saturated),
                  stiffness(b.torque, at.torque_pull, kept_when_saturated), h);
@@ -167,12 +167,13 @@ Mat6 hessian(const Balance& b, const Vec6& u, const At& at, double kept_when_sat
 
 /// Result of the line search: the fraction of `step` at which the slope along it is zero. `is_last` means that the last
 /// evaluation was at that fraction.
-struct Found {
-    double share;
+struct LineSearchResult {
+    double fraction;
     bool is_last;
 };
 // The slope falls monotonically: find a bracket, then narrow it.
-Found exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, double slope_at_start, At& last) noexcept {
+LineSearchResult exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, double slope_at_start,
+                                   Evaluation& last) noexcept {
     const auto slope = [&](double t) {
         last = evaluate(b, stepped(u, t, step));
         return dot(last.out_of_balance, step);
@@ -222,7 +223,7 @@ Found exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, doubl
 }
 
 /// Stores the forces of all parts at this rate.
-void carry(const Balance& b, const Vec6& rate, const At& at, Motion& motion) noexcept {
+void store_forces(const Balance& b, const Vec6& rate, const Evaluation& at, Motion& motion) noexcept {
     motion.rate = rate;
     motion.force = clamped(at.force_pull, b.force.limit);
     motion.torque = clamped(at.torque_pull, b.torque.limit);
@@ -265,7 +266,7 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
     }
 
     Vec6 u = start;
-    At at = evaluate(b, u);
+    Evaluation at = evaluate(b, u);
     for (; motion.iterations < iteration_cap; ++motion.iterations) {
         const double before = motion.residual;
         motion.residual = size(at.out_of_balance) / scale;
@@ -274,23 +275,23 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
             motion.has_converged = true;
             break;
         }
-        Mat6 h = hessian(b, u, at, kept_in(motion.iterations));
+        Mat6 h = hessian(b, u, at, saturated_drag_fraction(motion.iterations));
         if (!factorise(h)) break;
         const Vec6 step = backward(h, forward(h, at.out_of_balance));
         const double slope = dot(at.out_of_balance, step);
         if (!(slope > 0.0)) break;
-        const Found found = exact_line_search(b, u, step, slope, at);
-        u = stepped(u, found.share, step);
+        const LineSearchResult found = exact_line_search(b, u, step, slope, at);
+        u = stepped(u, found.fraction, step);
         if (!found.is_last) at = evaluate(b, u);
     }
 
-    carry(b, u, at, motion);
+    store_forces(b, u, at, motion);
     return motion;
 }
 
 Motion at_rate(const Balance& b, const Vec6& rate) noexcept {
     Motion motion;
-    carry(b, rate, evaluate(b, rate), motion);
+    store_forces(b, rate, evaluate(b, rate), motion);
     return motion;
 }
 

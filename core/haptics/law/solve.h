@@ -23,8 +23,8 @@ struct CouplingBlock {
 };
 
 /// Capacity of a balance: a plugin's law, the region, a metal body, a sleeve's two ends and the held body's octants.
-inline constexpr std::size_t most_held_channels = 8;
-inline constexpr std::size_t most_channels = KERF_MAX_CHANNELS + 4 + most_held_channels;
+inline constexpr std::size_t max_held_channels = 8;
+inline constexpr std::size_t max_balance_channels = KERF_MAX_CHANNELS + 4 + max_held_channels;
 
 /// All forces that balance in one tick, in the tool frame about the tip. Bone newtons.
 struct Balance {
@@ -44,10 +44,10 @@ struct Balance {
 };
 
 struct Motion {
-    Vec6 rate{};                                 ///< of the tool, tool frame [m/s, rad/s]
-    std::array<double, most_channels> lambda{};  ///< [N]
-    double release = 0.0;                        ///< [N] of the release damper
-    Vec3 force{}, torque{};                      ///< of the coupling on the tool; the force acts at the centre
+    Vec6 rate{};                                        ///< of the tool, tool frame [m/s, rad/s]
+    std::array<double, max_balance_channels> lambda{};  ///< [N]
+    double release = 0.0;                               ///< [N] of the release damper
+    Vec3 force{}, torque{};                             ///< of the coupling on the tool; the force acts at the centre
     int iterations = 0;
     double residual = 0.0;  ///< [–] relative
     bool has_converged = false;
@@ -60,7 +60,7 @@ inline constexpr int iteration_cap = 64;  ///< the hardest of 100 000 random law
 /// The left side is minus the gradient of a strictly convex function of u: every λ rises with u and the coupling is a
 /// Huber spring. So there is exactly one solution. Newton's method with an exact line search finds it; with an inexact
 /// one it may not.
-/// Pre: every channel is_sound, and there are at most `most_channels`.   [haptic, nonblocking]
+/// Pre: every channel is_sound, and there are at most `max_balance_channels`.   [haptic, nonblocking]
 ///
 /// Source: docs/design/tick.md, "The solve".
 [[nodiscard]] Motion solve(const Balance& balance) noexcept;

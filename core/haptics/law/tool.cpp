@@ -114,9 +114,9 @@ std::string point(std::uint32_t i, const char* field, double value, const std::s
 /// to a limit.
 std::string fault_of_bending(const kerf_tool_shape& shape) {
     constexpr double softest = 0.1, steepest = 10.0;  // [m/N], [rad/N]
-    const auto out_of = [](const char* field, double value, double most, const char* unit) {
+    const auto out_of = [](const char* field, double value, double maximum, const char* unit) {
         char text[120];
-        std::snprintf(text, sizeof text, "`%s` is %.6g %s, expected 0 … %g %s.", field, value, unit, most, unit);
+        std::snprintf(text, sizeof text, "`%s` is %.6g %s, expected 0 … %g %s.", field, value, unit, maximum, unit);
         return std::string(text);
     };
     if (!(shape.tip_deflection >= 0.0 && shape.tip_deflection <= softest))
@@ -169,9 +169,9 @@ std::string fault_of_gaps(const kerf_tool_shape& shape) {
 /// Returns the fault in the outline, or an empty text. The carver takes every outline that does not turn back along the
 /// axis, whatever its radius (tests/core/field/outline_sweep_test.cpp). So only this is checked.
 std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacity) {
-    const auto count = [](const char* field, std::uint32_t is, std::uint32_t least, std::uint32_t most) {
-        return std::string("`") + field + "` is " + std::to_string(is) + ", expected " + std::to_string(least) + " … " +
-               std::to_string(most) + ".";
+    const auto count = [](const char* field, std::uint32_t is, std::uint32_t minimum, std::uint32_t maximum) {
+        return std::string("`") + field + "` is " + std::to_string(is) + ", expected " + std::to_string(minimum) +
+               " … " + std::to_string(maximum) + ".";
     };
     if (shape.profile_count < 2 || shape.profile_count > capacity)
         return count("profile_count", shape.profile_count, 2, capacity);
@@ -210,8 +210,8 @@ std::string fault_of_prism(const kerf_tool_shape& shape) {
     for (std::uint32_t i = 2; i < shape.profile_count; ++i) {
         const auto &a = shape.profile[i - 2], &b = shape.profile[i - 1], &c = shape.profile[i];
         if ((c.radius - b.radius) * (b.z - a.z) >= (b.radius - a.radius) * (c.z - b.z)) continue;
-        const double most = b.radius + (b.radius - a.radius) * (c.z - b.z) / (b.z - a.z);
-        return point(i, "radius", c.radius, "at most " + in_mm(most) + ", on the line through the two before it");
+        const double maximum = b.radius + (b.radius - a.radius) * (c.z - b.z) / (b.z - a.z);
+        return point(i, "radius", c.radius, "at most " + in_mm(maximum) + ", on the line through the two before it");
     }
     if (!(shape.kerf > 0.0 && shape.kerf < 0.1))
         return "`kerf` is " + in_mm(shape.kerf) + ", expected more than 0 mm and less than 100 mm.";

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/field/cut/tool_solid.h"
-#include "core/haptics/law/handling.h"
 #include "core/haptics/law/inertia.h"
+#include "core/haptics/law/tool_grip.h"
 #include "kerf/abi.h"
 
 namespace kerf {
@@ -33,7 +33,7 @@ struct ToolSetup {
 struct ToolOutline {
     ToolSolid cutting;  ///< removes bone
     ToolSolid whole;
-    Handling handling{.grip_z = -0.1};
+    ToolGrip handling{.grip_z = -0.1};
     Inertia inertia{};                        ///< of tool and handpiece
     double thread_radius = 0.0;               ///< [m] outer radius of its thread; 0: it has none
     double thread_lead = 0.0;                 ///< [m] per turn

@@ -36,15 +36,15 @@ struct MissingRecords {
 
 }  // namespace
 
-Placings LoopBodies::placings() const noexcept {
-    Placings placings;
-    placings.count = bodies_.size();
-    placings.threads = threads_;
-    placings.knows_threads = true;
+BodyStates LoopBodies::body_states() const noexcept {
+    BodyStates body_states;
+    body_states.count = bodies_.size();
+    body_states.threads = threads_;
+    body_states.knows_threads = true;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
-        placings.of[b] = {bodies_[b]->world_from_body, bodies_[b]->group, bodies_[b]->is_cuttable,
-                          bodies_[b]->is_present};
-    return placings;
+        body_states.of[b] = {bodies_[b]->world_from_body, bodies_[b]->group, bodies_[b]->is_cuttable,
+                             bodies_[b]->is_present};
+    return body_states;
 }
 
 std::uint64_t LoopBodies::next_sequence() const noexcept {
@@ -55,7 +55,7 @@ std::uint64_t LoopBodies::next_sequence() const noexcept {
 
 bool LoopBodies::take(Offer& offer, const ToolNow& tool) noexcept {
     KERF_ASSERT(offer.is_any(), "the offer contains a change");
-    return offer.is_turn() ? take_turn(offer, tool) : take_change(offer, tool);
+    return offer.is_history_change() ? take_turn(offer, tool) : take_change(offer, tool);
 }
 
 /// Takes over an undo or redo: all bodies of another time.
@@ -64,13 +64,13 @@ bool LoopBodies::take_turn(Offer& offer, const ToolNow& tool) noexcept {
     close_stretches(tool.tick);
     if (offer.removing != removing_) return false;
     const std::uint64_t next = next_sequence();  // undone records stay in the log, so numbers continue
-    for (std::size_t id = 0; id < offer.placings.count; ++id) {
-        start_body(*offer.made[id].body, offer.placings.of[id], tool);
-        offer.made[id].body->tracker.number_from(next);
+    for (std::size_t id = 0; id < offer.body_states.count; ++id) {
+        start_body(*offer.made[id].body, offer.body_states.of[id], tool);
+        offer.made[id].body->tracker.set_next_sequence(next);
     }
     exchange_bodies(offer);
-    if (offer.placings.knows_threads) threads_ = offer.placings.threads;
-    held_.let_go();
+    if (offer.body_states.knows_threads) threads_ = offer.body_states.threads;
+    held_.release_fraction();
     update_view(tool);
     return true;
 }
@@ -80,17 +80,17 @@ bool LoopBodies::take_change(Offer& offer, const ToolNow& tool) noexcept {
     if (!stamp_missing(offer, tool.tools)) return false;
     continue_bodies(offer);
     if (offer.change == Offer::Change::insertion || offer.change == Offer::Change::fusion) {
-        const std::size_t last = offer.placings.count - 1;
+        const std::size_t last = offer.body_states.count - 1;
         KERF_ASSERT(last == bodies_.size(), "the loop has every older body");
-        start_body(*offer.made[last].body, offer.placings.of[last], tool);
+        start_body(*offer.made[last].body, offer.body_states.of[last], tool);
     }
     const bool is_held_changed = std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) {
-        return offer.made[body->id].body != nullptr && held_.holds(body->id);
+        return offer.made[body->id].body != nullptr && held_.contains(body->id);
     });
     exchange_bodies(offer);
     if (is_held_changed) held_.forget_points();
     if (offer.change == Offer::Change::fusion) {
-        for (const auto& body : bodies_) body->group = offer.placings.of[body->id].group;
+        for (const auto& body : bodies_) body->group = offer.body_states.of[body->id].group;
         held_.take(bodies_, held_.body(), tool.world_from_tool);
     }
     if (offer.change == Offer::Change::subtraction) add_subtracted(offer, tool.tick);
@@ -101,13 +101,14 @@ bool LoopBodies::take_change(Offer& offer, const ToolNow& tool) noexcept {
 /// Stamps the last few records, which the trackers still have. Returns false and stamps nothing if there are too many.
 bool LoopBodies::stamp_missing(const Offer& offer, const LoopTools& tools) noexcept {
     const auto for_each = [&](const auto& use) {
-        for (const Offer::Made& made : offer.made)
+        for (const Offer::NewBody& made : offer.made)
             if (made.body != nullptr && made.follows)
                 if (!use(made, MissingRecords(bodies_[*made.follows]->tracker, made.through))) return false;
         return true;
     };
-    if (!for_each([](const Offer::Made&, const MissingRecords& missing) { return !missing.is_too_many; })) return false;
-    return for_each([&](const Offer::Made& made, const MissingRecords& missing) {
+    if (!for_each([](const Offer::NewBody&, const MissingRecords& missing) { return !missing.is_too_many; }))
+        return false;
+    return for_each([&](const Offer::NewBody& made, const MissingRecords& missing) {
         for (std::size_t i = 0; i < missing.count; ++i)
             made.body->committed.stamp(*missing.record[i], tools.solid(missing.record[i]->solid));
         return true;
@@ -116,7 +117,7 @@ bool LoopBodies::stamp_missing(const Offer& offer, const LoopTools& tools) noexc
 
 /// Gives bodies that follow another one its pose and its open stretch.
 void LoopBodies::continue_bodies(const Offer& offer) noexcept {
-    for (const Offer::Made& made : offer.made) {
+    for (const Offer::NewBody& made : offer.made) {
         if (made.body == nullptr || !made.follows) continue;
         const LiveBody& before = *bodies_[*made.follows];
         made.body->world_from_body = before.world_from_body;
@@ -125,28 +126,28 @@ void LoopBodies::continue_bodies(const Offer& offer) noexcept {
         if (is_same)
             made.body->group = before.group;
         else
-            threads_.pass_on(before.id, made.body->id);
-        made.body->tracker.go_on_from(before.tracker, is_same ? before.tracker.next_sequence() : 0);
+            threads_.inherit(before.id, made.body->id);
+        made.body->tracker.continue_from(before.tracker, is_same ? before.tracker.next_sequence() : 0);
     }
 }
 
-void LoopBodies::start_body(LiveBody& body, const Placing& placing, const ToolNow& tool) const noexcept {
-    body.world_from_body = placing.world_from_body;
-    body.group = placing.group;
-    body.is_cuttable = placing.is_cuttable;
-    body.is_present = placing.is_present;
+void LoopBodies::start_body(LiveBody& body, const BodyState& body_state, const ToolNow& tool) const noexcept {
+    body.world_from_body = body_state.world_from_body;
+    body.group = body_state.group;
+    body.is_cuttable = body_state.is_cuttable;
+    body.is_present = body_state.is_present;
     body.tracker.take_tool(tool.outline().cutting, static_cast<std::uint16_t>(tool.tools.in_hand()));
     body.tracker.restart(body.body_from(tool.world_from_tool));
 }
 
 /// Moves replaced and removed bodies into the offer.
 void LoopBodies::exchange_bodies(Offer& offer) noexcept {
-    while (bodies_.size() < offer.placings.count) bodies_.push_back(nullptr);
-    const bool has_fewer = offer.is_turn() && offer.placings.count < bodies_.size();
+    while (bodies_.size() < offer.body_states.count) bodies_.push_back(nullptr);
+    const bool has_fewer = offer.is_history_change() && offer.body_states.count < bodies_.size();
     for (std::size_t id = 0; id < bodies_.size(); ++id)
-        if (offer.made[id].body != nullptr || (has_fewer && id >= offer.placings.count))
+        if (offer.made[id].body != nullptr || (has_fewer && id >= offer.body_states.count))
             std::swap(bodies_[id], offer.made[id].body);
-    if (has_fewer) bodies_.resize(offer.placings.count);
+    if (has_fewer) bodies_.resize(offer.body_states.count);
 }
 
 void LoopBodies::add_subtracted(Offer& offer, std::uint64_t tick) noexcept {
@@ -154,7 +155,7 @@ void LoopBodies::add_subtracted(Offer& offer, std::uint64_t tick) noexcept {
         CutTracker& tracker = bodies_[record.body]->tracker;
         record.sequence = tracker.next_sequence();
         record.tick = tick;
-        tracker.number_from(record.sequence + 1);
+        tracker.set_next_sequence(record.sequence + 1);
         closed_.push_back(record);
     }
     removing_ += offer.subtracted.size();
@@ -167,20 +168,20 @@ void LoopBodies::update_view(const ToolNow& tool) noexcept {
 void LoopBodies::place(std::size_t body, const Pose& world_from_body, const ToolNow& tool) noexcept {
     LiveBody& moved = *bodies_[body];
     moved.world_from_body = world_from_body;
-    if (held_.holds(body)) held_.take(bodies_, held_.body(), tool.world_from_tool);
+    if (held_.contains(body)) held_.take(bodies_, held_.body(), tool.world_from_tool);
     moved.tracker.restart(moved.body_from(tool.world_from_tool));
     update_view(tool);
 }
 
 void LoopBodies::show(std::size_t body, bool is_present, const ToolNow& tool) noexcept {
     bodies_[body]->is_present = is_present;
-    if (held_.holds(body) && !is_present) held_.let_go();
+    if (held_.contains(body) && !is_present) held_.release_fraction();
     update_view(tool);
 }
 
 void LoopBodies::remove_held(const ToolNow& tool) noexcept {
-    for (const auto& body : bodies_) body->is_present = body->is_present && !held_.holds(body->id);
-    held_.let_go();
+    for (const auto& body : bodies_) body->is_present = body->is_present && !held_.contains(body->id);
+    held_.release_fraction();
     update_view(tool);
 }
 

@@ -18,14 +18,14 @@ constexpr double sampled_damper = 0.22;
 constexpr double nominal_period = 1e-3;  // [s]
 constexpr double loose = 0.01;  // [–] fraction of the damping about the shaft that loose fingers keep [assumed]
 /// Maximum change of force by one encoder count. A larger one is heard and felt while the hand is still (S-06).
-constexpr double felt_count = 0.08;  // [N]
+constexpr double max_count_force = 0.08;  // [N]
 }  // namespace
 
 CouplingGains gains_for(const DeviceRecord& device, double force_scale, int latency) noexcept {
-    KERF_ASSERT(latency >= 0 && latency <= longest_latency, "whole ticks, at most two");
+    KERF_ASSERT(latency >= 0 && latency <= max_latency, "whole ticks, at most two");
     CouplingGains gains;
     gains.stiffness = std::min(0.6 * device.largest_stiffness, 0.5 * device.stiffest_wall[latency]);
-    gains.damping = std::clamp(nominal_period * (felt_count / device.resolution - gains.stiffness), 0.0,
+    gains.damping = std::clamp(nominal_period * (max_count_force / device.resolution - gains.stiffness), 0.0,
                                0.5 * device.largest_damping);
     gains.force_limit = device.peak_force;
     // Without actuated torque the rotation follows through a slip coupling with a negligible limit.
@@ -54,14 +54,15 @@ constexpr double handpiece_mass = 0.5, handpiece_gyration = 50e-3;  // [kg], [m]
 
 /// Returns the damping of a handpiece's inertia on a spring, in series with the device's damping `of_device`. 0 if that
 /// is 0.
-double damped(const Hold& held, double stiffness, double inertia, double of_device) noexcept {
+double damped(const HandCompliance& held, double stiffness, double inertia, double of_device) noexcept {
     const double own = 2.0 * held.damping_ratio * std::sqrt(stiffness * inertia);
     return own / (1.0 + own / of_device);
 }
 
 }  // namespace
 
-Spring folded(const CouplingGains& gains, const std::optional<Hold>& held, double grip_z, TipBending tip) noexcept {
+Spring combined_spring(const CouplingGains& gains, const std::optional<HandCompliance>& held, double grip_z,
+                       TipBending tip) noexcept {
     const double k = gains.stiffness / gains.force_scale, b = gains.damping / gains.force_scale;
     const double arm2 = gains.rotation_arm * gains.rotation_arm;
     double turn = arm2 * k, along = k;
@@ -71,7 +72,7 @@ Spring folded(const CouplingGains& gains, const std::optional<Hold>& held, doubl
     }
     const ShaftGains& shaft = gains.shaft;
     const double about = shaft.is_driven() ? std::min(turn, shaft.stiffness / gains.force_scale) : turn;
-    const Compliance at_grip = Compliance{1.0 / k, 0.0, 1.0 / turn} + seen_ahead(bent(tip), grip_z);
+    const Compliance at_grip = Compliance{1.0 / k, 0.0, 1.0 / turn} + at_point_ahead(bending_compliance(tip), grip_z);
     const CentredSpring across = centred(at_grip);
     Spring spring{.centre_z = grip_z + across.ahead,
                   .stiffness = {across.shift, along},
@@ -81,30 +82,30 @@ Spring folded(const CouplingGains& gains, const std::optional<Hold>& held, doubl
     if (held) {
         constexpr double turning = handpiece_mass * handpiece_gyration * handpiece_gyration;
         spring.damping = {damped(*held, across.shift, handpiece_mass, b), b};  // along the shaft, hands stiffen
-        const double most = gains.has_torque ? arm2 * b : HUGE_VAL;
-        const double most_about = shaft.is_driven() ? shaft.damping / gains.force_scale : most;
-        spring.turn_damping = {damped(*held, across.turn, turning, most), damped(*held, about, turning, most_about)};
+        const double maximum = gains.has_torque ? arm2 * b : HUGE_VAL;
+        const double max_about = shaft.is_driven() ? shaft.damping / gains.force_scale : maximum;
+        spring.turn_damping = {damped(*held, across.turn, turning, maximum), damped(*held, about, turning, max_about)};
     }
     return spring;
 }
 
-Coupling::Coupling(const CouplingGains& gains, const Handling& handling) noexcept
+Coupling::Coupling(const CouplingGains& gains, const ToolGrip& handling) noexcept
     : gains_(gains),
       held_(gains.is_held ? std::optional(handling.hands > 1 ? two_hands : one_hand) : std::nullopt),
       grip_{0, 0, handling.grip_z},
-      spring_(folded(gains, held_, handling.grip_z, handling.bending)) {}
+      spring_(combined_spring(gains, held_, handling.grip_z, handling.bending)) {}
 
-void Coupling::hold(const Pose& handle, const Vec6& hand_rate, const Pose& tool, double dt,
+void Coupling::hold(const Pose& world_from_handle, const Vec6& hand_rate, const Pose& tool, double dt,
                     Balance& out) const noexcept {
     const Quat tool_from_world = conjugate(tool.rotation);
-    const Vec3 twisted = small_rotation_vector(twist(handle, tool));
+    const Vec3 twisted = small_rotation_vector(twist(world_from_handle, tool));
     out.centre = centre();
     out.hand_turn = rotate(tool_from_world, angular(hand_rate));
     out.hand_velocity = rotate(tool_from_world, linear(hand_rate)) + cross(out.hand_turn, out.centre);
-    out.force = {spring_.stiffness * stretch(handle, tool) + spring_.damping * out.hand_velocity,
-                 spring_.damping + dt * spring_.stiffness, most_force()};
+    out.force = {spring_.stiffness * stretch(world_from_handle, tool) + spring_.damping * out.hand_velocity,
+                 spring_.damping + dt * spring_.stiffness, max_force()};
     out.torque = {spring_.turn_stiffness * twisted + spring_.turn_damping * out.hand_turn,
-                  spring_.turn_damping + dt * spring_.turn_stiffness, most_torque()};
+                  spring_.turn_damping + dt * spring_.turn_stiffness, max_torque()};
     if (is_loose_) {
         out.torque.pull.z = 0.0;
         out.torque.drag.along = loose * spring_.turn_damping.along;
@@ -119,25 +120,25 @@ void Coupling::hold(const Pose& handle, const Vec6& hand_rate, const Pose& tool,
     out.release_from = std::max(0.0, dot(out.hand_velocity, out.release_along)) + release_from;
 }
 
-void Coupling::slide(const Pose& handle, const Pose& tool) noexcept {
-    const Vec3 after = stretch(handle, tool);
-    slip_ = slip_ + rotate(tool.rotation, after - clamped(after, most_force() / spring_.stiffness));
-    const Quat turn_after = twist(handle, tool);
+void Coupling::slide(const Pose& world_from_handle, const Pose& tool) noexcept {
+    const Vec3 after = stretch(world_from_handle, tool);
+    slip_ = slip_ + rotate(tool.rotation, after - clamped(after, max_force() / spring_.stiffness));
+    const Quat turn_after = twist(world_from_handle, tool);
     const Vec3 turn = small_rotation_vector(turn_after);
-    Vec3 kept = clamped(turn, most_torque() / spring_.turn_stiffness);
+    Vec3 kept = clamped(turn, max_torque() / spring_.turn_stiffness);
     if (is_loose_) kept.z = 0.0;
     if (!(kept == turn))
         rotation_slip_ = normalized(rotation_slip_ * conjugate(turn_after) * quat_from_rotation_vector(kept));
 }
 
-void Coupling::let_go(const Pose& handle, const Pose& tool) noexcept {
-    slip_ = handle * centre() - tool * centre();
-    rotation_slip_ = normalized(conjugate(handle.rotation) * tool.rotation);
+void Coupling::release_fraction(const Pose& world_from_handle, const Pose& tool) noexcept {
+    slip_ = world_from_handle * centre() - tool * centre();
+    rotation_slip_ = normalized(conjugate(world_from_handle.rotation) * tool.rotation);
 }
 
-bool Coupling::straighten(double share) noexcept {
+bool Coupling::straighten(double fraction) noexcept {
     constexpr double straight = 1e-6;  // [m], [–]
-    const Pose left = between({slip_, rotation_slip_}, identity_pose(), share);
+    const Pose left = between({slip_, rotation_slip_}, identity_pose(), fraction);
     slip_ = left.position;
     rotation_slip_ = left.rotation;
     const bool is_left =
@@ -149,21 +150,22 @@ bool Coupling::straighten(double share) noexcept {
     return is_left;
 }
 
-double Coupling::stored(const Pose& handle, const Pose& tool) const noexcept {
-    const Vec3 e = clamped(stretch(handle, tool), most_force() / spring_.stiffness);
+double Coupling::stored(const Pose& world_from_handle, const Pose& tool) const noexcept {
+    const Vec3 e = clamped(stretch(world_from_handle, tool), max_force() / spring_.stiffness);
     double energy = 0.5 * dot(e, spring_.stiffness * e);
     if (gains_.has_torque) {
-        const Split most = torque_limit() / gains_.force_scale;
-        const Vec3 turn = clamped(small_rotation_vector(twist(handle, tool)), most / spring_.turn_stiffness);
+        const Split maximum = torque_limit() / gains_.force_scale;
+        const Vec3 turn =
+            clamped(small_rotation_vector(twist(world_from_handle, tool)), maximum / spring_.turn_stiffness);
         energy += 0.5 * dot(turn, spring_.turn_stiffness * turn);
     } else if (gains_.shaft.is_driven() && !is_loose_) {
         // The motor's torque grows with the turn up to its limit and is constant above: the energy is the area under
         // it.
-        const double stiffness = spring_.turn_stiffness.along, most = shaft_limit() / gains_.force_scale;
+        const double stiffness = spring_.turn_stiffness.along, maximum = shaft_limit() / gains_.force_scale;
         const double turn =
-            std::min(std::abs(small_rotation_vector(twist(handle, tool)).z), most_torque().along / stiffness);
-        const double sprung = std::min(turn, most / stiffness);
-        energy += 0.5 * stiffness * sprung * sprung + most * (turn - sprung);
+            std::min(std::abs(small_rotation_vector(twist(world_from_handle, tool)).z), max_torque().along / stiffness);
+        const double sprung = std::min(turn, maximum / stiffness);
+        energy += 0.5 * stiffness * sprung * sprung + maximum * (turn - sprung);
     }
     return gains_.force_scale * energy;
 }

@@ -3,15 +3,15 @@
 
 #include <optional>
 
-#include "core/haptics/law/handling.h"
 #include "core/haptics/law/solve.h"
+#include "core/haptics/law/tool_grip.h"
 #include "core/haptics/loop/device_record.h"
 
 /// The spring and damper between the hand and the tool.
 namespace kerf {
 
 /// Compliance between handle and tool with the tool in a hand. In bone newtons, the same on every device.
-struct Hold {
+struct HandCompliance {
     double turn_stiffness = 0.0;   ///< [N·m/rad] of the wrist, at the grip
     double axial_stiffness = 0.0;  ///< [N/m] maximum
     double strength = 0.0;         ///< [N·m] about lines across the shaft; above it the tool turns in the hand
@@ -20,9 +20,11 @@ struct Hold {
 };
 /// A drill in one hand: 10 N·m/rad and 5 N·m [assumed], 7 N·m [measured maxima are 7 … 12], 7.5 N/mm, which every
 /// device can render.
-inline constexpr Hold one_hand{.turn_stiffness = 10.0, .axial_stiffness = 7.5e3, .strength = 7.0, .twist = 5.0};
+inline constexpr HandCompliance one_hand{
+    .turn_stiffness = 10.0, .axial_stiffness = 7.5e3, .strength = 7.0, .twist = 5.0};
 /// A saw in two hands: arms of 5 N/mm, 150 mm apart, and two wrists [assumed].
-inline constexpr Hold two_hands{.turn_stiffness = 60.0, .axial_stiffness = 7.5e3, .strength = 20.0, .twist = 20.0};
+inline constexpr HandCompliance two_hands{
+    .turn_stiffness = 60.0, .axial_stiffness = 7.5e3, .strength = 20.0, .twist = 20.0};
 
 /// Gains of a motor about the shaft, in device newtons. One encoder count changes the motor's torque by no more than
 /// its friction, half from the spring and half from the damper. So a hand at rest feels no count.
@@ -83,21 +85,21 @@ struct Spring {
 /// stiffness about it. In hands every damper has its own ratio, so the sum is exact at rest only.   [any] pure.
 ///
 /// Source: docs/design/tick.md, "One spring".
-[[nodiscard]] Spring folded(const CouplingGains& gains, const std::optional<Hold>& held, double grip_z,
-                            TipBending tip) noexcept;
+[[nodiscard]] Spring combined_spring(const CouplingGains& gains, const std::optional<HandCompliance>& held,
+                                     double grip_z, TipBending tip) noexcept;
 
 /// State of the coupling: the position of its anchor. The anchor slides, so that the stretch never stores more than the
 /// device can render and the hands withstand.
 class Coupling {
 public:
-    Coupling(const CouplingGains& gains, const Handling& handling) noexcept;
+    Coupling(const CouplingGains& gains, const ToolGrip& handling) noexcept;
 
     /// Sets the allowed fractions of the force and torque limits (0 … 1]. The anchor then slides at smaller forces.
     /// After a fault, force returns by raising these fractions. Scaling the force itself would give out more energy
     /// than was put in. [haptic, nonblocking]
-    void allow(double of_force, double of_torque) noexcept {
-        force_share_ = of_force;
-        torque_share_ = of_torque;
+    void set_allowed_fractions(double of_force, double of_torque) noexcept {
+        force_fraction_ = of_force;
+        torque_fraction_ = of_torque;
     }
 
     /// Sets all members of `out` for a step of `dt`, except the channels and `following`.
@@ -107,11 +109,11 @@ public:
     /// Slides the anchor after the step.   [haptic, nonblocking]
     void slide(const Pose& world_from_handle, const Pose& world_from_tool) noexcept;
     /// Moves the anchor so that the stretch is zero at the present poses.   [haptic, nonblocking]
-    void let_go(const Pose& world_from_handle, const Pose& world_from_tool) noexcept;
+    void release_fraction(const Pose& world_from_handle, const Pose& world_from_tool) noexcept;
 
     /// Moves the anchor back by this fraction (0 … 1) of its slip, as a hand realigns its tool in air. Returns
     /// whether some slip remains.   [haptic, nonblocking]
-    bool straighten(double share) noexcept;
+    bool straighten(double fraction) noexcept;
 
     /// Releases the tool about its shaft, or grips it again (false). While released, the anchor about the shaft follows
     /// the handle and carries no torque. A damper of 1 % [assumed] remains, so that the solve has one solution.
@@ -123,10 +125,10 @@ public:
     [[nodiscard]] double stored(const Pose& world_from_handle, const Pose& world_from_tool) const noexcept;
     [[nodiscard]] const CouplingGains& gains() const noexcept { return gains_; }
     /// Returns the allowed limits of the device [N], [N·m].
-    [[nodiscard]] double force_limit() const noexcept { return force_share_ * gains_.force_limit; }
-    [[nodiscard]] double torque_limit() const noexcept { return torque_share_ * gains_.torque_limit; }
+    [[nodiscard]] double force_limit() const noexcept { return force_fraction_ * gains_.force_limit; }
+    [[nodiscard]] double torque_limit() const noexcept { return torque_fraction_ * gains_.torque_limit; }
     /// Returns the allowed limit of its motor about the shaft [N·m].
-    [[nodiscard]] double shaft_limit() const noexcept { return torque_share_ * gains_.shaft.torque_limit; }
+    [[nodiscard]] double shaft_limit() const noexcept { return torque_fraction_ * gains_.shaft.torque_limit; }
     [[nodiscard]] Vec3 grip() const noexcept { return grip_; }  ///< tool frame [m]
     [[nodiscard]] const Spring& spring() const noexcept { return spring_; }
 
@@ -139,18 +141,18 @@ private:
     }
     [[nodiscard]] Vec3 centre() const noexcept { return {0, 0, spring_.centre_z}; }
     /// Returns the limit of the force or torque on the tool, in bone newtons [N], [N·m].
-    [[nodiscard]] Split most_force() const noexcept { return force_limit() / gains_.force_scale; }
-    [[nodiscard]] Split most_torque() const noexcept {
-        if (held_) return torque_share_ * Split(held_->strength, held_->twist);
+    [[nodiscard]] Split max_force() const noexcept { return force_limit() / gains_.force_scale; }
+    [[nodiscard]] Split max_torque() const noexcept {
+        if (held_) return torque_fraction_ * Split(held_->strength, held_->twist);
         const double across = torque_limit() / gains_.force_scale;
         return {across, gains_.shaft.is_driven() ? shaft_limit() / gains_.force_scale : across};
     }
 
     CouplingGains gains_;
-    std::optional<Hold> held_;
+    std::optional<HandCompliance> held_;
     Vec3 grip_;
     Spring spring_;
-    double force_share_ = 1.0, torque_share_ = 1.0;
+    double force_fraction_ = 1.0, torque_fraction_ = 1.0;
     bool is_loose_ = false;  ///< about the shaft
     Vec3 slip_{};            ///< slip of the anchor, world frame [m]
     Quat rotation_slip_{1, 0, 0, 0};

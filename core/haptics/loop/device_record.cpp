@@ -11,7 +11,7 @@ namespace kerf {
 namespace {
 using namespace literals;
 
-constexpr double unknown_share = 0.25;  // continuous force without a datasheet: a quarter of peak [assumed]
+constexpr double unknown_force_ratio = 0.25;  // continuous force without a datasheet: a quarter of peak [assumed]
 
 // Limits: [chai3d]. Masses, friction and resolution are not from a datasheet; check them on a device.
 constexpr DeviceRecord devices[] = {
@@ -29,7 +29,7 @@ constexpr DeviceRecord devices[] = {
      "[chai3d]; continuous force from the maker"},
     {"desktop",
      7.9,
-     unknown_share * 7.9,
+     unknown_force_ratio * 7.9,
      0.0,
      1000.0,
      5.0,
@@ -41,7 +41,7 @@ constexpr DeviceRecord devices[] = {
      "[chai3d]"},
     {"premium-1.5-6dof",
      8.5,
-     unknown_share * 8.5,
+     unknown_force_ratio * 8.5,
      0.188,
      800.0,
      5.0,
@@ -53,7 +53,7 @@ constexpr DeviceRecord devices[] = {
      "[chai3d]"},
     {"omega.6",
      12.0,
-     unknown_share * 12.0,
+     unknown_force_ratio * 12.0,
      0.0,
      5000.0,
      30.0,

@@ -31,7 +31,7 @@ struct DeviceRecord {
 };
 
 /// Largest latency of a device's forces that is measured [ticks].
-inline constexpr int longest_latency = 2;
+inline constexpr int max_latency = 2;
 
 /// Returns the record of a known device, or nullptr for an unknown one.
 [[nodiscard]] const DeviceRecord* find_device(const char* id) noexcept;

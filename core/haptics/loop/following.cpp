@@ -9,7 +9,7 @@ namespace kerf {
 namespace {
 
 /// Returns the used fraction of the limits.
-double share_of(Split limit, Vec3 v) noexcept {
+double used_fraction(Split limit, Vec3 v) noexcept {
     return std::max(length(Vec3{v.x, v.y, 0.0}) / limit.across, std::abs(v.z) / limit.along);
 }
 
@@ -28,7 +28,8 @@ Vec6 Following::wrench(const Balance& balance, const Vec6& own) const noexcept {
         for (std::size_t i = 0; i < 6; ++i) sum[i] += channel.follow[i] * lambda;
     }
     const Vec3 force = linear(sum), about_centre = angular(sum) - cross(balance.centre, force);
-    const double use = std::max(share_of(balance.force.limit, force), share_of(balance.torque.limit, about_centre));
+    const double use =
+        std::max(used_fraction(balance.force.limit, force), used_fraction(balance.torque.limit, about_centre));
     if (use > 0.5)
         for (double& component : sum) component *= 0.5 / use;
     return sum;
@@ -45,7 +46,7 @@ void Following::update(const Balance& balance, const Motion& motion) noexcept {
     double mu2 = 0.0;
     for (const auto& channel : balance.channels) mu2 = std::max(mu2, weighed(channel.follow) / weighed(channel.d));
     const double alpha = 1.0 / (1.0 + mu2);
-    std::array<Filtered, most_channels> next{};
+    std::array<Filtered, max_balance_channels> next{};
     for (std::size_t c = 0; c < balance.channels.size(); ++c) {
         const double old = lambda_of(balance.channels[c].id);
         next[c] = {balance.channels[c].id, old + alpha * (motion.lambda[c] - old)};

@@ -30,7 +30,7 @@ private:
     };
     [[nodiscard]] double lambda_of(std::uint32_t id) const noexcept;
 
-    std::array<Filtered, most_channels> filtered_{};
+    std::array<Filtered, max_balance_channels> filtered_{};
     std::size_t count_ = 0;
 };
 

@@ -17,7 +17,7 @@ public:
         if (!is_sound && state_ != State::shut) state_ = State::closing;
         if (is_sound && state_ == State::shut) {
             state_ = State::opening;
-            share_ = 0.0;
+            usable_fraction_ = 0.0;
         }
         switch (state_) {
             case State::open:
@@ -38,11 +38,11 @@ public:
     }
     /// Returns the usable fraction of a force limit [N] in the next step of `dt`, after a step that made `force` [N].
     /// The gate stays in `opening` as long as its rate limit bounds the force.   [haptic, nonblocking] once a tick
-    [[nodiscard]] double share(double limit, double force, double dt) noexcept {
+    [[nodiscard]] double usable_fraction(double limit, double force, double dt) noexcept {
         if (state_ != State::opening) return gain_;
-        const bool is_held = force >= (1.0 - 1e-9) * share_ * limit;
-        share_ = std::min(gain_, (force + fastest_rise * dt) / limit);
-        if (gain_ < 1.0 || (is_held && share_ < 1.0)) return share_;
+        const bool is_held = force >= (1.0 - 1e-9) * usable_fraction_ * limit;
+        usable_fraction_ = std::min(gain_, (force + fastest_rise * dt) / limit);
+        if (gain_ < 1.0 || (is_held && usable_fraction_ < 1.0)) return usable_fraction_;
         state_ = State::open;
         return 1.0;
     }
@@ -50,13 +50,15 @@ public:
     [[nodiscard]] State state() const noexcept { return state_; }
     /// Returns whether the gate closes or is shut. The hand then does not guide the tool; the force from before the
     /// fault fades or is zero.
-    [[nodiscard]] bool is_barred() const noexcept { return state_ == State::closing || state_ == State::shut; }
+    [[nodiscard]] bool is_closed_or_closing() const noexcept {
+        return state_ == State::closing || state_ == State::shut;
+    }
 
 private:
     static constexpr double closing_time = 5e-3, opening_time = 50e-3;  // [s]
     static constexpr double fastest_rise = 400.0;  // [N/s]; the limit of S-21 is 0.5 N per millisecond
     double gain_ = 1.0;
-    double share_ = 1.0;  ///< last allowed fraction while opening
+    double usable_fraction_ = 1.0;  ///< last allowed fraction while opening
     State state_ = State::open;
 };
 

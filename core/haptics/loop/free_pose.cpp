@@ -28,7 +28,7 @@ bool is_free(const Body& body, const ToolSolid& whole, const Pose& at) {
 
 }  // namespace
 
-std::optional<double> way_out_of_bone(const Body& body, const ToolSolid& whole, const Pose& body_from_tool) {
+std::optional<double> retreat_distance(const Body& body, const ToolSolid& whole, const Pose& body_from_tool) {
     const double step = 0.5 * body.grid().spacing;
     for (int i = 0; i * step <= farthest; ++i)
         if (is_free(body, whole, body_from_tool * Pose{{0, 0, -i * step}, {1, 0, 0, 0}})) return i * step;

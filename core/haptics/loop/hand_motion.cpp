@@ -16,8 +16,8 @@ constexpr std::uint32_t too_many_missed = 3;  // ticks
 constexpr double leap = 20e-3;                // [m] maximum motion of a hand between two ticks
 
 bool is_pose(const Pose& p) noexcept {
-    constexpr double room = 10.0;  // [m]
-    if (!is_finite(p) || !(dot(p.position, p.position) < room * room)) return false;
+    constexpr double max_distance = 10.0;  // [m]
+    if (!is_finite(p) || !(dot(p.position, p.position) < max_distance * max_distance)) return false;
     const auto& q = p.rotation;
     return std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1.0) < 1e-3;
 }
@@ -39,10 +39,10 @@ bool HandMotion::take(const DeviceSample& sample, double dt) noexcept {
     dt *= 1.0 + sample.missed;
     const Vec6 raw = make_vec6((1.0 / dt) * (handle.position - pose_.position), (1.0 / dt) * turned_by);
     pose_ = handle;
-    const double share = 1.0 - exp_exact(-2.0 * pi * filter_hz * dt);
+    const double weight = 1.0 - exp_exact(-2.0 * pi * filter_hz * dt);
     for (std::size_t i = 0; i < 6; ++i) {
-        first_pole_[i] += share * (raw[i] - first_pole_[i]);
-        rate_[i] += share * (first_pole_[i] - rate_[i]);
+        first_pole_[i] += weight * (raw[i] - first_pole_[i]);
+        rate_[i] += weight * (first_pole_[i] - rate_[i]);
     }
     return true;
 }

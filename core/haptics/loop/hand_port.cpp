@@ -24,17 +24,17 @@ PassivityGuard::Port port_of_shaft(const Coupling& coupling) noexcept {
 
 }  // namespace
 
-HandPort::HandPort(const CouplingGains& gains, const Handling& handling, const Pose& start)
+HandPort::HandPort(const CouplingGains& gains, const ToolGrip& handling, const Pose& start)
     : motion_(start),
       last_pose_(start),
       coupling_(gains, handling),
       guard_(port_of_forces(gains), port_of_shaft(coupling_)) {}
 
-void HandPort::take_tool(const Handling& handling, const Pose& world_from_tool) noexcept {
+void HandPort::take_tool(const ToolGrip& handling, const Pose& world_from_tool) noexcept {
     coupling_ = Coupling(coupling_.gains(), handling);
-    let_go(world_from_tool);
+    release_fraction(world_from_tool);
     is_tool_new_ = true;
-    guard_.serve(port_of_shaft(coupling_));
+    guard_.set_shaft_port(port_of_shaft(coupling_));
     guard_.restart();
 }
 
@@ -96,16 +96,16 @@ void HandPort::straighten_new_tool(double dt) noexcept {
 void HandPort::gate(bool is_steady, const Pose& world_from_tool, double dt, TickResult& result) noexcept {
     const bool was_closed = is_gate_closed();
     gate_.step(is_steady && !result.is_quarantined, dt);
-    result.is_barred = is_gate_closed();
-    if (result.is_barred && !was_closed) {
+    result.is_closed_or_closing = is_gate_closed();
+    if (result.is_closed_or_closing && !was_closed) {
         before_fault_ = commanded_;
         result.add_event(is_steady ? "haptics.quarantined" : "haptics.hand_lost");
     }
-    if (was_closed && !result.is_barred) {
+    if (was_closed && !result.is_closed_or_closing) {
         guard_.restart();
         result.add_event("haptics.anchored_again");
     }
-    if (was_closed || result.is_barred) let_go(world_from_tool);
+    if (was_closed || result.is_closed_or_closing) release_fraction(world_from_tool);
 }
 
 /// Returns the torque that the device makes of one on the hand, device side, world frame. A motor about the shaft makes
@@ -146,8 +146,9 @@ void HandPort::command(const Pose& world_from_tool, double dt, TickResult& resul
         command_coupled(world_from_tool, dt, result, wrench);
     }
     result.command.wrench = commanded_ = wrench;
-    if (!result.is_barred)
-        coupling_.allow(gate_.share(coupling_.gains().force_limit, length(linear(commanded_)), dt), gate_.gain());
+    if (!result.is_closed_or_closing)
+        coupling_.set_allowed_fractions(
+            gate_.usable_fraction(coupling_.gains().force_limit, length(linear(commanded_)), dt), gate_.gain());
     result.is_coming_back = gate_.state() == ForceGate::State::opening;
 }
 

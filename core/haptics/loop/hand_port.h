@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/law/handling.h"
 #include "core/haptics/law/solve.h"
+#include "core/haptics/law/tool_grip.h"
 #include "core/haptics/loop/coupling.h"
 #include "core/haptics/loop/force_gate.h"
 #include "core/haptics/loop/hand_motion.h"
@@ -14,10 +14,10 @@ namespace kerf {
 /// The hand's side of the loop: the hand's motion, the coupling to the tool, the passivity guard and the force gate.
 class HandPort {
 public:
-    HandPort(const CouplingGains& gains, const Handling& handling, const Pose& start);
+    HandPort(const CouplingGains& gains, const ToolGrip& handling, const Pose& start);
 
     /// Takes up another tool at this pose. The coupling has another spring and stores nothing.   [main] between ticks
-    void take_tool(const Handling& handling, const Pose& world_from_tool) noexcept;
+    void take_tool(const ToolGrip& handling, const Pose& world_from_tool) noexcept;
     void loosen_about_shaft(bool is_loose) noexcept { coupling_.loosen_about_shaft(is_loose); }
 
     /// Reads a device sample and balances the energy since the last one. `kinetic_energy` [J] is the tool's, bone side.
@@ -32,8 +32,9 @@ public:
     [[nodiscard]] Pose pose_after(int part, int parts) const noexcept;
 
     /// Writes the coupling's part of a balance for a step of `dt` [s].   [haptic, nonblocking]
-    void couple(const Pose& world_from_hand, const Pose& world_from_tool, double dt, Balance& balance) const noexcept {
-        coupling_.hold(world_from_hand, motion_.rate(), world_from_tool, dt, balance);
+    void couple(const Pose& world_from_handle, const Pose& world_from_tool, double dt,
+                Balance& balance) const noexcept {
+        coupling_.hold(world_from_handle, motion_.rate(), world_from_tool, dt, balance);
     }
     /// Adds the coupling's wrenches for a solved motion with a weight (0 … 1), which is the fraction of the tick that
     /// it lasts.   [haptic, nonblocking]
@@ -44,11 +45,11 @@ public:
     /// Slides the coupling's anchor after the last step of a tick.   [haptic, nonblocking]
     void slide(const Pose& world_from_tool) noexcept { coupling_.slide(pose(), world_from_tool); }
     /// Drops the stretch of the coupling.   [haptic, nonblocking]
-    void let_go(const Pose& world_from_tool) noexcept { coupling_.let_go(pose(), world_from_tool); }
+    void release_fraction(const Pose& world_from_tool) noexcept { coupling_.release_fraction(pose(), world_from_tool); }
     /// Straightens a tool that was just taken up, while nothing resists it.   [haptic, nonblocking]
     void straighten_new_tool(double dt) noexcept;
 
-    [[nodiscard]] bool is_gate_closed() const noexcept { return gate_.is_barred(); }
+    [[nodiscard]] bool is_gate_closed() const noexcept { return gate_.is_closed_or_closing(); }
     /// Steps the force gate and adds its events.   [haptic, nonblocking]
     void gate(bool is_steady, const Pose& world_from_tool, double dt, TickResult& result) noexcept;
     /// Writes the command to the device, and the force limits of the next tick.   [haptic, nonblocking]
@@ -59,8 +60,8 @@ public:
     [[nodiscard]] double force_scale() const noexcept { return coupling_.gains().force_scale; }
     [[nodiscard]] const PassivityGuard& passivity() const noexcept { return guard_; }
     /// Returns the energy that the coupling would return to a hand at a pose [J], device side.
-    [[nodiscard]] double stored_at(const Pose& world_from_hand, const Pose& world_from_tool) const noexcept {
-        return coupling_.stored(world_from_hand, world_from_tool);
+    [[nodiscard]] double stored_at(const Pose& world_from_handle, const Pose& world_from_tool) const noexcept {
+        return coupling_.stored(world_from_handle, world_from_tool);
     }
 
 private:

@@ -54,7 +54,7 @@ void HapticLoop::start_tool() {
     tools_.begin(bodies_.view().query(), period_, tick_);
     if (const double back = bodies_.distance_out_of_bone(now()); back > 0.0) {
         world_from_tool_ = world_from_tool_ * Pose{{0, 0, -back}, {1, 0, 0, 0}};
-        hand_.let_go(world_from_tool_);
+        hand_.release_fraction(world_from_tool_);
         reported_.is_drawn_back = true;
     }
     bodies_.restart_stretches(now());
@@ -85,7 +85,7 @@ TickResult HapticLoop::tick_direct(const DeviceSample& sample) noexcept {
     result.is_quarantined = !evaluate(period_);
 
     const EvaluatedLaw& law = tools_.law();
-    double lambda[most_channels] = {};
+    double lambda[max_balance_channels] = {};
     Vec6 following = result.is_quarantined ? Vec6{} : law.wrench, bone{};
     for (std::uint32_t c = 0; c < law.count; ++c) {
         const kerf_channel& channel = law.channel[c];
@@ -126,10 +126,10 @@ bool HapticLoop::evaluate(double dt_of_step) noexcept {
 }
 
 /// Evaluates the law and solves for the motion of one step. Returns false if the law is unsound or the solve fails.
-bool HapticLoop::find_motion(const Pose& world_from_hand, Step& step) noexcept {
+bool HapticLoop::find_motion(const Pose& world_from_handle, Step& step) noexcept {
     if (!evaluate(step.dt)) return false;
     Balance& balance = step.balance;
-    hand_.couple(world_from_hand, world_from_tool_, step.dt, balance);
+    hand_.couple(world_from_handle, world_from_tool_, step.dt, balance);
     balance.channels = tools_.law().channels();
     balance.following = following_.wrench(balance, tools_.law().wrench);
     balance.inertia = outline().inertia;
@@ -223,7 +223,7 @@ void HapticLoop::rest(TickResult& result) noexcept {
     result.bone_on_tool = result.coupled_on_hand = result.limited_on_hand = Vec6{};
     result.thrust = result.torque = result.power_hand = 0.0;
     if (result.is_quarantined) return;
-    constexpr double no_force[most_channels] = {};
+    constexpr double no_force[max_balance_channels] = {};
     apply({Vec6{}, no_force, Vec6{}, period_}, result);
 }
 
@@ -260,7 +260,7 @@ void HapticLoop::apply_action(const kerf_action& action, TickResult& result) noe
     if (action.kind == KERF_ACTION_CUT && action.value == KERF_CUT_THREAD) result.is_stripping = outline().has_thread();
     if (action.kind == KERF_ACTION_EVENT && action.value < law.event_count)
         result.add_event(law.events[action.value].id);
-    if (action.kind == KERF_ACTION_RELEASE) bodies_.held().let_go();
+    if (action.kind == KERF_ACTION_RELEASE) bodies_.held().release_fraction();
     if (action.kind == KERF_ACTION_HOLD && !bodies_.hold(action.value, world_from_tool_))
         result.add_event("haptics.bone_is_whole");
 }

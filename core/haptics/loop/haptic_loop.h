@@ -66,7 +66,7 @@ public:
     /// Sets a drive from the next tick on, clamped to its range: a pedal, a trigger, a step of the procedure.
     /// [haptic, nonblocking] between ticks
     void command_drive(std::size_t drive, double value) noexcept { tools_.command_drive(drive, value); }
-    /// Lets the tool turn about its shaft from the next tick on, or holds it again (false): a hand that regrips, a
+    /// Lets the tool turn about its shaft from the next tick on, or grips it again (false): a hand that regrips, a
     /// clutch of a device. The tool's angle stays, and the hand turns without it. A tool that is taken up is held.
     /// [haptic, nonblocking] between ticks
     void loosen_about_shaft(bool is_loose) noexcept { hand_.loosen_about_shaft(is_loose); }
@@ -103,13 +103,13 @@ public:
     [[nodiscard]] const CutTracker& tracker(std::size_t body = 0) const noexcept { return bodies_[body].tracker; }
     /// Returns the threads that taps and screws have left in the bone.
     [[nodiscard]] const BodyThreads& threads() const noexcept { return bodies_.threads(); }
-    /// Returns the body that the tool holds; −1 for none.
+    /// Returns the held body; −1 for none.
     [[nodiscard]] int held() const noexcept {
         return bodies_.held().is_any() ? static_cast<int>(bodies_.held().body()) : -1;
     }
-    /// Returns whether the tool and what it holds touch no bone, cut or uncut.   [haptic, nonblocking]
+    /// Returns whether tool and held body touch no bone, cut or uncut.   [haptic, nonblocking]
     [[nodiscard]] bool is_clear_of_bone() const noexcept { return !bodies_.is_in_reach(now(), 0.0); }
-    [[nodiscard]] Placings placings() const noexcept { return bodies_.placings(); }
+    [[nodiscard]] BodyStates body_states() const noexcept { return bodies_.body_states(); }
 
     /// Moves a body; the motion cuts nothing.   [haptic, nonblocking] between ticks
     void place_body(std::size_t body, const Pose& world_from_body) noexcept {
@@ -154,8 +154,8 @@ public:
     [[nodiscard]] std::vector<std::string> laws_over_budget() const { return tools_.laws_over_budget(); }
     [[nodiscard]] const PassivityGuard& passivity() const noexcept { return hand_.passivity(); }
     /// Returns the energy that the coupling would return to a hand at a pose [J], device side.
-    [[nodiscard]] double stored_at(const Pose& world_from_hand) const noexcept {
-        return hand_.stored_at(world_from_hand, world_from_tool_);
+    [[nodiscard]] double stored_at(const Pose& world_from_handle) const noexcept {
+        return hand_.stored_at(world_from_handle, world_from_tool_);
     }
 
 private:
@@ -176,7 +176,7 @@ private:
     [[nodiscard]] bool read_hand(const DeviceSample& sample) noexcept;
     [[nodiscard]] bool evaluate(double step) noexcept;
     [[nodiscard]] bool move(TickResult& result) noexcept;
-    [[nodiscard]] bool find_motion(const Pose& world_from_hand, Step& step) noexcept;
+    [[nodiscard]] bool find_motion(const Pose& world_from_handle, Step& step) noexcept;
     [[nodiscard]] double travel_in(const Step& step) noexcept;
     [[nodiscard]] int choose_parts(const Step& step, double travel, bool is_fast, TickResult& result) noexcept;
     [[nodiscard]] bool is_skidding(const Step& step) const noexcept;

@@ -12,12 +12,12 @@ namespace kerf {
 namespace {
 
 // Maximum number of records of a tick, a turn and a subtraction together.
-constexpr std::size_t closed_capacity = (2 * 16 + 3) * most_bodies;
+constexpr std::size_t closed_capacity = (2 * 16 + 3) * max_bodies;
 
 }  // namespace
 
 LoopBodies::LoopBodies(const Body& first, const ToolOutline& outline) : view_(first, threads_) {
-    bodies_.reserve(most_bodies);
+    bodies_.reserve(max_bodies);
     bodies_.push_back(
         std::make_unique<LiveBody>(std::uint16_t{0}, first, CutField(first, live_reserve), outline.cutting));
     closed_.reserve(closed_capacity);
@@ -26,7 +26,7 @@ LoopBodies::LoopBodies(const Body& first, const ToolOutline& outline) : view_(fi
 bool LoopBodies::is_in_reach(const ToolNow& tool, double margin) const noexcept {
     if (held_.is_any() && held_.is_near_another(bodies_, tool.world_from_tool, margin)) return true;
     return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) {
-        return body->is_present && !held_.holds(body->id) &&
+        return body->is_present && !held_.contains(body->id) &&
                is_in_reach_of_bone(*body->bone, tool.outline().whole, body->body_from(tool.world_from_tool), margin);
     });
 }
@@ -40,14 +40,14 @@ double LoopBodies::distance_out_of_bone(const ToolNow& tool) const {
     for (const auto& body : bodies_)
         if (body->is_present)
             distance = std::max(
-                distance, way_out_of_bone(*body->bone, tool.outline().whole, body->body_from(tool.world_from_tool))
+                distance, retreat_distance(*body->bone, tool.outline().whole, body->body_from(tool.world_from_tool))
                               .value_or(0.0));
     return distance;
 }
 
 void LoopBodies::begin_tick() noexcept {
     closed_.clear();
-    bricks_left_ = CutTracker::most_bricks;
+    bricks_left_ = CutTracker::max_bricks;
 }
 
 void LoopBodies::cut(const ToolNow& tool, bool is_cutting, bool is_at_front) noexcept {
@@ -76,7 +76,7 @@ void LoopBodies::restart_stretches(const ToolNow& tool) noexcept {
 void LoopBodies::take_tool(const ToolNow& tool) {
     for (const auto& body : bodies_)
         body->tracker.take_tool(tool.outline().cutting, static_cast<std::uint16_t>(tool.tools.in_hand()));
-    held_.let_go();
+    held_.release_fraction();
 }
 
 bool LoopBodies::hold(std::size_t body, const Pose& world_from_tool) noexcept {
@@ -88,7 +88,7 @@ bool LoopBodies::hold(std::size_t body, const Pose& world_from_tool) noexcept {
 
 bool LoopBodies::keep(const kerf_thread& thread) noexcept {
     const bool is_new = thread.number == KERF_NEW_THREAD;
-    return threads_.leave(thread, view_.places()) || !is_new || !threads_.is_full();
+    return threads_.leave(thread, view_.tool_poses()) || !is_new || !threads_.is_full();
 }
 
 void LoopBodies::take_closed(CutTracker& tracker, int count) noexcept {

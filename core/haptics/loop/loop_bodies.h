@@ -25,7 +25,7 @@ struct ToolNow {
     [[nodiscard]] const ToolOutline& outline() const noexcept { return tools.outline(); }
 };
 
-/// The bodies of a loop: their bone, the threads in it, the body that the tool holds, and the records of the last tick.
+/// The bodies of a loop: their bone, the threads in it, the held body, and the records of the last tick.
 class LoopBodies {
 public:
     /// Everything is uncut. `first` must outlive it.   [main]
@@ -41,7 +41,7 @@ public:
     /// Returns the records of the last tick, and those taken over since.
     [[nodiscard]] std::span<const CutRecord> closed() const noexcept { return closed_; }
 
-    /// Returns whether bone is within `margin` [m] of the tool or of what it holds.   [haptic, nonblocking]
+    /// Returns whether bone is within `margin` [m] of the tool or of the held body.   [haptic, nonblocking]
     [[nodiscard]] bool is_in_reach(const ToolNow& tool, double margin) const noexcept;
     /// Returns whether some body has more cut than is committed in time.   [haptic, nonblocking]
     [[nodiscard]] bool is_behind() const noexcept;
@@ -73,7 +73,7 @@ public:
     /// Commits everything that is closed. It may allocate.   [main] between ticks
     void flush();
 
-    [[nodiscard]] Placings placings() const noexcept;
+    [[nodiscard]] BodyStates body_states() const noexcept;
     [[nodiscard]] std::uint64_t next_sequence() const noexcept;
     /// Takes over a change of bodies. See `HapticLoop::take`.   [haptic, nonblocking] between ticks
     bool take(Offer& offer, const ToolNow& tool) noexcept;
@@ -86,12 +86,12 @@ private:
     [[nodiscard]] bool take_change(Offer& offer, const ToolNow& tool) noexcept;
     [[nodiscard]] bool stamp_missing(const Offer& offer, const LoopTools& tools) noexcept;
     void continue_bodies(const Offer& offer) noexcept;
-    void start_body(LiveBody& body, const Placing& placing, const ToolNow& tool) const noexcept;
+    void start_body(LiveBody& body, const BodyState& body_state, const ToolNow& tool) const noexcept;
     void exchange_bodies(Offer& offer) noexcept;
     void add_subtracted(Offer& offer, std::uint64_t tick) noexcept;
     void take_closed(CutTracker& tracker, int count) noexcept;
 
-    std::vector<std::unique_ptr<LiveBody>> bodies_;  ///< at the index of their id; capacity for `most_bodies`
+    std::vector<std::unique_ptr<LiveBody>> bodies_;  ///< at the index of their id; capacity for `max_bodies`
     BodyThreads threads_;
     BodiesView view_;
     HeldBody held_;

@@ -16,48 +16,48 @@
 namespace kerf {
 
 /// Pose and state of a body.
-struct Placing {
+struct BodyState {
     Pose world_from_body = identity_pose();
     std::uint16_t group = 0;
     bool is_cuttable = true, is_present = true;
 
-    [[nodiscard]] bool is_same_as(const Placing& other) const noexcept;
+    [[nodiscard]] bool is_same_as(const BodyState& other) const noexcept;
 };
 
 /// States of all bodies, at the index of their id, and the threads in them, if known. A worker thread does not know the
 /// threads, so an undo on the worker leaves them unchanged.
-struct Placings {
-    std::array<Placing, most_bodies> of{};
+struct BodyStates {
+    std::array<BodyState, max_bodies> of{};
     std::size_t count = 1;
     bool knows_threads = false;
     BodyThreads threads{};
 };
 
 /// Direction in the history of cuts.
-enum class Turn { undo, redo };
+enum class HistoryChange { undo, redo };
 
 /// One change of bodies. It is complete when it is offered, so the loop takes it over without allocation or wait. The
 /// loop leaves the replaced objects in it.
 struct Offer {
     enum class Change { none, separation, undo, redo, insertion, fusion, subtraction };
-    struct Made {
+    struct NewBody {
         std::unique_ptr<LiveBody> body;        ///< null: the loop keeps its own
         std::optional<std::uint16_t> follows;  ///< body whose pose and open record it takes over
         std::uint64_t through = 0;             ///< number of the first record of that body missing in its field
     };
 
     Change change = Change::none;
-    std::uint64_t tick = 0;              ///< separation: tick of the record that separated the parent
-    std::uint64_t removing = 0;          ///< undo, redo: number of bone-removing records when it was made
-    std::array<Made, most_bodies> made;  ///< at the index of their id
-    Placings placings;  ///< after the change. Separation, subtraction: only `count`. Threads: only undo and redo
+    std::uint64_t tick = 0;                ///< separation: tick of the record that separated the parent
+    std::uint64_t removing = 0;            ///< undo, redo: number of bone-removing records when it was made
+    std::array<NewBody, max_bodies> made;  ///< at the index of their id
+    BodyStates body_states;  ///< after the change. Separation, subtraction: only `count`. Threads: only undo and redo
     std::optional<Separation> separation;
     const Body* added = nullptr;        ///< insertion, fusion: bone of the new body, which has the last id
     std::vector<CutRecord> subtracted;  ///< the loop assigns their sequence numbers
     Owners owners;                      ///< after the change
 
     [[nodiscard]] bool is_any() const noexcept { return change != Change::none; }
-    [[nodiscard]] bool is_turn() const noexcept { return change == Change::undo || change == Change::redo; }
+    [[nodiscard]] bool is_history_change() const noexcept { return change == Change::undo || change == Change::redo; }
 };
 
 }  // namespace kerf

@@ -10,11 +10,11 @@ void PassivityGuard::observe(const Vec6& wrench, const Vec6& moved, double suppl
                              double turned) noexcept {
     moved_ = linear(moved);
     turned_ = turned;
-    const double way = length(moved_), turn = std::abs(turned);
-    if (way > 0.0 && way < 1.5 * forces_.count) supplied += forces_.unseen;
+    const double travel = length(moved_), turn = std::abs(turned);
+    if (travel > 0.0 && travel < 1.5 * forces_.count) supplied += forces_.unseen;
     if (turn > 0.0 && turn < 1.5 * shaft_.count) supplied += shaft_.unseen;
     energy_ = std::min(energy_ - dot(wrench, moved) + supplied, stored);
-    least_ = std::min(least_, energy_);
+    min_energy_ = std::min(min_energy_, energy_);
 }
 
 Vec3 PassivityGuard::correction(double dt) noexcept {

@@ -33,7 +33,7 @@ public:
     PassivityGuard(const Port& forces, const Port& shaft) : forces_(forces), shaft_(shaft) {}
 
     /// Sets the port of the shaft after a tool change.   [haptic, nonblocking]
-    void serve(const Port& shaft) noexcept { shaft_ = shaft; }
+    void set_shaft_port(const Port& shaft) noexcept { shaft_ = shaft; }
 
     /// Updates W after the hand moved by `moved` [m, rad] under `wrench` [N, N·m]. The motor put `supplied` [J] into
     /// the port, and the spring now stores `stored` [J]. `turned` [rad] is the part of the motion about the shaft, for
@@ -48,8 +48,8 @@ public:
     /// [N·m]. [haptic, nonblocking]
     [[nodiscard]] double shaft_correction(double dt) noexcept;
 
-    [[nodiscard]] double energy() const noexcept { return energy_; }       ///< [J] W
-    [[nodiscard]] double least_energy() const noexcept { return least_; }  ///< [J] the minimum of W so far
+    [[nodiscard]] double energy() const noexcept { return energy_; }          ///< [J] W
+    [[nodiscard]] double min_energy() const noexcept { return min_energy_; }  ///< [J] the minimum of W so far
     [[nodiscard]] std::uint64_t corrections() const noexcept { return corrections_; }
 
 private:
@@ -57,7 +57,7 @@ private:
     Vec3 moved_{};
     double turned_ = 0.0;  ///< [rad] about the shaft
     double left_ = 0.0;    ///< [J] excess left after the last `correction`
-    double energy_ = 0.0, least_ = 0.0;
+    double energy_ = 0.0, min_energy_ = 0.0;
     std::uint64_t corrections_ = 0;
 };
 

@@ -12,7 +12,7 @@ namespace kerf {
 /// The result of one tick. Wrenches are in the world frame and in bone newtons, except where a line names another
 /// frame or unit. A fast tick has several parts: rates, wrenches and powers are then averages over them.
 struct TickResult {
-    static constexpr std::size_t most_events = 2 * KERF_MAX_ACTIONS;
+    static constexpr std::size_t max_events = 2 * KERF_MAX_ACTIONS;
 
     Pose world_from_tool = identity_pose();
     Vec6 rate{};                  ///< of the tool, tool frame
@@ -31,13 +31,13 @@ struct TickResult {
                                   ///< the solid `crest_number` at the tool's pose, as `Simulation` does
     bool is_at_metal = false;     ///< the tool meets a body that cannot be cut
     bool is_quarantined = false;  ///< the law was unsound or the solve failed: the tool rests
-    bool is_barred = false;       ///< the force gate is closing or closed after a fault
-    bool is_coming_back = false;  ///< the force gate is opening: the force limit is below the device's own
+    bool is_closed_or_closing = false;  ///< the force gate is closing or closed after a fault
+    bool is_coming_back = false;        ///< the force gate is opening: the force limit is below the device's own
     std::size_t event_count = 0;
-    const char* events[most_events]{};
+    const char* events[max_events]{};
 
     void add_event(const char* id) noexcept {
-        if (event_count < most_events) events[event_count++] = id;
+        if (event_count < max_events) events[event_count++] = id;
     }
     /// Adds a wrench of the bone on the tool (tool frame, about the tip) with a weight (0 … 1), which is the fraction
     /// of the tick that it acts.   [haptic, nonblocking]

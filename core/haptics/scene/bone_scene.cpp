@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-bool Placing::is_same_as(const Placing& other) const noexcept {
+bool BodyState::is_same_as(const BodyState& other) const noexcept {
     const Quat a = world_from_body.rotation, b = other.world_from_body.rotation;
     return world_from_body.position == other.world_from_body.position &&
            std::tie(a.w, a.x, a.y, a.z) == std::tie(b.w, b.x, b.y, b.z) && group == other.group &&
@@ -21,17 +21,17 @@ bool Placing::is_same_as(const Placing& other) const noexcept {
 BoneScene::BoneScene(const Body& body, std::vector<const ToolSolid*> cutting)
     : cutting_(std::move(cutting)), bone_(body, live_reserve), next_(1, 0) {}
 
-void BoneScene::look_for_pieces(double crumb, Belongings belongings) {
+void BoneScene::find_pieces(double crumb, BodyOwnership belongings) {
     belongings_ = std::move(belongings);
-    bone_.look_for_pieces(crumb);
+    bone_.find_pieces(crumb);
 }
 
 // ---- cuts ---------------------------------------------------------------------------------------------------------
 
-void BoneScene::apply(std::span<const CutRecord> records, const Placings& now) {
-    if (!begun_) {
-        begun_ = moment(now);
-        begun_->placings.threads = threads_;  // a thread may have begun before the first record was closed
+void BoneScene::apply(std::span<const CutRecord> records, const BodyStates& now) {
+    if (!before_cut_) {
+        before_cut_ = snapshot(now);
+        before_cut_->body_states.threads = threads_;  // a thread may have begun before the first record was closed
     }
     for (const CutRecord& record : records) {
         for (Separation& separation : bone_.apply(record, *cutting_[record.solid]))
@@ -45,14 +45,14 @@ void BoneScene::wait_for_the_loop(Separation separation) {
     Owners owners = waiting_.empty() ? belongings_.owners : waiting_.back().owners;
     std::vector<std::size_t> bodies;
     for (const auto& part : separation.parts) bodies.push_back(part.body);
-    if (belongings_.pass_on) belongings_.pass_on(owners, separation.parent, bodies, bone_);
+    if (belongings_.inherit) belongings_.inherit(owners, separation.parent, bodies, bone_);
     waiting_.push_back({std::move(separation), std::move(owners)});
 }
 
-void BoneScene::leave_bone() {
-    if (!begun_) return;
-    Moment before = std::move(*begun_);
-    begun_.reset();
+void BoneScene::end_cut() {
+    if (!before_cut_) return;
+    Snapshot before = std::move(*before_cut_);
+    before_cut_.reset();
     // A tool that passes near the bone changes distances in air. This is no cut.
     if (bone_.removed() != removed_in(before.bone)) keep(std::move(before));
 }
@@ -63,15 +63,15 @@ double BoneScene::removed_in(const BoneImage& bone) noexcept {
     return sum;
 }
 
-void BoneScene::keep(Moment before) {
-    if (undo_.size() == most_undo) undo_.erase(undo_.begin());
+void BoneScene::keep(Snapshot before) {
+    if (undo_.size() == max_undo) undo_.erase(undo_.begin());
     undo_.push_back(std::move(before));
     redo_.clear();
 }
 
-void BoneScene::keep_for_undo(const Placings& before) {
-    leave_bone();
-    keep(moment(before));
+void BoneScene::push_undo_of(const BodyStates& before) {
+    end_cut();
+    keep(snapshot(before));
 }
 
 // ---- offers -------------------------------------------------------------------------------------------------------
@@ -87,19 +87,19 @@ Offer BoneScene::separation() const {
         const std::uint16_t id = part.body;
         offer.made[id] = {live_body(id, *bone_.piece(id).bone, bone_.cut(id), *cutting_.front()), first.parent,
                           next_[first.parent]};
-        offer.placings.count = std::max<std::size_t>(offer.placings.count, id + 1u);
+        offer.body_states.count = std::max<std::size_t>(offer.body_states.count, id + 1u);
     }
     return offer;
 }
 
-Offer BoneScene::turn(Turn turn) const {
-    const Moment& then = moments(turn).back();
+Offer BoneScene::turn(HistoryChange turn) const {
+    const Snapshot& then = snapshots(turn).back();
     Offer offer;
-    offer.change = turn == Turn::undo ? Offer::Change::undo : Offer::Change::redo;
+    offer.change = turn == HistoryChange::undo ? Offer::Change::undo : Offer::Change::redo;
     offer.removing = removing_;
-    offer.placings = then.placings;
+    offer.body_states = then.body_states;
     offer.owners = then.owners;
-    for (std::size_t id = 0; id < then.placings.count; ++id) {
+    for (std::size_t id = 0; id < then.body_states.count; ++id) {
         const PieceImage& piece = *then.bone.pieces[id];
         offer.made[id].body = live_body(static_cast<std::uint16_t>(id), *piece.bone, piece.cut, *cutting_.front());
     }
@@ -107,29 +107,29 @@ Offer BoneScene::turn(Turn turn) const {
 }
 
 namespace {
-std::string why_no_more_bodies(const Placings& now) {
-    return now.count < most_bodies
+std::string why_no_more_bodies(const BodyStates& now) {
+    return now.count < max_bodies
                ? std::string{}
-               : "there are " + std::to_string(most_bodies) + " bodies already, which is the most there may be";
+               : "there are " + std::to_string(max_bodies) + " bodies already, which is the most there may be";
 }
 }  // namespace
 
-Offer BoneScene::addition(Offer::Change change, const Body& body, const Placing& placing, const Placings& now,
+Offer BoneScene::addition(Offer::Change change, const Body& body, const BodyState& body_state, const BodyStates& now,
                           std::string& why_not) const {
     if (why_not = why_no_more_bodies(now); !why_not.empty()) return {};
     const std::size_t id = now.count;
     Offer offer;
     offer.change = change;
     offer.added = &body;
-    offer.placings = now;
-    offer.placings.of[offer.placings.count++] = placing;
+    offer.body_states = now;
+    offer.body_states.of[offer.body_states.count++] = body_state;
     offer.owners = belongings_.owners;
     offer.made[id].body = std::make_unique<LiveBody>(static_cast<std::uint16_t>(id), body, CutField(body, live_reserve),
                                                      *cutting_.front());
     return offer;
 }
 
-Offer BoneScene::insertion(const Body& body, const Pose& world_from_body, bool is_cuttable, const Placings& now,
+Offer BoneScene::insertion(const Body& body, const Pose& world_from_body, bool is_cuttable, const BodyStates& now,
                            std::string& why_not) const {
     const auto& tissues = bone_.piece(0).bone->materials;
     if (is_cuttable && !std::equal(tissues.begin(), tissues.end(), body.materials.begin(), body.materials.end(),
@@ -141,14 +141,14 @@ Offer BoneScene::insertion(const Body& body, const Pose& world_from_body, bool i
     return addition(Offer::Change::insertion, body, {world_from_body, group, is_cuttable, true}, now, why_not);
 }
 
-Offer BoneScene::fusion(std::size_t held, const Placings& now, std::string& why_not) {
+Offer BoneScene::fusion(std::size_t held, const BodyStates& now, std::string& why_not) {
     if (why_not = why_no_more_bodies(now); !why_not.empty()) return {};
-    const Placing& holding = now.of[held];
+    const BodyState& holding = now.of[held];
     const auto bone_of = [&](std::size_t id) { return CutBone{bone_.piece(id).bone, &bone_.cut(id)}; };
     std::optional<Bridge> nearest;
     std::uint16_t beyond = 0;  // group of the piece at the far end
     for (std::size_t other = 0; other < now.count; ++other) {
-        const Placing& there = now.of[other];
+        const BodyState& there = now.of[other];
         if (there.group == holding.group || !there.is_present || !there.is_cuttable) continue;
         auto bridge =
             bridge_between(bone_of(held), bone_of(other), inverse(there.world_from_body) * holding.world_from_body);
@@ -166,14 +166,14 @@ Offer BoneScene::fusion(std::size_t held, const Placings& now, std::string& why_
     Offer offer = addition(Offer::Change::fusion, *grown_.back(), {holding.world_from_body, holding.group, true, true},
                            now, why_not);
     for (std::size_t b = 0; b < now.count; ++b)
-        if (offer.placings.of[b].group == beyond) offer.placings.of[b].group = holding.group;
+        if (offer.body_states.of[b].group == beyond) offer.body_states.of[b].group = holding.group;
     return offer;
 }
 
-Offer BoneScene::subtraction(std::uint16_t solid, const Pose& world_from_tool, const Placings& now) const {
+Offer BoneScene::subtraction(std::uint16_t solid, const Pose& world_from_tool, const BodyStates& now) const {
     Offer offer;
     offer.change = Offer::Change::subtraction;
-    offer.placings.count = now.count;
+    offer.body_states.count = now.count;
     offer.owners = belongings_.owners;
     for (std::size_t id = 0; id < now.count; ++id) {
         if (!now.of[id].is_present || !now.of[id].is_cuttable) continue;
@@ -191,43 +191,43 @@ Offer BoneScene::subtraction(std::uint16_t solid, const Pose& world_from_tool, c
 
 // ---- changes taken over by the loop --------------------------------------------------------------------------------
 
-void BoneScene::taken(const Offer& offer, const Placings& before, std::uint64_t next_sequence) {
+void BoneScene::taken(const Offer& offer, const BodyStates& before, std::uint64_t next_sequence) {
     switch (offer.change) {
         case Offer::Change::none:
             return;
         case Offer::Change::separation:
-            bone_.adopted(waiting_.front().separation);
+            bone_.mark_adopted(waiting_.front().separation);
             waiting_.erase(waiting_.begin());
-            next_.resize(std::max(next_.size(), offer.placings.count), 0);
+            next_.resize(std::max(next_.size(), offer.body_states.count), 0);
             break;
         case Offer::Change::undo:
         case Offer::Change::redo:
-            go(offer.change == Offer::Change::undo ? Turn::undo : Turn::redo, before, next_sequence);
+            go(offer.change == Offer::Change::undo ? HistoryChange::undo : HistoryChange::redo, before, next_sequence);
             break;
         case Offer::Change::insertion:
         case Offer::Change::fusion:
-            keep_for_undo(before);
+            push_undo_of(before);
             bone_.add(*offer.added);
-            next_.resize(offer.placings.count, 0);
+            next_.resize(offer.body_states.count, 0);
             break;
         case Offer::Change::subtraction:
-            leave_bone();
+            end_cut();
             apply(offer.subtracted, before);
-            leave_bone();  // the subtraction is an undo step of its own
+            end_cut();  // the subtraction is an undo step of its own
             break;
     }
     belongings_.owners = offer.owners;
 }
 
-void BoneScene::go(Turn turn, const Placings& before, std::uint64_t next_sequence) {
-    auto& from = turn == Turn::undo ? undo_ : redo_;
-    auto& to = turn == Turn::undo ? redo_ : undo_;
-    to.push_back(moment(before));
-    Moment then = std::move(from.back());
+void BoneScene::go(HistoryChange turn, const BodyStates& before, std::uint64_t next_sequence) {
+    auto& from = turn == HistoryChange::undo ? undo_ : redo_;
+    auto& to = turn == HistoryChange::undo ? redo_ : undo_;
+    to.push_back(snapshot(before));
+    Snapshot then = std::move(from.back());
     from.pop_back();
     bone_.restore(then.bone);
     waiting_ = std::move(then.waiting);
-    next_.assign(then.placings.count, next_sequence);
+    next_.assign(then.body_states.count, next_sequence);
 }
 
 }  // namespace kerf

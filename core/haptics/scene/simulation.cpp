@@ -37,10 +37,10 @@ void Simulation::follow_from(std::size_t first) {
     for (const CutRecord& record : closed().subspan(first))
         if (record.removes) removing.push_back(record);
     if (!removing.empty()) {
-        scene_.apply(removing, placings());
+        scene_.apply(removing, body_states());
     } else if (is_clear_of_bone()) {
-        scene_.leave_bone();
-        scene_.know_threads(threads());
+        scene_.end_cut();
+        scene_.set_threads(threads());
     }
     present().reserve(bricks_of_a_tick);
     make_room();
@@ -70,7 +70,7 @@ void Simulation::finish() {
 // ---- changes of bodies --------------------------------------------------------------------------------------------
 
 void Simulation::take_over(Offer offer) {
-    const Placings before = placings();
+    const BodyStates before = body_states();
     const bool is_taken = take(offer);
     KERF_ASSERT(is_taken, "in lock-step an offer lacks nothing");
     static_cast<void>(is_taken);
@@ -94,9 +94,10 @@ std::string Simulation::insert(const Body& body, const Pose& world_from_body, bo
                                std::optional<std::size_t> rigid_to) {
     take_separations_due(true);  // ids are given in order
     std::string why_not;
-    Offer offer = scene_.insertion(body, world_from_body, is_cuttable, placings(), why_not);
+    Offer offer = scene_.insertion(body, world_from_body, is_cuttable, body_states(), why_not);
     if (rigid_to && offer.is_any())
-        offer.placings.of[offer.placings.count - 1].group = static_cast<std::uint16_t>(bodies()[*rigid_to]->group);
+        offer.body_states.of[offer.body_states.count - 1].group =
+            static_cast<std::uint16_t>(bodies()[*rigid_to]->group);
     if (offer.is_any()) take_over(std::move(offer));
     return why_not;
 }
@@ -110,7 +111,7 @@ std::string Simulation::fuse() {
     if (held() < 0) return "nothing is held";
     take_separations_due(true);
     std::string why_not;
-    Offer offer = scene_.fusion(static_cast<std::size_t>(held()), placings(), why_not);
+    Offer offer = scene_.fusion(static_cast<std::size_t>(held()), body_states(), why_not);
     if (offer.is_any()) take_over(std::move(offer));
     return why_not;
 }
@@ -118,7 +119,7 @@ std::string Simulation::fuse() {
 void Simulation::subtract(std::size_t solid, const Pose& world_from_tool) {
     close_and_follow();
     take_separations_due(true);
-    take_over(scene_.subtraction(static_cast<std::uint16_t>(solid), world_from_tool, placings()));
+    take_over(scene_.subtraction(static_cast<std::uint16_t>(solid), world_from_tool, body_states()));
 }
 
 /// Subtracts the bone around the thread in the tick that stripped it, and keeps that tick's records.
@@ -127,14 +128,15 @@ void Simulation::strip() {
     close_more_stretches();
     follow_from(first);
     take_separations_due(true);
-    take_over(scene_.subtraction(static_cast<std::uint16_t>(crest_number()), world_from_tool(), placings()));
+    take_over(scene_.subtraction(static_cast<std::uint16_t>(crest_number()), world_from_tool(), body_states()));
 }
 
-std::string Simulation::turn_back(Turn turn) {
+std::string Simulation::turn_back(HistoryChange turn) {
     if (!is_clear_of_bone()) return "the tool is not clear of the bone";
     close_and_follow();
-    scene_.leave_bone();
-    if (!scene_.can(turn)) return turn == Turn::undo ? "there is no cut to take back" : "there is no cut to do again";
+    scene_.end_cut();
+    if (!scene_.can(turn))
+        return turn == HistoryChange::undo ? "there is no cut to take back" : "there is no cut to do again";
     take_over(scene_.turn(turn));
     return {};
 }

@@ -37,9 +37,7 @@ public:
     void finish();
 
     /// Makes bodies of bone that comes apart, if it is larger than `crumb` [m³]. Pre: no tick has run.
-    void look_for_pieces(double crumb, Belongings belongings = {}) {
-        scene_.look_for_pieces(crumb, std::move(belongings));
-    }
+    void find_pieces(double crumb, BodyOwnership belongings = {}) { scene_.find_pieces(crumb, std::move(belongings)); }
     /// Takes over separations after these ticks alone, one after each: those of a run that is replayed.
     void replay_adoptions(std::vector<std::uint64_t> ticks) { adoption_ticks_ = std::move(ticks); }
     /// Returns the separations taken over since the last call.
@@ -64,9 +62,9 @@ public:
     /// Restores the bone, its pieces and their poses of before the last cut. A cut lasts from leaving the air until the
     /// tool is clear of bone again. Returns the reason if there is nothing to restore, else empty; a failed undo
     /// changes nothing.
-    std::string undo() { return turn_back(Turn::undo); }
+    std::string undo() { return turn_back(HistoryChange::undo); }
     /// Repeats the cut that was undone, until another cut is made. Returns as `undo`.
-    std::string redo() { return turn_back(Turn::redo); }
+    std::string redo() { return turn_back(HistoryChange::redo); }
 
     /// Returns whether bone was removed since the tool last touched none.
     [[nodiscard]] bool is_in_a_cut() const noexcept { return scene_.is_in_a_cut(); }
@@ -95,7 +93,7 @@ private:
     void strip();
     void take_over(Offer offer);
     void take_separations_due(bool all);
-    std::string turn_back(Turn turn);
+    std::string turn_back(HistoryChange turn);
 
     BoneScene scene_;
     std::vector<Separation> separations_;

@@ -15,13 +15,13 @@ constexpr auto surface_time = std::chrono::milliseconds(16);  // no screen refre
 }  // namespace
 
 SurfaceWorker::SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options,
-                             Belongings belongings)
-    : owners_(options.looks_for_pieces ? belongings.owners : Owners{}),
+                             BodyOwnership belongings)
+    : owners_(options.finds_pieces ? belongings.owners : Owners{}),
       options_(options),
       scene_(body, std::move(cutting)),
       queue_(queue_records) {
-    if (options_.looks_for_pieces) scene_.look_for_pieces(options_.crumb, std::move(belongings));
-    if (options_.makes_surface) patches_.reserve(most_bodies);
+    if (options_.finds_pieces) scene_.find_pieces(options_.crumb, std::move(belongings));
+    if (options_.makes_surface) patches_.reserve(max_bodies);
     make_surface();
     thread_ = std::thread([this] { work(); });
 }
@@ -47,20 +47,20 @@ bool SurfaceWorker::send(const Message& message) noexcept {
 }
 
 bool SurfaceWorker::push(const CutRecord& record) noexcept {
-    is_told_clear_ = false;
+    is_clear_sent_ = false;
     return send({.kind = Message::Kind::cut, .record = record});
 }
 
-bool SurfaceWorker::ask(Turn turn) noexcept {
-    if (asked_ || is_asked_) return false;
-    asked_ = turn;
+bool SurfaceWorker::request(HistoryChange turn) noexcept {
+    if (requested_ || is_request_pending_) return false;
+    requested_ = turn;
     return true;
 }
 
 SurfaceWorker::TakenOver SurfaceWorker::exchange(HapticLoop& loop, std::uint64_t delay) noexcept {
     TakenOver taken;
-    told_records_ = 0;
-    tell_cuts(loop);
+    sent_records_ = 0;
+    send_cuts(loop);
     if (queue_.size() + queue_margin > queue_.capacity()) return taken;
     if (separation_.is_out(turns_) && separation_.offer.tick + delay <= loop.ticks()) {
         taken.separation = take(separation_, loop);
@@ -69,36 +69,38 @@ SurfaceWorker::TakenOver SurfaceWorker::exchange(HapticLoop& loop, std::uint64_t
         if (taken.separation) (void)send({.kind = Message::Kind::parted});
     }
     if (turn_.is_out(turns_)) take_turn(loop, taken);
-    if (asked_) {  // after the message that the tool has left the bone
-        sent_turn_ = *asked_;
-        is_asked_ = send({.kind = sent_turn_ == Turn::undo ? Message::Kind::undo : Message::Kind::redo});
-        asked_.reset();
+    if (requested_) {  // after the message that the tool has left the bone
+        sent_turn_ = *requested_;
+        is_request_pending_ =
+            send({.kind = sent_turn_ == HistoryChange::undo ? Message::Kind::undo : Message::Kind::redo});
+        requested_.reset();
     }
     return taken;
 }
 
-void SurfaceWorker::tell_cuts(const HapticLoop& loop) noexcept {
+void SurfaceWorker::send_cuts(const HapticLoop& loop) noexcept {
     bool has_cut = false;
-    for (; told_records_ < loop.closed().size(); ++told_records_) {
-        const CutRecord& record = loop.closed()[told_records_];
+    for (; sent_records_ < loop.closed().size(); ++sent_records_) {
+        const CutRecord& record = loop.closed()[sent_records_];
         if (!record.removes) continue;
-        if (!std::exchange(has_cut, true)) tell_placings(loop);
+        if (!std::exchange(has_cut, true)) send_body_states(loop);
         (void)push(record);
     }
-    if (!has_cut && !is_told_clear_ && loop.is_clear_of_bone())
-        is_told_clear_ = send({.kind = Message::Kind::clear_of_bone});
+    if (!has_cut && !is_clear_sent_ && loop.is_clear_of_bone())
+        is_clear_sent_ = send({.kind = Message::Kind::clear_of_bone});
 }
 
-void SurfaceWorker::tell_placings(const HapticLoop& loop) noexcept {
-    const Placings now = loop.placings();
+void SurfaceWorker::send_body_states(const HapticLoop& loop) noexcept {
+    const BodyStates now = loop.body_states();
     for (std::size_t b = 0; b < now.count; ++b) {
-        if (b < told_.count && now.of[b].is_same_as(told_.of[b])) continue;
-        Message message{
-            .kind = Message::Kind::placed, .count = static_cast<std::uint16_t>(now.count), .placing = now.of[b]};
+        if (b < sent_states_.count && now.of[b].is_same_as(sent_states_.of[b])) continue;
+        Message message{.kind = Message::Kind::body_changed,
+                        .count = static_cast<std::uint16_t>(now.count),
+                        .body_state = now.of[b]};
         message.record.body = static_cast<std::uint16_t>(b);
         (void)send(message);
     }
-    told_ = now;
+    sent_states_ = now;
 }
 
 bool SurfaceWorker::take(Slot& slot, HapticLoop& loop) noexcept {
@@ -108,16 +110,16 @@ bool SurfaceWorker::take(Slot& slot, HapticLoop& loop) noexcept {
 }
 
 void SurfaceWorker::take_turn(HapticLoop& loop, TakenOver& taken) noexcept {
-    is_asked_ = false;
-    tell_placings(loop);
-    const bool has_gone = turn_.offer.is_any() && take(turn_, loop);
-    tell_cuts(loop);  // the records that the takeover closed
+    is_request_pending_ = false;
+    send_body_states(loop);
+    const bool has_been_taken = turn_.offer.is_any() && take(turn_, loop);
+    send_cuts(loop);  // the records that the takeover closed
     turn_.set(Slot::taken, turns_);
-    (has_gone ? taken.turn : taken.refused_turn) = sent_turn_;
-    Message message{.kind = has_gone ? Message::Kind::turned : Message::Kind::dropped};
-    if (has_gone) {
+    (has_been_taken ? taken.turn : taken.refused_change) = sent_turn_;
+    Message message{.kind = has_been_taken ? Message::Kind::turned : Message::Kind::dropped};
+    if (has_been_taken) {
         ++turns_;
-        told_ = loop.placings();
+        sent_states_ = loop.body_states();
         message.record.sequence = loop.next_sequence();
     }
     (void)send(message);
@@ -180,30 +182,30 @@ void SurfaceWorker::take(const Message& message) {
     switch (message.kind) {
         case Message::Kind::cut: {
             const bool had_offer = scene_.waiting() != nullptr;
-            scene_.apply({&message.record, 1}, placings_);
+            scene_.apply({&message.record, 1}, body_states_);
             if (!had_offer) offer_separation();
             break;
         }
-        case Message::Kind::placed:
-            placings_.of[message.record.body] = message.placing;
-            placings_.count = message.count;
+        case Message::Kind::body_changed:
+            body_states_.of[message.record.body] = message.body_state;
+            body_states_.count = message.count;
             break;
         case Message::Kind::clear_of_bone:
-            scene_.leave_bone();
+            scene_.end_cut();
             break;
         case Message::Kind::undo:
-            offer_turn(Turn::undo);
+            offer_turn(HistoryChange::undo);
             break;
         case Message::Kind::redo:
-            offer_turn(Turn::redo);
+            offer_turn(HistoryChange::redo);
             break;
         case Message::Kind::parted:
-            scene_.taken(separation_.offer, placings_, 0);
+            scene_.taken(separation_.offer, body_states_, 0);
             withdraw_separation();
             break;
         case Message::Kind::turned:
-            scene_.taken(turn_.offer, placings_, message.record.sequence);
-            placings_ = turn_.offer.placings;
+            scene_.taken(turn_.offer, body_states_, message.record.sequence);
+            body_states_ = turn_.offer.body_states;
             ++turned_;
             withdraw_turn();
             withdraw_separation();
@@ -227,7 +229,7 @@ void SurfaceWorker::withdraw_separation() {
     offer_separation();
 }
 
-void SurfaceWorker::offer_turn(Turn turn) {
+void SurfaceWorker::offer_turn(HistoryChange turn) {
     turn_.offer = !scene_.is_in_a_cut() && scene_.can(turn) ? scene_.turn(turn) : Offer{};
     turn_.set(Slot::out, turned_);
 }

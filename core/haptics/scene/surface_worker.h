@@ -33,11 +33,12 @@ public:
     };
     struct Options {
         double crumb = 0.0;  ///< [m³] smaller pieces do not become bodies
-        bool looks_for_pieces = true, makes_surface = true;
+        bool finds_pieces = true, makes_surface = true;
     };
 
     /// Pre: `body` and the cutting solids, in the order of the records' indices, outlive this worker.   [main]
-    SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options, Belongings belongings = {});
+    SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options,
+                  BodyOwnership belongings = {});
     ~SurfaceWorker();
     SurfaceWorker(const SurfaceWorker&) = delete;
     SurfaceWorker& operator=(const SurfaceWorker&) = delete;
@@ -45,9 +46,9 @@ public:
     /// The offers that the loop took over from the worker.
     struct TakenOver {
         bool separation = false;
-        std::optional<Turn> turn;  ///< the undo or redo that was made
+        std::optional<HistoryChange> turn;  ///< the undo or redo that was made
         /// An undo or redo that was impossible: no step is left, or the tool touches bone or has cut since the request.
-        std::optional<Turn> refused_turn;
+        std::optional<HistoryChange> refused_change;
     };
     /// Exchanges one tick's data: sends the loop's new records to the worker, and takes over the worker's offers. A
     /// separation is taken over `delay` ticks after its record at the earliest. A loop has one worker.
@@ -57,7 +58,7 @@ public:
     [[nodiscard]] const Owners& owners() const noexcept { return owners_; }
     /// Requests an undo or redo. A later `exchange` returns the result. Returns false while another request is pending.
     /// [haptic, nonblocking]
-    bool ask(Turn turn) noexcept;
+    bool request(HistoryChange turn) noexcept;
     /// Returns the offer of a separation that is ready, or null.   [haptic, nonblocking]
     [[nodiscard]] const Offer* offered() const noexcept {
         return separation_.is_out(turns_) ? &separation_.offer : nullptr;
@@ -79,10 +80,10 @@ public:
 
 private:
     struct Message {
-        enum class Kind { cut, placed, clear_of_bone, undo, redo, parted, turned, dropped } kind;
+        enum class Kind { cut, body_changed, clear_of_bone, undo, redo, parted, turned, dropped } kind;
         CutRecord record{};       ///< `turned`: only its `sequence` is used, the next record's number
         std::uint16_t count = 0;  ///< number of bodies
-        Placing placing{};        ///< of the record's body
+        BodyState body_state{};   ///< of the record's body
     };
     /// An offer with its owner: the loop's from `out` until `taken` or `refused`, else the worker's.
     struct Slot {
@@ -93,8 +94,8 @@ private:
         std::atomic<std::uint64_t> state{none};
 
         void set(State now, std::uint64_t turns) noexcept { state.store(turns << 2 | now, std::memory_order_release); }
-        [[nodiscard]] bool is(State asked) const noexcept {
-            return (state.load(std::memory_order_acquire) & 3) == asked;
+        [[nodiscard]] bool is(State expected) const noexcept {
+            return (state.load(std::memory_order_acquire) & 3) == expected;
         }
         [[nodiscard]] bool is_out(std::uint64_t turns) const noexcept {
             return state.load(std::memory_order_acquire) == (turns << 2 | out);
@@ -102,8 +103,8 @@ private:
     };
 
     bool send(const Message& message) noexcept;
-    void tell_cuts(const HapticLoop& loop) noexcept;
-    void tell_placings(const HapticLoop& loop) noexcept;
+    void send_cuts(const HapticLoop& loop) noexcept;
+    void send_body_states(const HapticLoop& loop) noexcept;
     [[nodiscard]] bool take(Slot& slot, HapticLoop& loop) noexcept;
     void take_turn(HapticLoop& loop, TakenOver& taken) noexcept;
 
@@ -112,24 +113,24 @@ private:
     void take(const Message& message);
     void offer_separation();
     void withdraw_separation();
-    void offer_turn(Turn turn);
+    void offer_turn(HistoryChange turn);
     void withdraw_turn();
     void make_surface();
 
     // Members used by the loop's thread.
-    Placings told_;                 ///< states last sent to the worker
-    std::size_t told_records_ = 0;  ///< number of the records closed in this tick that are sent
-    bool is_told_clear_ = true;
-    std::optional<Turn> asked_;  ///< requested, not yet sent
-    Turn sent_turn_ = Turn::undo;
-    bool is_asked_ = false;  ///< sent to the worker, not yet answered
+    BodyStates sent_states_;        ///< states last sent to the worker
+    std::size_t sent_records_ = 0;  ///< number of the records closed in this tick that are sent
+    bool is_clear_sent_ = true;
+    std::optional<HistoryChange> requested_;  ///< requested, not yet sent
+    HistoryChange sent_turn_ = HistoryChange::undo;
+    bool is_request_pending_ = false;  ///< sent to the worker, not yet answered
     std::uint64_t turns_ = 0;
     Owners owners_;
 
     // Members used by the worker's thread.
     Options options_;
     BoneScene scene_;
-    Placings placings_;
+    BodyStates body_states_;
     std::vector<SurfacePatches> patches_;  ///< for each body
     std::uint64_t turned_ = 0;
 

@@ -15,8 +15,8 @@ namespace kerf::burring::displacement {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
-constexpr std::size_t most_faces = 2'000'000;
-constexpr std::size_t most_attempts = 4;  // one source for each attempt
+constexpr std::size_t max_faces = 2'000'000;
+constexpr std::size_t max_attempts = 4;  // one source for each attempt
 
 struct FaceCorners {
     std::array<std::uint32_t, 3> numbers;
@@ -52,7 +52,7 @@ public:
                 return Outcome::declined;
             }
         if (!split_near_burr()) {
-            why = "the surface near the burr would have more than " + std::to_string(most_faces) + " faces";
+            why = "the surface near the burr would have more than " + std::to_string(max_faces) + " faces";
             return Outcome::declined;
         }
         if (cancelled()) return Outcome::cancelled;
@@ -71,7 +71,7 @@ public:
         const std::vector<Source> sources = sources_of(is_inside);
         why = "inside the swept burr the surface does not look at its axis everywhere: another wall is in the way";
         Outcome moved = Outcome::declined;
-        for (std::size_t n = 0; n < std::min(sources.size(), most_attempts) && moved == Outcome::declined; ++n) {
+        for (std::size_t n = 0; n < std::min(sources.size(), max_attempts) && moved == Outcome::declined; ++n) {
             std::vector<std::uint32_t> numbers;
             Triangles wall = taken(is_inside, numbers);
             moved = move_onto_burr(wall, *burr_, sources[n], fineness_, cancelled, why);
@@ -85,18 +85,18 @@ private:
     [[nodiscard]] bool is_met(Vec3 a, Vec3 b, Vec3 c, double deep) const {
         const Vec3 middle = (a + b + c) / 3.0;
         const double reach = std::max({length(a - middle), length(b - middle), length(c - middle)});
-        double at_least = 0.0, at_middle = 0.0;
-        if (burr_->turns_little()) {
-            const SweptBurr::Bound bound = burr_->outside_at_least(middle);
+        double lower_bound = 0.0, at_middle = 0.0;
+        if (burr_->is_nearly_straight()) {
+            const SweptBurr::Bound bound = burr_->outside_lower_bound(middle);
             const auto at = [&](Vec3 p) { return bound.at + dot(bound.slope, p - middle); };
             at_middle = bound.at;
-            at_least = std::min({at(a), at(b), at(c)});
+            lower_bound = std::min({at(a), at(b), at(c)});
         } else {
             at_middle = burr_->outside(middle);
-            at_least = at_middle - reach;
+            lower_bound = at_middle - reach;
         }
         if (at_middle < -deep) return true;
-        if (at_least >= -deep || reach < 0.25 * fineness_.edge) return false;
+        if (lower_bound >= -deep || reach < 0.25 * fineness_.edge) return false;
         const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
         return is_met(a, ab, ca, deep) || is_met(b, bc, ab, deep) || is_met(c, ca, bc, deep) ||
                is_met(ab, bc, ca, deep);
@@ -110,7 +110,7 @@ private:
             return longest > fineness_.edge && is_met(a, b, c, deep);
         };
         return refine(
-            *mesh_, wants, [](Vec3 a, Vec3 b) { return 0.5 * (a + b); }, most_faces);
+            *mesh_, wants, [](Vec3 a, Vec3 b) { return 0.5 * (a + b); }, max_faces);
     }
 
     void find_sides() {
@@ -189,7 +189,7 @@ private:
     /// Returns the sources that all faces inside face. Points come first, because no face turns over along rays from a
     /// point. Then come the sources that the faces face at the best angle.
     [[nodiscard]] std::vector<Source> sources_of(const std::vector<std::uint8_t>& is_inside) const {
-        constexpr double least_needed = 0.01;  // [–] the sine of an angle
+        constexpr double min_needed = 0.01;  // [–] the sine of an angle
         struct Rated {
             bool is_point;
             double least;
@@ -198,7 +198,7 @@ private:
         std::vector<Rated> found;
         for (const Source& source : burr_->sources()) {
             double least = 1.0;
-            for (std::size_t f = 0; f < is_inside.size() && least > least_needed; ++f) {
+            for (std::size_t f = 0; f < is_inside.size() && least > min_needed; ++f) {
                 if (is_inside[f] == 0) continue;
                 const auto [numbers, a, b, c] = corners_of(*mesh_, f);
                 const Vec3 across = cross(b - a, c - a), normal = normalized(across);
@@ -208,7 +208,7 @@ private:
                 for (const Vec3 p : {a, b, c, (a + b + c) / 3.0})
                     least = std::min(least, dot(normal, normalized(source.nearest(p) - p)));
             }
-            if (least > least_needed) found.push_back({source.from == source.to, least, source});
+            if (least > min_needed) found.push_back({source.from == source.to, least, source});
         }
         std::stable_sort(found.begin(), found.end(), [](const Rated& a, const Rated& b) {
             return a.is_point != b.is_point ? a.is_point : a.least > b.least;

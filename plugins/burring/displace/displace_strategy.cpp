@@ -18,7 +18,7 @@ namespace displacement {
 namespace {
 
 /// [–] fraction of the tolerance that a face may be off the burr. All faces lie on one side of it, so errors add up.
-constexpr double wall_share = 0.25;
+constexpr double wall_fraction = 0.25;
 
 /// Returns the defect that prevents any work on a request; empty if there is none.
 std::string flaw_of(const Triangles& mesh, double tolerance) {
@@ -74,7 +74,7 @@ RemeshAnswer Displace::remesh(const RemeshJob& job) const {
             if (!burr) return RemeshAnswer::declined(why);
             Triangles next = mesh;
             switch (displacement::displace(
-                next, locked.among(mesh), *burr, wall_share * job.tolerance(), [&job] { return job.is_cancelled(); },
+                next, locked.among(mesh), *burr, wall_fraction * job.tolerance(), [&job] { return job.is_cancelled(); },
                 why)) {
                 case Outcome::cut:
                     mesh = std::move(next);

@@ -25,17 +25,17 @@ public:
         border_ = border_of(mesh);
     }
 
-    bool run(std::size_t most_faces) {
+    bool run(std::size_t max_faces) {
         for (bool has_changed = true; has_changed;) {
             has_changed = false;
             for (std::uint32_t f = 0; f < mesh_->tags.size(); ++f) {
                 if (is_whole_[f] == 0 || !(wants(f) || is_unbalanced(f)) || !split(f)) continue;
                 has_changed = true;
-                if (mesh_->tags.size() > 2 * most_faces) return false;
+                if (mesh_->tags.size() > 2 * max_faces) return false;
             }
         }
         close();
-        return mesh_->tags.size() <= most_faces;
+        return mesh_->tags.size() <= max_faces;
     }
 
 private:
@@ -88,9 +88,9 @@ private:
             m[side] = none;
             if (is_border(e)) continue;
             ++count;
-            const auto [place, is_new] = middles_.try_emplace(e, static_cast<std::uint32_t>(mesh_->vertices.size()));
+            const auto [entry, is_new] = middles_.try_emplace(e, static_cast<std::uint32_t>(mesh_->vertices.size()));
             if (is_new) mesh_->vertices.push_back((*middle_)(mesh_->vertices[e.first], mesh_->vertices[e.second]));
-            m[side] = place->second;
+            m[side] = entry->second;
         }
         if (count == 0) {
             wish_[f] = no;
@@ -123,8 +123,8 @@ private:
         }
         const std::uint32_t right = m[(first + 1) % 3], left = m[(first + 2) % 3];
         const auto squared = [&](std::uint32_t p, std::uint32_t q) {
-            const Vec3 way = mesh_->vertices[q] - mesh_->vertices[p];
-            return dot(way, way);
+            const Vec3 edge_vector = mesh_->vertices[q] - mesh_->vertices[p];
+            return dot(edge_vector, edge_vector);
         };
         add({apex, left, right}, f);
         if (squared(a, right) <= squared(b, left)) {
@@ -185,8 +185,8 @@ std::vector<Edge> border_of(const Triangles& mesh) {
     return border;
 }
 
-bool refine(Triangles& mesh, const WantsSplit& wants_split, const Middle& middle, std::size_t most_faces) {
-    return Refinement(mesh, wants_split, middle).run(most_faces);
+bool refine(Triangles& mesh, const WantsSplit& wants_split, const Middle& middle, std::size_t max_faces) {
+    return Refinement(mesh, wants_split, middle).run(max_faces);
 }
 
 }  // namespace kerf::burring::displacement

@@ -27,9 +27,9 @@ using Middle = std::function<Vec3(Vec3 a, Vec3 b)>;
 /// Splits faces in four, in the pattern of Loop's subdivision, until `wants_split` is false for all. Neighbours differ
 /// by one level at most. A face next to a more split one is halved at the end (green closure), so the mesh stays
 /// conforming. Border edges stay: their faces are split in three or in two. Vertices keep their numbers and positions;
-/// there is no smoothing mask. Returns false beyond `most_faces`.   [any] pure.
+/// there is no smoothing mask. Returns false beyond `max_faces`.   [any] pure.
 ///
 /// Source: [loop-1987] for the pattern; [bank-1983] for the closure.
-[[nodiscard]] bool refine(Triangles& mesh, const WantsSplit& wants_split, const Middle& middle, std::size_t most_faces);
+[[nodiscard]] bool refine(Triangles& mesh, const WantsSplit& wants_split, const Middle& middle, std::size_t max_faces);
 
 }  // namespace kerf::burring::displacement

@@ -37,10 +37,10 @@ double root(const Function& value, double low, double high) noexcept {
 }  // namespace
 
 Vec3 Source::nearest(Vec3 point) const noexcept {
-    const Vec3 way = to - from;
-    const double size = dot(way, way);
+    const Vec3 travel = to - from;
+    const double size = dot(travel, travel);
     if (!(size > 0.0)) return from;
-    return from + std::clamp(dot(point - from, way) / size, 0.0, 1.0) * way;
+    return from + std::clamp(dot(point - from, travel) / size, 0.0, 1.0) * travel;
 }
 
 std::optional<SweptBurr> SweptBurr::make(std::span<const kerf_profile_point> outline, double kerf, const Pose& from,
@@ -79,10 +79,10 @@ std::optional<SweptBurr> SweptBurr::make(std::span<const kerf_profile_point> out
     burr.turns_ = !(a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z);
     const double half_cosine = std::abs(a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z);
     const double angle = 2.0 * std::sqrt(std::max(0.0, 1.0 - half_cosine * half_cosine));  // [rad] or a little less
-    constexpr double most_of_a_piece = 0.01;  // [rad] a sweep convex to 0.1 um, with a tool of 10 mm
-    burr.pieces_ = static_cast<int>(std::clamp(std::ceil(angle / most_of_a_piece), 1.0, 64.0));
-    burr.turns_little_ = angle < 4.0 * most_of_a_piece;
-    burr.way_in_tool_ = rotate(conjugate(from.rotation), to.position - from.position);
+    constexpr double max_turn_of_piece = 0.01;  // [rad] a sweep convex to 0.1 um, with a tool of 10 mm
+    burr.pieces_ = static_cast<int>(std::clamp(std::ceil(angle / max_turn_of_piece), 1.0, 64.0));
+    burr.is_nearly_straight_ = angle < 4.0 * max_turn_of_piece;
+    burr.travel_in_tool_ = rotate(conjugate(from.rotation), to.position - from.position);
     return burr;
 }
 
@@ -98,73 +98,73 @@ Pose SweptBurr::pose_at(double t) const noexcept {
 
 Vec3 SweptBurr::in_tool(double t, Vec3 point) const noexcept {
     return turns_ ? inverse(pose_at(t)) * point
-                  : rotate(conjugate(from_.rotation), point - from_.position) - t * way_in_tool_;
+                  : rotate(conjugate(from_.rotation), point - from_.position) - t * travel_in_tool_;
 }
 
 SweptBurr::Instant SweptBurr::at(double t, Vec3 point) const noexcept {
     const Vec3 p = in_tool(t, point);
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
-    double most = -HUGE_VAL;
+    double largest = -HUGE_VAL;
     const Face* nearest = &faces_.front();
     for (const Face& face : faces_) {
         const double outside = face.across * r + face.along * p.z - face.offset;
-        if (outside > most) {
-            most = outside;
+        if (outside > largest) {
+            largest = outside;
             nearest = &face;
         }
     }
-    Vec3 way = -way_in_tool_;
+    Vec3 travel = -travel_in_tool_;
     if (turns_) {
         constexpr double step = 1e-6;
-        way = (in_tool(t + step, point) - p) / step;
+        travel = (in_tool(t + step, point) - p) / step;
     }
     const Vec3 outwards = r > 0.0 ? Vec3{p.x / r, p.y / r, 0.0} : Vec3{};
     const Vec3 normal = nearest->across * outwards + Vec3{0, 0, nearest->along};
-    return {t, most, dot(normal, way), rotate(turns_ ? pose_at(t).rotation : from_.rotation, normal)};
+    return {t, largest, dot(normal, travel), rotate(turns_ ? pose_at(t).rotation : from_.rotation, normal)};
 }
 
-SweptBurr::Least SweptBurr::least(Vec3 point) const noexcept {
+SweptBurr::Minimum SweptBurr::minimum(Vec3 point) const noexcept {
     Instant begin = at(0.0, point);
-    Least found{HUGE_VAL, begin, begin};
+    Minimum found{HUGE_VAL, begin, begin};
     for (int piece = 1; piece <= pieces_; ++piece) {
         const Instant end = at(piece == pieces_ ? 1.0 : static_cast<double>(piece) / pieces_, point);
-        const Least one = least_between(begin, end, point);
+        const Minimum one = min_between(begin, end, point);
         if (one.outside < found.outside) found = one;
         begin = end;
     }
     return found;
 }
 
-SweptBurr::Least SweptBurr::least_between(Instant low, Instant high, Vec3 point) const noexcept {
+SweptBurr::Minimum SweptBurr::min_between(Instant low, Instant high, Vec3 point) const noexcept {
     // Where the function is convex in t, it lies above its tangents. Their intersection is a lower bound and the next
     // guess.
     constexpr double near = 1e-10;  // [m]
-    double least = std::min(low.outside, high.outside);
-    if (low.slope >= 0.0) return {least, low, low};
-    if (high.slope <= 0.0) return {least, high, high};
+    double minimum = std::min(low.outside, high.outside);
+    if (low.slope >= 0.0) return {minimum, low, low};
+    if (high.slope <= 0.0) return {minimum, high, high};
     for (int n = 0; n < 60; ++n) {
         const double width = high.t - low.t;
-        const double share =
+        const double fraction =
             (high.outside - low.outside - high.slope * width) / ((low.slope - high.slope) * width);  // [–] of the width
-        if (!(least - (low.outside + low.slope * share * width) > near)) break;
-        const Instant next = at(low.t + std::clamp(share, 0.01, 0.99) * width, point);
-        least = std::min(least, next.outside);
-        if (next.slope == 0.0) return {least, next, next};
+        if (!(minimum - (low.outside + low.slope * fraction * width) > near)) break;
+        const Instant next = at(low.t + std::clamp(fraction, 0.01, 0.99) * width, point);
+        minimum = std::min(minimum, next.outside);
+        if (next.slope == 0.0) return {minimum, next, next};
         (next.slope < 0.0 ? low : high) = next;
     }
-    return {least, low, high};
+    return {minimum, low, high};
 }
 
-double SweptBurr::outside(Vec3 point) const noexcept { return least(point).outside; }
+double SweptBurr::outside(Vec3 point) const noexcept { return minimum(point).outside; }
 
-SweptBurr::Bound SweptBurr::outside_at_least(Vec3 point) const noexcept {
+SweptBurr::Bound SweptBurr::outside_lower_bound(Vec3 point) const noexcept {
     // Each instant bounds all points at all instants by a plane. The two planes combine to one that does not depend on
     // t.
-    const auto [outside, low, high] = least(point);
+    const auto [outside, low, high] = minimum(point);
     if (low.t == high.t) return {low.outside, low.normal};
-    const double share = high.slope / (high.slope - low.slope);
-    return {share * (low.outside - low.slope * low.t) + (1.0 - share) * (high.outside - high.slope * high.t),
-            share * low.normal + (1.0 - share) * high.normal};
+    const double fraction = high.slope / (high.slope - low.slope);
+    return {fraction * (low.outside - low.slope * low.t) + (1.0 - fraction) * (high.outside - high.slope * high.t),
+            fraction * low.normal + (1.0 - fraction) * high.normal};
 }
 
 Vec3 SweptBurr::exit(const Source& source, Vec3 through) const noexcept {

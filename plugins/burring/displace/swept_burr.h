@@ -37,9 +37,9 @@ public:
         Vec3 slope;
     };
     /// Returns a bound for all points that is exact at `point`, to 0.1 nm. Pre: turns_little().   [any] pure.
-    [[nodiscard]] Bound outside_at_least(Vec3 point) const noexcept;
+    [[nodiscard]] Bound outside_lower_bound(Vec3 point) const noexcept;
     /// Returns whether the burr turns by less than 0.04 rad on the stretch, so that its sweep is convex to 2 µm.
-    [[nodiscard]] bool turns_little() const noexcept { return turns_little_; }
+    [[nodiscard]] bool is_nearly_straight() const noexcept { return is_nearly_straight_; }
 
     /// Returns the point on the ray from a source through a point where the ray leaves the burr.
     /// Pre: the source lies inside.   [any] pure.
@@ -64,20 +64,20 @@ private:
         Vec3 normal;  ///< gradient with respect to the point, body frame [–]
     };
     /// Two instants around the minimum; at an end of the stretch the same instant twice.
-    struct Least {
+    struct Minimum {
         double outside;
         Instant low, high;
     };
-    [[nodiscard]] Least least(Vec3 point) const noexcept;
-    [[nodiscard]] Least least_between(Instant low, Instant high, Vec3 point) const noexcept;
+    [[nodiscard]] Minimum minimum(Vec3 point) const noexcept;
+    [[nodiscard]] Minimum min_between(Instant low, Instant high, Vec3 point) const noexcept;
     [[nodiscard]] Instant at(double t, Vec3 point) const noexcept;
     [[nodiscard]] Vec3 in_tool(double t, Vec3 point) const noexcept;
     [[nodiscard]] Pose pose_at(double t) const noexcept;
 
     std::vector<Face> faces_;
     Pose from_{}, to_{};
-    Vec3 way_in_tool_{};
-    bool turns_ = false, turns_little_ = true;
+    Vec3 travel_in_tool_{};
+    bool turns_ = false, is_nearly_straight_ = true;
     int pieces_ = 1;                ///< of the stretch; the burr hardly turns within one
     double tip_ = 0.0, end_ = 0.0;  /// z [m]
     double largest_radius_ = 0.0;

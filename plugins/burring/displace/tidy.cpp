@@ -28,9 +28,9 @@ public:
     /// Returns whether anything changed.
     bool run() {
         if (!is_sound_) return false;
-        constexpr int most_sweeps = 6;
+        constexpr int max_sweeps = 6;
         bool has_changed = true, has_ever = false;
-        for (int sweep = 0; sweep < most_sweeps && has_changed; ++sweep) {
+        for (int sweep = 0; sweep < max_sweeps && has_changed; ++sweep) {
             has_changed = false;
             for (std::size_t n = 0; n < mesh_.n_faces(); ++n) {
                 const auto f = mesh_.face_handle(static_cast<unsigned>(n));
@@ -71,8 +71,8 @@ private:
         return false;
     }
     [[nodiscard]] double squared(HalfEdges::HalfedgeHandle h) const {
-        const Vec3 way = at(mesh_.to_vertex_handle(h)) - at(mesh_.from_vertex_handle(h));
-        return dot(way, way);
+        const Vec3 edge_vector = at(mesh_.to_vertex_handle(h)) - at(mesh_.from_vertex_handle(h));
+        return dot(edge_vector, edge_vector);
     }
 
     [[nodiscard]] bool is_good_to_turn(Edge e) const {
@@ -88,41 +88,42 @@ private:
         const double before = std::max(worst_cotangent({a, b, c}), worst_cotangent({b, a, d}));
         if (!(std::max(worst_cotangent(first), worst_cotangent(second)) < before)) return false;
         // The four corners span a tetrahedron. Its height limits how far the surface moves.
-        const double most = is_wall(one) ? limits_->wall : limits_->flat;
+        const double largest = is_wall(one) ? limits_->wall : limits_->flat;
         const Vec3 across = cross(b - a, d - c);
-        if (std::abs(dot(across, c - a)) > most * length(across)) return false;
+        if (std::abs(dot(across, c - a)) > largest * length(across)) return false;
         const Vec3 out = normal_of({a, b, c}) + normal_of({b, a, d});
         return dot(normal_of(first), out) > 0.0 && dot(normal_of(second), out) > 0.0;
     }
 
     /// Returns whether the start vertex of a half-edge may be merged into its end vertex.
     [[nodiscard]] bool is_good_to_join(HalfEdges::HalfedgeHandle h) {
-        const Vertex gone = mesh_.from_vertex_handle(h), kept = mesh_.to_vertex_handle(h);
-        if ((*stays_)[static_cast<std::size_t>(gone.idx())] != 0 || mesh_.is_boundary(gone) || !mesh_.is_collapse_ok(h))
+        const Vertex merged = mesh_.from_vertex_handle(h), kept = mesh_.to_vertex_handle(h);
+        if ((*stays_)[static_cast<std::size_t>(merged.idx())] != 0 || mesh_.is_boundary(merged) ||
+            !mesh_.is_collapse_ok(h))
             return false;
-        for (const auto v : mesh_.vv_range(gone))
+        for (const auto v : mesh_.vv_range(merged))
             if (v != kept && mesh_.is_boundary(v) && mesh_.is_boundary(kept) &&
                 !mesh_.find_halfedge(v, kept).is_valid())
                 return false;
         bool has_wall = false, has_surface = false;
-        for (const Face f : mesh_.vf_range(gone)) (is_wall(f) ? has_wall : has_surface) = true;
+        for (const Face f : mesh_.vf_range(merged)) (is_wall(f) ? has_wall : has_surface) = true;
         if (has_wall && has_surface && !keeps_the_rim(h)) return false;
         double before = 0.0, after = 0.0, wall_off = HUGE_VAL;
-        const Vec3 to = at(kept), from = at(gone);
-        for (const Face f : mesh_.vf_range(gone)) {
+        const Vec3 to = at(kept), from = at(merged);
+        for (const Face f : mesh_.vf_range(merged)) {
             const Corners old = corners(f);
             before = std::max(before, worst_cotangent(old));
             const Vec3 normal = normal_of(old);
             if (!is_wall(f) && !(std::abs(dot(normal, to - from)) <= limits_->flat)) return false;
             Corners c = old;
-            bool goes = false;
+            bool collapses = false;
             std::size_t n = 0;
             for (const auto v : mesh_.fv_range(f)) {
-                if (v == gone) c[n] = to;
-                goes = goes || v == kept;
+                if (v == merged) c[n] = to;
+                collapses = collapses || v == kept;
                 ++n;
             }
-            if (goes) continue;
+            if (collapses) continue;
             after = std::max(after, worst_cotangent(c));
             const Vec3 turned = normal_of(c);
             // A sliver's own normal means little. Its neighbours' normals stay.
@@ -131,46 +132,46 @@ private:
             if (is_wall(f)) wall_off = std::min(wall_off, std::abs(dot(turned, from - c[0])));
         }
         if (has_wall && !has_surface && wall_off > limits_->wall) return false;
-        return after < before && has_same_side(gone, kept);
+        return after < before && has_same_side(merged, kept);
     }
     /// Returns whether no remaining face would point away from the summed normal of the faces around the vertex.
-    [[nodiscard]] bool has_same_side(Vertex gone, Vertex kept) const {
+    [[nodiscard]] bool has_same_side(Vertex merged, Vertex kept) const {
         for (const bool wall : {false, true}) {
             Vec3 out{};
-            for (const Face f : mesh_.vf_range(gone))
+            for (const Face f : mesh_.vf_range(merged))
                 if (is_wall(f) == wall) {
                     const auto [a, b, c] = corners(f);
                     out = out + cross(b - a, c - a);
                 }
-            for (const Face f : mesh_.vf_range(gone)) {
+            for (const Face f : mesh_.vf_range(merged)) {
                 if (is_wall(f) != wall) continue;
                 Corners c{};
-                bool goes = false;
+                bool collapses = false;
                 std::size_t n = 0;
                 for (const auto v : mesh_.fv_range(f)) {
-                    c[n++] = v == gone ? at(kept) : at(v);
-                    goes = goes || v == kept;
+                    c[n++] = v == merged ? at(kept) : at(v);
+                    collapses = collapses || v == kept;
                 }
-                if (!goes && !(dot(normal_of(c), out) > 0.0)) return false;
+                if (!collapses && !(dot(normal_of(c), out) > 0.0)) return false;
             }
         }
         return true;
     }
     /// A rim vertex moves along the rim only, and only where the rim is straight.
     [[nodiscard]] bool keeps_the_rim(HalfEdges::HalfedgeHandle h) const {
-        const Vertex gone = mesh_.from_vertex_handle(h);
+        const Vertex merged = mesh_.from_vertex_handle(h);
         if (!is_rim(h)) return false;
         Vec3 next{};
         int count = 0;
-        for (const HalfEdges::HalfedgeHandle side : mesh_.voh_range(gone)) {
+        for (const HalfEdges::HalfedgeHandle side : mesh_.voh_range(merged)) {
             if (side == h || !is_rim(side)) continue;
             next = at(mesh_.to_vertex_handle(side));
             ++count;
         }
         if (count != 1) return false;
-        const Vec3 begin = at(mesh_.to_vertex_handle(h)), way = next - begin, p = at(gone) - begin;
-        const double along = dot(p, way) / dot(way, way);
-        return along > 0.0 && along < 1.0 && length(p - along * way) <= limits_->rim;
+        const Vec3 begin = at(mesh_.to_vertex_handle(h)), edge_vector = next - begin, p = at(merged) - begin;
+        const double along = dot(p, edge_vector) / dot(edge_vector, edge_vector);
+        return along > 0.0 && along < 1.0 && length(p - along * edge_vector) <= limits_->rim;
     }
     [[nodiscard]] bool is_rim(HalfEdges::HalfedgeHandle h) const {
         return is_wall(mesh_.face_handle(h)) != is_wall(mesh_.face_handle(mesh_.opposite_halfedge_handle(h)));

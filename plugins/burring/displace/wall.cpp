@@ -17,7 +17,7 @@ namespace {
 using Vertex = HalfEdges::VertexHandle;
 using Edge = HalfEdges::EdgeHandle;
 
-constexpr std::size_t most_faces = 200'000;
+constexpr std::size_t max_faces = 200'000;
 constexpr double of_35_degrees = 1.428;  // cotangent; larger angles need no improvement
 
 /// The half-edges of a wall, and the operations that improve its triangles.
@@ -32,9 +32,9 @@ public:
 
     /// Repairs slivers that face away from the source: flips one of their edges, or merges two of their vertices.
     void mend_slivers() {
-        constexpr int most_sweeps = 4;
+        constexpr int max_sweeps = 4;
         bool has_mended = true;
-        for (int sweep = 0; sweep < most_sweeps && has_mended; ++sweep) {
+        for (int sweep = 0; sweep < max_sweeps && has_mended; ++sweep) {
             has_mended = false;
             for (std::size_t n = 0; n < mesh_.n_faces(); ++n) {
                 const auto f = mesh_.face_handle(static_cast<unsigned>(n));
@@ -62,10 +62,10 @@ public:
             const Edge e = mesh_.edge_handle(static_cast<unsigned>(n));
             if (mesh_.status(e).deleted()) continue;
             const auto h = mesh_.halfedge_handle(e, 0);
-            Vertex gone = mesh_.from_vertex_handle(h), kept = mesh_.to_vertex_handle(h);
-            if (!is_free(gone)) std::swap(gone, kept);
-            if (length(at(gone) - at(kept)) >= shortest || !is_good_to_join(gone, kept, longest)) continue;
-            mesh_.collapse(mesh_.find_halfedge(gone, kept));
+            Vertex merged = mesh_.from_vertex_handle(h), kept = mesh_.to_vertex_handle(h);
+            if (!is_free(merged)) std::swap(merged, kept);
+            if (length(at(merged) - at(kept)) >= shortest || !is_good_to_join(merged, kept, longest)) continue;
+            mesh_.collapse(mesh_.find_halfedge(merged, kept));
         }
     }
 
@@ -124,33 +124,33 @@ private:
 
     /// Returns whether a vertex may be merged into a neighbour: the surface stays 2-manifold and all faces face the
     /// source.
-    [[nodiscard]] bool may_join(Vertex gone, Vertex kept) {
-        if (!is_free(gone) || !mesh_.is_collapse_ok(mesh_.find_halfedge(gone, kept))) return false;
-        for (const auto v : mesh_.vv_range(gone))
+    [[nodiscard]] bool may_join(Vertex merged, Vertex kept) {
+        if (!is_free(merged) || !mesh_.is_collapse_ok(mesh_.find_halfedge(merged, kept))) return false;
+        for (const auto v : mesh_.vv_range(merged))
             // The surface beyond the border may have that edge already.
             if (v != kept && mesh_.is_boundary(v) && mesh_.is_boundary(kept) &&
                 !mesh_.find_halfedge(v, kept).is_valid())
                 return false;
         bool is_good = true;
-        for_each_left(gone, kept, [&](const auto, const Corners& c) { is_good = is_good && is_right(c); });
+        for_each_left(merged, kept, [&](const auto, const Corners& c) { is_good = is_good && is_right(c); });
         return is_good;
     }
     /// Visits the faces that remain when a vertex is merged into a neighbour.
     template <class Visit>
-    void for_each_left(Vertex gone, Vertex kept, const Visit& visit) const {
-        for_each_moved(gone, at(kept), [&](const auto f, const Corners& c) {
+    void for_each_left(Vertex merged, Vertex kept, const Visit& visit) const {
+        for_each_moved(merged, at(kept), [&](const auto f, const Corners& c) {
             for (const auto v : mesh_.fv_range(f))
                 if (v == kept) return;
             visit(f, c);
         });
     }
-    [[nodiscard]] bool is_good_to_join(Vertex gone, Vertex kept, double longest) {
-        if (!may_join(gone, kept)) return false;
-        for (const auto v : mesh_.vv_range(gone))
+    [[nodiscard]] bool is_good_to_join(Vertex merged, Vertex kept, double longest) {
+        if (!may_join(merged, kept)) return false;
+        for (const auto v : mesh_.vv_range(merged))
             if (v != kept && length(at(v) - at(kept)) > longest) return false;
         double before = 0.0, after = 0.0;
-        for (const auto f : mesh_.vf_range(gone)) before = std::max(before, worst_cotangent(corners(f)));
-        for_each_left(gone, kept, [&](const auto, const Corners& c) { after = std::max(after, worst_cotangent(c)); });
+        for (const auto f : mesh_.vf_range(merged)) before = std::max(before, worst_cotangent(corners(f)));
+        for_each_left(merged, kept, [&](const auto, const Corners& c) { after = std::max(after, worst_cotangent(c)); });
         constexpr double of_20_degrees = 2.747;
         return after <= std::max(before, of_20_degrees);
     }
@@ -171,8 +171,8 @@ private:
     }
 
     void flip() {
-        constexpr int most_sweeps = 6;
-        for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+        constexpr int max_sweeps = 6;
+        for (int sweep = 0; sweep < max_sweeps; ++sweep) {
             bool has_flipped = false;
             for (const auto e : mesh_.edges())
                 if (flip(e)) has_flipped = true;
@@ -267,7 +267,7 @@ bool faces(const Source& source, Vec3 a, Vec3 b, Vec3 c) noexcept {
 
 Outcome move_onto_burr(Triangles& wall, const SweptBurr& burr, const Source& source, const Fineness& fineness,
                        const Cancelled& cancelled, std::string& why) {
-    constexpr int most_passes = 12;
+    constexpr int max_passes = 12;
     for (int pass = 0;; ++pass) {
         if (cancelled()) return Outcome::cancelled;
         WallEdges edges(wall, burr, source, fineness);
@@ -285,13 +285,13 @@ Outcome move_onto_burr(Triangles& wall, const SweptBurr& burr, const Source& sou
         edges.improve();
         const std::vector<std::uint8_t> coarse = edges.coarse_faces();
         wall = edges.triangles();
-        if (pass == most_passes || std::find(coarse.begin(), coarse.end(), 1) == coarse.end()) return Outcome::cut;
+        if (pass == max_passes || std::find(coarse.begin(), coarse.end(), 1) == coarse.end()) return Outcome::cut;
         const auto wants = [&](const Triangles&, std::uint32_t f, double) {
             return f < coarse.size() && coarse[f] != 0;
         };
         const auto middle = [&](Vec3 a, Vec3 b) { return burr.exit(source, 0.5 * (a + b)); };
-        if (!refine(wall, wants, middle, most_faces)) {
-            why = "the wall would have more than " + std::to_string(most_faces) + " faces";
+        if (!refine(wall, wants, middle, max_faces)) {
+            why = "the wall would have more than " + std::to_string(max_faces) + " faces";
             return Outcome::declined;
         }
     }

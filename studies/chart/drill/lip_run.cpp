@@ -39,7 +39,7 @@ LipRun::LipRun(const Scene& scene, const CuttingLaw& law, const Fineness& finene
 }
 
 LipRun::Node LipRun::look(int edge, double s) const {
-    const BrickPlace place = locate(body_, pose_ * place_on_edge(scene_.drill, edge, s, angle_));
+    const LocatedPoint place = locate(body_, pose_ * place_on_edge(scene_.drill, edge, s, angle_));
     Node node{s, std::max(body_.surface.at(place), committed_.at(place)), {}};
     for (std::size_t m = 0; m + 1 < body_.materials.size(); ++m) node.border[m] = body_.materials[m].border.at(place);
     return node;
@@ -86,7 +86,7 @@ Engaged LipRun::engaged() const {
     return found;
 }
 
-double LipRun::least_gap(const Engaged& engaged) const {
+double LipRun::min_gap(const Engaged& engaged) const {
     const Vec3 along = rotate(pose_.rotation, {0, 0, 1});
     double least = 1e300;
     for (int edge = 0; edge < edge_count; ++edge)
@@ -110,7 +110,7 @@ Felt LipRun::tick(const Pose& next) {
     int closed = 0;
     felt.cost = processor_time_of([&] {
         const Engaged found = engaged();
-        const double gap = least_gap(found);
+        const double gap = min_gap(found);
         felt.wrench = wrench(felt.rate[2], found, gap);
         pose_ = next;
         if (spindle_ > 0.0) {

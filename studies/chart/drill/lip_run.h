@@ -29,7 +29,7 @@ private:
     };
     [[nodiscard]] Node look(int edge, double s) const;
     [[nodiscard]] Engaged engaged() const;
-    [[nodiscard]] double least_gap(const Engaged& engaged) const;
+    [[nodiscard]] double min_gap(const Engaged& engaged) const;
     [[nodiscard]] Vec6 wrench(double rate, const Engaged& engaged, double gap) const;
 
     Scene scene_;

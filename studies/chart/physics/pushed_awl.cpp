@@ -15,13 +15,13 @@ using namespace literals;
 
 namespace {
 
-constexpr double step = 0.1_mm;          // of a ray
-constexpr double reach = 8.0 / 3.0;      // [radii] bone whose far side is farther has none near by
-constexpr double free_way = 0.3_mm;      // so much air is a far side
-constexpr double of_strongest = 0.5;     // what is weaker is not of the shell [judgement]
-constexpr double most_askew = 0.2;       // cosine: what lies along the ray is not its far side [judgement]
-constexpr double most_backwards = -0.3;  // along the shaft: it is the side that the tip comes from [judgement]
-constexpr double of_one_wall = 0.7;      // cosine between far sides of one wall [judgement]
+constexpr double step = 0.1_mm;        // of a ray
+constexpr double reach = 8.0 / 3.0;    // [radii] bone whose far side is farther has none near by
+constexpr double free_way = 0.3_mm;    // so much air is a far side
+constexpr double of_strongest = 0.5;   // what is weaker is not of the shell [judgement]
+constexpr double max_askew = 0.2;      // cosine: what lies along the ray is not its far side [judgement]
+constexpr double min_normal_z = -0.3;  // along the shaft: it is the side that the tip comes from [judgement]
+constexpr double of_one_wall = 0.7;    // cosine between far sides of one wall [judgement]
 constexpr double all_broken = 1.25, none_broken = 1.5;  // times what broke [judgement]
 
 /// Between two places on a ray, one in what is asked for and one out of it.
@@ -79,7 +79,7 @@ std::optional<PushedAwl::Shell> PushedAwl::shell_on(Vec3 from, Vec3 along, const
     }
     normal = normalized(normal);
     const double upright = dot(normal, along);
-    if (upright < most_askew || normal.z < most_backwards)
+    if (upright < max_askew || normal.z < min_normal_z)
         return std::nullopt;  // it lies along the ray; the tip comes from there
     const double c = std::clamp(normal.z, std::sin(0.5 * awl_.point_angle), 1.0), thick = (far - near) * upright;
     const double sigma = 133.0 / 193.0 * sum / static_cast<double>(end - begin), m = sigma * thick * thick / 6.0;
@@ -109,16 +109,16 @@ double PushedAwl::what_shells_bear(const std::array<Side, sides>& all) {
     Shell breaks;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (crushes[i] <= 0.0) continue;
-        double of_wall = 0.0, bears = 0.0, count = 0.0;
+        double of_wall = 0.0, breaking_load = 0.0, count = 0.0;
         for (std::size_t n = 0; n < all.size(); ++n) {
             if (crushes[n] <= 0.0 || !is_one_wall(all[n].shell.normal, all[i].shell.normal)) continue;
             of_wall += crushes[n];
-            bears += all[n].shell.load;
+            breaking_load += all[n].shell.load;
             count += 1.0;
         }
-        bears /= count;
-        if (of_wall > bears && all[i].shell.load > breaks.load) breaks = all[i].shell;
-        force += crushes[i] * std::min(1.0, bears / of_wall);
+        breaking_load /= count;
+        if (of_wall > breaking_load && all[i].shell.load > breaks.load) breaks = all[i].shell;
+        force += crushes[i] * std::min(1.0, breaking_load / of_wall);
     }
     if (breaks.load > broken_.load) broken_ = breaks;
     return force;

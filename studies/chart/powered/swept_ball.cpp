@@ -57,15 +57,15 @@ void SweptBall::look_ahead(Vec3 way) {
     for (const Stretch& one : stretches_) {
         // With d from a place on the stretch to the centre, a point of normal n lies inside if |d|² + 2 R n·d < 0.
         const double nearest = distance(centre_, one.from, one.to);
-        double most_aside = 0.0, least_along = 1e300;
+        double max_aside = 0.0, min_along = 1e300;
         for (const Vec3 end : {one.from, one.to}) {
             const Vec3 d = centre_ - end;
             const double along = dot(d, ahead);
-            least_along = std::min(least_along, along);
-            most_aside = std::max(most_aside, length(d - along * ahead));
+            min_along = std::min(min_along, along);
+            max_aside = std::max(max_aside, length(d - along * ahead));
         }
-        const bool is_ahead = least_along < -rounding && nearest < 2.0 * radius_;
-        const bool is_aside = most_aside > rounding && nearest * nearest < 2.0 * radius_ * most_aside;
+        const bool is_ahead = min_along < -rounding && nearest < 2.0 * radius_;
+        const bool is_aside = max_aside > rounding && nearest * nearest < 2.0 * radius_ * max_aside;
         if (!is_ahead && !is_aside) continue;
         const Vec3 along = one.to - one.from;
         const double square = dot(along, along);

@@ -84,7 +84,7 @@ inline std::vector<CutStretch> in_steps(Vec3 from, Vec3 to, double feed) {
 }
 
 /// The least angle of each face of a wall [rad], ascending.
-inline std::vector<double> least_angles_of_walls(const TaggedMesh& mesh) {
+inline std::vector<double> min_angles_of_walls(const TaggedMesh& mesh) {
     std::vector<double> angles;
     for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
         if (mesh.tags[f] != KERF_FACE_WALL) continue;

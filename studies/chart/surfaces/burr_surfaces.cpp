@@ -70,8 +70,8 @@ std::vector<SurfaceRow> burr_surfaces(const std::string& scene, const FindStrate
     std::vector<SurfaceRow> rows;
     const auto grooves = grooves_of(scene);
     if (grooves.empty()) return rows;
-    const AskStrategy displace = find(surface_strategies[0]), local = find(surface_strategies[1]),
-                      exact = find(surface_strategies[2]);
+    const StrategyCall displace = find(surface_strategies[0]), local = find(surface_strategies[1]),
+                       exact = find(surface_strategies[2]);
     if (!exact || !displace || !local) return rows;
     const Clock by_the_clock = [](const auto& work) { return time_of(work); };
     for (const auto& [name, groove] : grooves) {

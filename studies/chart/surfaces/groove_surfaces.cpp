@@ -42,7 +42,7 @@ void measure_walls(const Groove& groove, const TaggedMesh& mesh, GrooveSurface& 
         }
     }
     if (area > 0.0) made.rms = std::sqrt(squares / area);
-    const std::vector<double> angles = least_angles_of_walls(mesh);
+    const std::vector<double> angles = min_angles_of_walls(mesh);
     made.walls = angles.size();
     made.faces = mesh.tags.size();
     if (angles.empty()) return;
@@ -67,7 +67,7 @@ Groove groove_from_the_end(double depth) {
     return groove;
 }
 
-GrooveSurface surface_by_steps(const Groove& groove, const AskStrategy& ask, const AskStrategy& otherwise,
+GrooveSurface surface_by_steps(const Groove& groove, const StrategyCall& ask, const StrategyCall& otherwise,
                                double tolerance, double feed, const Clock& clock) {
     const ToolSolid burr = ball_burr(groove.radius);
     const TaggedMesh bone = slab_of_bone();
@@ -91,7 +91,7 @@ GrooveSurface surface_by_steps(const Groove& groove, const AskStrategy& ask, con
     return made;
 }
 
-GrooveSurface surface_at_once(const Groove& groove, const AskStrategy& exact, const Clock& clock) {
+GrooveSurface surface_at_once(const Groove& groove, const StrategyCall& exact, const Clock& clock) {
     const ToolSolid burr = ball_burr(groove.radius);
     RemeshRequest request;
     request.base = slab_of_bone();

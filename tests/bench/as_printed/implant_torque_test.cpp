@@ -251,12 +251,12 @@ TEST(ImplantTorque, OursIsHeldAtRest) {  // E02-11
 TEST(ImplantTorque, PeaksAfterOneTurnInAnyBone) {  // E02-12
     for (const double density : {300.0, 1500.0}) {
         Screwing implant({}, 1000.0, 12.0_mm, density);
-        double most = 0.0, most_at = 0.0;
+        double most = 0.0, max_at = 0.0;
         for (int i = 0; i < 800; ++i) {
             implant.turn_by(turn / 100.0);
-            if (implant.torque() > most) most = implant.torque(), most_at = implant.angle;
+            if (implant.torque() > most) most = implant.torque(), max_at = implant.angle;
         }
-        EXPECT_NEAR(most_at, 6.0 * turn, 0.05 * turn) << density;
+        EXPECT_NEAR(max_at, 6.0 * turn, 0.05 * turn) << density;
     }
 }
 
@@ -264,12 +264,12 @@ TEST(ImplantTorque, OursPeaksLaterWithMoreYieldSlip) {  // E02-12
     const auto peak_after_seat = [](double yield_slip) {
         const auto screw = seated(55.0_mm, {{"yield_slip", yield_slip}});
         const double seat = screw->angle();
-        double most = 0.0, most_at = 0.0;
+        double most = 0.0, max_at = 0.0;
         for (int i = 0; i < 240; ++i) {
             screw->turn(0.025, 0.5 * pi);
-            if (screw->torque() > most) most = screw->torque(), most_at = screw->angle() - seat;
+            if (screw->torque() > most) most = screw->torque(), max_at = screw->angle() - seat;
         }
-        return most_at;
+        return max_at;
     };
     const double sooner = peak_after_seat(0.3_mm), later = peak_after_seat(0.6_mm);
     EXPECT_GT(sooner, 60.0_deg);

@@ -562,7 +562,7 @@ TEST(CtBody, ExtendsTheDensityFromInsideItsTissue) {
     int at_border = 0;
     for (int n = 0; n < 20000; ++n) {
         const Vec3 p{at(random), at(random), at(random)};
-        const BrickPlace place = locate(body->grid(), p);
+        const LocatedPoint place = locate(body->grid(), p);
         double weight[KERF_MAX_TISSUES];
         material_weights(*body, place, weight);
         if (body->surface.at(place) >= 0.0 || weight[1] <= 0.0) continue;

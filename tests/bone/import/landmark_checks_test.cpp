@@ -76,7 +76,7 @@ TEST(LandmarkChecks, DoubtAZoneThatIsMostlyBone) {
     }();
     Diagnostics diagnostics;
     const auto body = make_body(half, 0.5_mm, diagnostics);
-    EXPECT_NEAR(share_in_bone(*body, half.zones[0]), 0.5, 0.07 /* points 1 mm apart */);
+    EXPECT_NEAR(fraction_in_bone(*body, half.zones[0]), 0.5, 0.07 /* points 1 mm apart */);
 }
 
 }  // namespace

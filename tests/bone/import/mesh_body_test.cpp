@@ -322,8 +322,8 @@ TEST(MeshBone, KeepsItsCavitiesAsRoomsAndGivesThemBackWithTheWhole) {
     const auto bone = make_mesh_bone(anatomy, file, nullptr, diagnostics);
     ASSERT_TRUE(bone) << to_text(diagnostics);
     EXPECT_NEAR(signed_volume_of(bone->surface), 8e-6, 1e-15);
-    ASSERT_EQ(bone->rooms.size(), 1u);
-    EXPECT_NEAR(signed_volume_of(bone->rooms[0]), 1e-6, 1e-15) << "a room looks out of itself";
+    ASSERT_EQ(bone->inner_surfaces.size(), 1u);
+    EXPECT_NEAR(signed_volume_of(bone->inner_surfaces[0]), 1e-6, 1e-15) << "a room looks out of itself";
     EXPECT_NEAR(signed_volume_of(whole_surface_of(*bone)), 7e-6, 1e-15);
 }
 

@@ -41,7 +41,7 @@ TEST(PhantomWalls, AnEdgeIsNoWall) {
             return test::box_distance(p, {-4.0_mm, -4.0_mm, -4.0_mm}, {4.0_mm, 4.0_mm, 4.0_mm});
         },
         2.0_mm);
-    EXPECT_EQ(share_under(walls, 2.0_mm), 0.0);
+    EXPECT_EQ(fraction_under(walls, 2.0_mm), 0.0);
 }
 
 TEST(PhantomWalls, ABodyWithAPlateThatItsSpacingCannotCarryIsRefused) {

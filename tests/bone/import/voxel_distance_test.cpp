@@ -37,7 +37,7 @@ double border_in(const VoxelImage& image, double threshold) {
     BoneMask mask(image);
     for (std::size_t at = 0; at < image.values.size(); ++at) mask.is_bone[at] = image.values[at] >= threshold;
     const VoxelDistance found = distance_in_voxels(mask, threshold, 4.0 * h);
-    EXPECT_EQ(found.crossing_share, 1.0);
+    EXPECT_EQ(found.crossing_fraction, 1.0);
     for (int k = 0; k + 1 < image.size[2]; ++k) {
         const double below = found.distance.at(1, 1, k), above = found.distance.at(1, 1, k + 1);
         if (below <= 0.0 && above > 0.0) return h * (k - below / (above - below));

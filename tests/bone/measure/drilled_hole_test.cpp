@@ -49,7 +49,7 @@ struct DrilledBlock {
     }
     [[nodiscard]] std::optional<DrilledHole> hole() const {
         return measure_hole(body, plan, [this](Vec3 p) {
-            const BrickPlace place = locate(body, p);
+            const LocatedPoint place = locate(body, p);
             const double bone = std::clamp(0.5 - uncut_distance(body, place) / spacing, 0.0, 1.0);
             return bone * std::clamp(0.5 + cut.at(place) / spacing, 0.0, 1.0);
         });

@@ -104,19 +104,19 @@ TEST(AngleBetween, APlaneHasNoSense) {
 
 TEST(SeenIn, DropsWhatIsAcrossTheView) {
     const Plane view{{7, 0, 0}, {1, 0, 0}};
-    const auto line = seen_in(view, Line{{0, 1, 1}, normalized(Vec3{1, 1, 1})});
+    const auto line = projected_onto(view, Line{{0, 1, 1}, normalized(Vec3{1, 1, 1})});
     ASSERT_TRUE(line);
     EXPECT_NEAR(line->direction.x, 0.0, 1e-12);
     EXPECT_NEAR(line->direction.y, line->direction.z, 1e-12);
     EXPECT_NEAR(line->point.x, 7.0, 1e-12);
-    EXPECT_FALSE(seen_in(view, along_x));
+    EXPECT_FALSE(projected_onto(view, along_x));
 
-    const auto trace = seen_in(view, Plane{{0, 0, 3}, normalized(Vec3{1, 0, 2})});
+    const auto trace = projected_onto(view, Plane{{0, 0, 3}, normalized(Vec3{1, 0, 2})});
     ASSERT_TRUE(trace);
     EXPECT_NEAR(std::abs(trace->direction.y), 1.0, 1e-12);
     EXPECT_NEAR(trace->point.x, 7.0, 1e-9);
     EXPECT_NEAR(trace->point.z, 3.0 - 3.5, 1e-9);
-    EXPECT_FALSE(seen_in(view, Plane{{}, {-1, 0, 0}}));
+    EXPECT_FALSE(projected_onto(view, Plane{{}, {-1, 0, 0}}));
 }
 
 TEST(DistanceBetween, HasTheLengthOfTheShortestWay) {

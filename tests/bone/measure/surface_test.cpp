@@ -74,7 +74,7 @@ TEST(Thickness, OfBoneThatIsCutIsWhatIsLeft) {
     const auto wall = thickness_at(drilled, {{5.0_mm, 0, 0}, {1, 0, 0}});
     ASSERT_TRUE(wall);
     EXPECT_NEAR(wall->value, 8.0_mm, 2.0 * wall->uncertainty) << "from the hole's wall to the face";
-    EXPECT_EQ(drilled.stretches_on({{0, 0, 0}, {1, 0, 0}}, -farthest_look, farthest_look).size(), 2U);
+    EXPECT_EQ(drilled.stretches_on({{0, 0, 0}, {1, 0, 0}}, -max_search_distance, max_search_distance).size(), 2U);
 }
 
 TEST(Thickness, IsUnknownBeyondTheRegion) {

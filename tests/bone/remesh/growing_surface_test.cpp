@@ -148,7 +148,7 @@ TEST(GrowingSurface, GoesBackToAMoment) {
     const GrowingSurface::Moment moment = surface.moment();
     push_in(surface, cap, 0.7_mm);
     push_in(surface, second_cap, -0.3_mm);
-    surface.go_back(moment);
+    surface.restore(moment);
     expect_same(surface.mesh(), was);
     EXPECT_EQ(surface.face_count(), was.mesh.triangles.size());
     // And what follows is found by the region and by the vertex, as on a surface that never left.
@@ -162,7 +162,7 @@ TEST(GrowingSurface, GoesOnFromAMomentAsIfNothingHadBeen) {
     const GrowingSurface::Moment moment = detour.moment();
     push_in(detour, second_cap, -0.3_mm);
     push_in(detour, cap, 0.7_mm);
-    detour.go_back(moment);
+    detour.restore(moment);
     for (GrowingSurface* one : {&straight, &detour}) {
         push_in(*one, second_cap, -0.1_mm);
         push_in(*one, cap, 0.1_mm);
@@ -188,8 +188,8 @@ TEST(GrowingSurface, GoesForwardAgain) {
     push_in(surface, cap, 0.5_mm);
     const TaggedMesh pushed = surface.mesh();
     const GrowingSurface::Moment after = surface.moment();
-    surface.go_back(before);
-    surface.go_back(after);
+    surface.restore(before);
+    surface.restore(after);
     expect_same(surface.mesh(), pushed);
 }
 

@@ -56,7 +56,7 @@ TEST(LocalCutting, HandsOverWhatIsDeclined) {
     EXPECT_EQ(second, 1);
     EXPECT_EQ(cutting.handed_over(), 1);
     EXPECT_EQ(cutting.refusals(), 0) << "to decline is no fault";
-    EXPECT_EQ(cutting.why_handed_over(), "status " + std::to_string(KERF_REMESH_DECLINED));
+    EXPECT_EQ(cutting.hand_over_reason(), "status " + std::to_string(KERF_REMESH_DECLINED));
     EXPECT_GT(cutting.removed(), 0.0);
 }
 
@@ -88,7 +88,7 @@ TEST(LocalCutting, IsStaleWhereBothFail) {
     LocalCutting cutting(ball(), {&pin}, 1e-6, Always{KERF_REMESH_DECLINED, &first},
                          Always{KERF_REMESH_REFUSED, &second});
     EXPECT_FALSE(cutting.cut(plunge));
-    EXPECT_EQ(second, LocalCutting::most_refusals + 1);
+    EXPECT_EQ(second, LocalCutting::max_refusals + 1);
     ASSERT_EQ(cutting.stale().size(), 1U);
     EXPECT_EQ(cutting.stale().front().why, "status " + std::to_string(KERF_REMESH_REFUSED));
 }

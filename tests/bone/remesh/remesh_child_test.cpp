@@ -70,7 +70,7 @@ TEST(RemeshChild, GrowsItsMemoryWithTheMesh) {
 TEST(RemeshChild, StartsAgainWhenTheStrategyDies) {
     for (const char* animal : {"dies", "exits"}) {
         const auto child = child_with(animal);
-        for (int n = 0; n < RemeshChild::most_restarts; ++n) {
+        for (int n = 0; n < RemeshChild::max_restarts; ++n) {
             EXPECT_EQ(child->remesh(cube_request(), 5s).status, KERF_FAILED);
             EXPECT_TRUE(child->is_running());
         }

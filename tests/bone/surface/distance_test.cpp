@@ -204,8 +204,8 @@ TEST(Thickness, OfAShellIsTheWayToTheCavity) {
     const auto walls = measure_walls(mesh, TriangleTree(mesh), everywhere, 0.5_mm);
     EXPECT_NEAR(thinnest(walls)->thickness, 1.0_mm, 0.05_mm /* the depth of the faces */);
     EXPECT_NEAR(thickness_at(walls, 0.5), 1.0_mm, 0.05_mm);
-    EXPECT_NEAR(share_under(walls, 1.1_mm), 1.0, 0.01);
-    EXPECT_EQ(share_under(walls, 0.9_mm), 0.0);
+    EXPECT_NEAR(fraction_under(walls, 1.1_mm), 1.0, 0.01);
+    EXPECT_EQ(fraction_under(walls, 0.9_mm), 0.0);
 }
 TEST(Thickness, LooksOnlyIntoTheRegion) {
     const SurfaceMesh mesh = together(cube(10.0_mm), cube(2.0_mm, {20.0_mm, 0, 0}));

@@ -142,7 +142,7 @@ TEST(BoneDistances, AreThoseOfEachPoint) {
     MeshDistances fast(parts.tree);
     NearestSurface fast_room({MeshDistances(parts.room_tree)});
     InRegion outer(fast, parts.region), room(fast_room, parts.region);
-    WithoutRooms bone(outer, room);
+    WithoutCavities bone(outer, room);
     TissueBorder border(outer, cortical);
 
     SignedDistance slow(parts.tree), slow_room(parts.room_tree);

@@ -35,7 +35,7 @@ void expect_mended(SurfaceMesh mesh, double volume, const std::string& note, con
     EXPECT_NEAR(signed_volume_of(mesh), volume, 1e-9 * volume);
     const SurfaceDiagnosis after = seen(mesh);
     EXPECT_EQ(after.open_edges.count, 0u);
-    EXPECT_EQ(after.turned_edges.count, 0u);
+    EXPECT_EQ(after.inconsistent_edges.count, 0u);
     EXPECT_EQ(after.duplicate_faces.count, 0u);
     EXPECT_EQ(after.collapsed_faces.count, 0u);
     if (note.empty()) {
@@ -72,8 +72,8 @@ TEST(Diagnose, GivesTheFiguresOfACube) {
     ASSERT_EQ(found.pieces.size(), 1u);
     EXPECT_EQ(found.pieces[0].faces, 12u);
     for (const Flaw& flaw :
-         {found.open_edges, found.crowded_edges, found.pinched_vertices, found.turned_edges, found.duplicate_faces,
-          found.duplicate_vertices, found.collapsed_faces, found.flat_faces, found.crossings})
+         {found.open_edges, found.nonmanifold_edges, found.pinched_vertices, found.inconsistent_edges,
+          found.duplicate_faces, found.duplicate_vertices, found.collapsed_faces, found.flat_faces, found.crossings})
         EXPECT_EQ(flaw.count, 0u);
     EXPECT_EQ(to_notes(found).size(), 1u);
 }
@@ -121,7 +121,7 @@ TEST(Repair, LeavesOutDuplicateFaces) {
     SurfaceMesh mesh = cube(10.0_mm);
     mesh.triangles.push_back({2, 3, 0});  // the first one, turned on
     EXPECT_EQ(seen(mesh).duplicate_faces.count, 1u);
-    EXPECT_EQ(seen(mesh).crowded_edges.count, 3u);
+    EXPECT_EQ(seen(mesh).nonmanifold_edges.count, 3u);
     expect_mended(mesh, cm3, "Left out 1 face that are there twice");
     expect_mended(together(cube(10.0_mm), cube(10.0_mm)), 2.0 * cm3, "");  // two bones in one place are still two
     std::vector<std::string> notes;
@@ -191,7 +191,7 @@ TEST(Repair, TurnsASurfaceThatIsInsideOut) {
 TEST(Repair, TurnsFacesLikeTheirNeighbours) {
     SurfaceMesh mesh = sphere(10.0_mm, 3);
     for (std::size_t f = 0; f < mesh.triangles.size(); f += 5) std::swap(mesh.triangles[f][0], mesh.triangles[f][1]);
-    EXPECT_GT(seen(mesh).turned_edges.count, 100u);
+    EXPECT_GT(seen(mesh).inconsistent_edges.count, 100u);
     expect_mended(mesh, signed_volume_of(sphere(10.0_mm, 3)), "to look to the same side as the neighbours");
 }
 TEST(Repair, RefusesAMoebiusStrip) {
@@ -213,14 +213,14 @@ TEST(Repair, RefusesAFinBetweenFaces) {
     SurfaceMesh mesh = cube(10.0_mm);
     mesh.vertices.push_back({0, 0, 9.0_mm});
     mesh.triangles.push_back({4, 5, 8});
-    EXPECT_EQ(seen(mesh).crowded_edges.count, 1u);
+    EXPECT_EQ(seen(mesh).nonmanifold_edges.count, 1u);
     expect_refused(mesh, "E0650", "Mend the surface", {.holes_up_to = 20.0_mm});
 }
 TEST(Repair, TakesTwoCubesThatShareAnEdgeAsTheyAre) {
     SurfaceMesh mesh = together(cube(10.0_mm), cube(10.0_mm, {10.0_mm, 10.0_mm, 0}));
     weld(mesh);
     EXPECT_EQ(mesh.vertices.size(), 14u);
-    EXPECT_EQ(seen(mesh).crowded_edges.count, 1u);
+    EXPECT_EQ(seen(mesh).nonmanifold_edges.count, 1u);
     expect_mended(mesh, 2.0 * cm3, "");
 }
 TEST(Diagnose, SeesAPinchedVertex) {
@@ -228,7 +228,7 @@ TEST(Diagnose, SeesAPinchedVertex) {
     weld(mesh);
     EXPECT_EQ(seen(mesh).pinched_vertices.count, 1u);
     EXPECT_NEAR(seen(mesh).pinched_vertices.at.z, 5.0_mm, 1e-12);
-    EXPECT_EQ(seen(mesh).crowded_edges.count, 0u);
+    EXPECT_EQ(seen(mesh).nonmanifold_edges.count, 0u);
 }
 
 // ---- pieces
@@ -266,7 +266,7 @@ TEST(Repair, KnowsABoneInACavityOfABone) {
 TEST(Diagnose, CountsPiecesThatRunIntoOneAnother) {
     const SurfaceDiagnosis found = seen(together(cube(10.0_mm), cube(10.0_mm, {4.0_mm, 3.0_mm, 2.0_mm})));
     EXPECT_GT(found.crossings.count, 10u);
-    EXPECT_EQ(found.crossings.count, found.crossing_places.size());
+    EXPECT_EQ(found.crossings.count, found.crossing_positions.size());
 }
 
 TEST(Repair, MakesAnySoupClosedOrRefusesIt) {

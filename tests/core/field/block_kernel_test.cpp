@@ -113,13 +113,13 @@ TEST_F(BothKernels, FindTheSamePlacesAndThoseOfOnePoint) {
         if (n % 2 == 0) region = {grid.sample_position(5, 6, 7), grid.sample_position(40, 41, 42)};
         const Quat turn = normalized(Quat{numbers.sound(), numbers.sound(), numbers.sound(), numbers.sound()});
         const GridFrame frame(grid, region, frame_of({{0, 0, 0}, n % 3 == 0 ? Quat{1, 0, 0, 0} : turn}));
-        PlaceBlock a, b;
+        LocatedBlock a, b;
         PointBox box[2];
         for (auto* places : {&a, &b}) {
             const test::WithKernel with(places == &a ? plain : *fast);
             box[places == &b] = frame.locate_box(in.data(), in.size(), *places);
         }
-        PlaceBlock without_box;
+        LocatedBlock without_box;
         frame.locate(in.data(), in.size(), without_box);
         expect_same(a.brick, b.brick, in.size(), "brick");
         expect_same(a.brick, without_box.brick, in.size(), "brick");
@@ -130,14 +130,14 @@ TEST_F(BothKernels, FindTheSamePlacesAndThoseOfOnePoint) {
         for (std::size_t i = 0; i < in.size(); ++i) {
             const bool is_outside = a.brick[i] == static_cast<std::int32_t>(grid.brick_count());
             ++(is_outside ? outside : inside);
-            for (const PlaceBlock* other : {&b, &without_box}) {
+            for (const LocatedBlock* other : {&b, &without_box}) {
                 if (is_outside) continue;
                 ASSERT_EQ(a.offset[i], other->offset[i]);
                 ASSERT_TRUE(a.fx[i] == other->fx[i] && a.fy[i] == other->fy[i] && a.fz[i] == other->fz[i]);
             }
             if (n % 2 == 0) continue;
             const Vec3 g = frame * in[i];
-            const BrickPlace one = locate_fixed(grid, frame.lattice().bits, g.x, g.y, g.z);
+            const LocatedPoint one = locate_fixed(grid, frame.lattice().bits, g.x, g.y, g.z);
             ASSERT_EQ(one.is_inside, !is_outside);
             if (is_outside) continue;
             ASSERT_EQ(static_cast<std::int32_t>(one.brick), a.brick[i]);
@@ -151,8 +151,8 @@ TEST_F(BothKernels, FindTheSamePlacesAndThoseOfOnePoint) {
 
 /// Places at random in so many bricks and, now and then, outside; behind the last the last again, as `place` leaves
 /// them.
-PlaceBlock random_places(Numbers& numbers, std::size_t bricks) {
-    PlaceBlock places;
+LocatedBlock random_places(Numbers& numbers, std::size_t bricks) {
+    LocatedBlock places;
     places.count = 1 + numbers.below(block_capacity);
     for (std::size_t i = 0; i < block_capacity; ++i) {
         if (i >= places.count) {
@@ -198,7 +198,7 @@ TEST_F(BothKernels, InterpolateAlike) {
         for (std::size_t b = 0; b <= bricks; ++b)
             stored.push_back(numbers.below(3) == 0 ? -1
                                                    : stored_samples * static_cast<std::int32_t>(numbers.below(bricks)));
-        const PlaceBlock at = random_places(numbers, bricks);
+        const LocatedBlock at = random_places(numbers, bricks);
         const FieldShape bone{start[0].data(), samples[0].data(), 2 * stored_samples, stored_samples};
         const FieldShape cut{start[1].data(), samples[1].data(), 2 * stored_samples, stored_samples};
         uniform += n % 4 == 0;
@@ -349,7 +349,7 @@ TEST_F(BothKernels, RaiseTheSameValues) {
         const ToolSolid& solid = solids[static_cast<std::size_t>(n) % std::size(solids)];
         const Quat turn = normalized(Quat{numbers.sound(), numbers.sound(), numbers.sound(), numbers.sound()});
         const Vec3 corner{3e-3 * numbers.sound(), 3e-3 * numbers.sound(), -1e-3 + 3e-3 * numbers.sound()};
-        const int first_y = CellPlace::of(numbers.below(3)).first_y;
+        const int first_y = CellPosition::of(numbers.below(3)).first_y;
         SampleCell cell{};
         cell.has_edges = true;
         const Vec3 origin = corner + rotate(turn, {4.0 * h, 0.0, 0.0});  // counted from another sample

@@ -120,14 +120,14 @@ TEST(CutField, AFastSweepMissesNoVoxelAndTakesNoneBeside) {
                 for (int j = 0; j < g.samples(1); ++j)
                     for (int i = 0; i < g.samples(0); ++i) {
                         if (sweep.body.surface.sample(i, j, k) >= 0) continue;
-                        const bool is_gone = sweep.cut.sample(i, j, k) > 0;
+                        const bool is_removed = sweep.cut.sample(i, j, k) > 0;
                         const Vec3 p = g.sample_position(i, j, k);
-                        if (!is_gone && length(p) > 0.7 * FastSweep::way + FastSweep::back)
+                        if (!is_removed && length(p) > 0.7 * FastSweep::way + FastSweep::back)
                             continue;  // far from it all
                         const double d = sweep.swept_distance(p);
                         inside += d < 0.0;
-                        missed += d < -g.quantum() && !is_gone;
-                        extra += d > g.quantum() && is_gone;
+                        missed += d < -g.quantum() && !is_removed;
+                        extra += d > g.quantum() && is_removed;
                     }
             EXPECT_GT(inside, 2500);
             EXPECT_EQ(missed, 0) << "axis " << axis.x << " " << axis.y << " " << axis.z;
@@ -169,7 +169,7 @@ TEST(CutField, NoRidgeStaysWhereAToolGoesToAndFroAndTurns) {
                     for (int i = 0; i < g.samples(0); ++i) {
                         const Vec3 p = g.sample_position(i, j, k);
                         if (body.surface.sample(i, j, k) >= 0 || length(p - record.to.position) > 4.0_mm) continue;
-                        const bool is_held = sweep.holds(p, g.quantum());
+                        const bool is_held = sweep.contains(p, g.quantum());
                         missed += is_held && cut.sample(i, j, k) <= 0;
                         ridges += is_held && cut.sample(i, j, k) == 1;
                         of_to_alone += is_held && solid->distance(inverse(record.to) * p) > g.quantum();

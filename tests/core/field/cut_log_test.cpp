@@ -74,7 +74,7 @@ TEST(CutLog, NeitherLagNorBatchesNorOrderChangeABit) {
         std::mt19937 random(seed);
         Cutting cutting(0.4_mm, path.front());
         CutField worker(cutting.body, 1);
-        std::size_t applied = 0, largest_batch = 0, most_pending = 0;
+        std::size_t applied = 0, largest_batch = 0, max_pending = 0;
         const auto stamp = [&](std::size_t count) {
             count = std::min(count, cutting.log.size() - applied);
             largest_batch = std::max(largest_batch, count);
@@ -89,7 +89,7 @@ TEST(CutLog, NeitherLagNorBatchesNorOrderChangeABit) {
                 cutting.tracker.commit_passed(pose, random() % 2 == 0);
                 idle = 0;
             }
-            most_pending = std::max(most_pending, cutting.tracker.pending_count());
+            max_pending = std::max(max_pending, cutting.tracker.pending_count());
             if (random() % 17 == 0) stamp(random() % 50);
         }
         cutting.end();
@@ -106,7 +106,7 @@ TEST(CutLog, NeitherLagNorBatchesNorOrderChangeABit) {
         EXPECT_EQ(replayed.hash(), cutting.exact.hash());
 
         EXPECT_GT(largest_batch, 20u);
-        EXPECT_GT(most_pending, CutTracker::pending_limit) << "there was a lag";
+        EXPECT_GT(max_pending, CutTracker::pending_limit) << "there was a lag";
         EXPECT_FALSE(replayed.same_bits(CutField(cutting.body, 1)));
     }
 }
@@ -186,7 +186,7 @@ TEST(CutLog, ARecordStampedAFewBricksAtATimeGivesTheBitsOfOneStamp) {
             for (bool is_done = false; !is_done; ++pieces) {
                 const int most = 1 + static_cast<int>(random() % 7);
                 int now = 0;
-                is_done = in_pieces.stamp_on(record, cutting.tool, most, progress, now);
+                is_done = in_pieces.stamp_part(record, cutting.tool, most, progress, now);
                 ASSERT_LE(now, most);
                 sum += now;
             }
@@ -277,13 +277,13 @@ TEST(CutLog, StampingIsSpreadOverTicksAndKeepsUp) {
     // Given a drill that is fed at 1 mm/s into a grid so fine that a record touches more bricks than a tick may stamp
     Cutting cutting(0.1_mm, test::pointing({0, 0, 2.0_mm}, {0, 0, -1}));
     int largest = 0;
-    std::size_t most_pending = 0;
+    std::size_t max_pending = 0;
     for (int i = 0; i < 4000; ++i) {
         const Pose pose = test::pointing({0, 0, 2.0_mm - 1.0_um * i}, {0, 0, -1});
         cutting.move_to(pose);
         cutting.tracker.commit_passed(pose, true);
         largest = std::max(largest, cutting.tracker.last_bricks());
-        most_pending = std::max(most_pending, cutting.tracker.pending_count());
+        max_pending = std::max(max_pending, cutting.tracker.pending_count());
     }
     const int touched = CutField(cutting.body, 1).stamp(cutting.log.back(), cutting.tool);
 
@@ -292,7 +292,7 @@ TEST(CutLog, StampingIsSpreadOverTicksAndKeepsUp) {
     EXPECT_LE(largest, CutTracker::bricks_per_tick);
     EXPECT_LT(largest, touched);
     EXPECT_EQ(cutting.tracker.early_commits(), 0u);
-    EXPECT_LE(most_pending, 7u);
+    EXPECT_LE(max_pending, 7u);
     cutting.end();
     EXPECT_TRUE(cutting.committed.same_bits(cutting.exact));
 }
@@ -310,7 +310,7 @@ TEST(CutLog, HoweverMuchWaitsATickStampsNoMoreThanItMay) {
     for (; cutting.tracker.is_behind() && ticks < 1000; ++ticks) {
         cutting.move_to(at(70 + ticks));
         cutting.tracker.commit_passed(at(70 + ticks), false);
-        ASSERT_LE(cutting.tracker.last_bricks(), CutTracker::most_bricks + 1);
+        ASSERT_LE(cutting.tracker.last_bricks(), CutTracker::max_bricks + 1);
         ASSERT_GT(cutting.tracker.last_bricks(), 0);
     }
     // Then it has caught up after a while, the bits are those of stamping at once, and what was left is spread as well

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <random>
 
-#include "core/field/cut/bone_view.h"
+#include "core/field/cut/body_query.h"
 #include "tests/support/block.h"
 
 namespace kerf {
@@ -50,7 +50,7 @@ TEST(DensityField, IsWhatAnEdgeIsTold) {
     const ToolSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 3.0_mm);
     CutField committed(body, 1);
     const CutTracker tracker(body, tool, committed);
-    const BoneView view(body, committed, tracker);
+    const BodyQuery view(body, committed, tracker);
     const Vec3 p{1.3_mm, -2.1_mm, 0.7_mm};
     kerf_bone_sample s;
     view.sample(&p, 1, {0, 0, 1}, &s);

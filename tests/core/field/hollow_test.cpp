@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/field/cut/bone_view.h"
+#include "core/field/cut/body_query.h"
 #include "core/field/cut/removed_volume.h"
 #include "core/field/surface/bone_surface.h"
 #include "tests/support/block.h"
@@ -37,7 +37,7 @@ double felt_thickness(const Body& body, double sheet) {
     const double h = body.grid().spacing, step = 1e-3 * h;
     double sum = 0.0;
     for (double z = half_edge - sheet - 2.0 * h; z < half_edge + 2.0 * h; z += step) {
-        const BrickPlace place = locate(body, {0.1_mm, 0.2_mm, z});
+        const LocatedPoint place = locate(body, {0.1_mm, 0.2_mm, z});
         sum += step * static_cast<double>(engagement(body.surface.quanta_at(place), cut.quanta_at(place)));
     }
     return sum;
@@ -120,7 +120,7 @@ TEST(Hollow, IsNoBoneForContactAndInTheSurface) {
     const ToolSolid tool = test::drill_outline(1.6_mm, half_angle, 20.0_mm);
     CutTracker tracker(body, tool, committed);
     tracker.restart(test::pointing({0, 0, 20.0_mm}, {0, 0, -1}));
-    const BoneView view(body, committed, tracker);
+    const BodyQuery view(body, committed, tracker);
     EXPECT_NEAR(view.present_distance({0, 0, 6.5_mm}), 0.5_mm, 1e-6)
         << "in the room, half a millimetre under the sheet";
     EXPECT_NEAR(view.present_distance({0, 0, 8.5_mm}), 0.5_mm, 1e-6);

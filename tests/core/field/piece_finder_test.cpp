@@ -163,14 +163,14 @@ TEST(PieceFinder, AgreesWithAFloodInBoneThatFallsIntoManyCrumbs) {
 
     std::mt19937 random(11);
     std::uniform_real_distribution<double> anywhere(-6.0_mm, 6.0_mm);
-    std::size_t came_off = 0, samples_off = 0;
+    std::size_t separated_from = 0, samples_off = 0;
     Vec3 at{anywhere(random), anywhere(random), anywhere(random)};
     for (int n = 0; n < 120; ++n) {
         const Vec3 next{anywhere(random), anywhere(random), anywhere(random)};
         cut.stamp(stretch({at, {1, 0, 0, 0}}, {next, {1, 0, 0, 0}}), ball);
         at = next;
         for (const LoosePart& part : finder.update(cut, cut.take_changed())) {
-            ++came_off;
+            ++separated_from;
             samples_off += part.samples;
             std::size_t counted = 0;
             part.bone.for_each(
@@ -181,7 +181,7 @@ TEST(PieceFinder, AgreesWithAFloodInBoneThatFallsIntoManyCrumbs) {
         // compare what is left with the flood's piece of the same samples.
         test::SolidVolume left = test::solid_volume(body, cut);
         for (std::size_t b = 0; b < body.grid().brick_count(); ++b) {
-            const auto [i, j, k] = body.grid().brick_place(b);
+            const auto [i, j, k] = body.grid().brick_coordinates(b);
             for (int s = 0; s < 512; ++s) {
                 const std::size_t v = left.at(8 * i + s % 8, 8 * j + s / 8 % 8, 8 * k + s / 64);
                 const bool is_left = finder.bits(b).has(s % 8, s / 8 % 8, s / 64);
@@ -193,7 +193,7 @@ TEST(PieceFinder, AgreesWithAFloodInBoneThatFallsIntoManyCrumbs) {
         ASSERT_EQ(finder.count_pieces(), pieces.size()) << "stroke " << n;
         ASSERT_LE(pieces.size(), at_first.size()) << "what came apart in stroke " << n << " was not said";
     }
-    EXPECT_GT(came_off, 20u) << "the scene is to make crumbs";
+    EXPECT_GT(separated_from, 20u) << "the scene is to make crumbs";
     EXPECT_GT(samples_off, 0u);
 }
 
@@ -241,7 +241,7 @@ struct SawnTube {
         all = PieceFinder(body, cut).bone();
     }
     double at(const CutField& field, Vec3 p) const {
-        const BrickPlace place = locate(body, p);
+        const LocatedPoint place = locate(body, p);
         return std::max(body.surface.at(place), field.at(place));
     }
 };
@@ -293,8 +293,8 @@ TEST(PieceMask, CuttingAPieceGivesTheBitsOfCuttingTheWhole) {
     // Then away from the cut between them both hold the same
     int compared = 0;
     for (std::size_t b = 0; b < sawn.body.grid().brick_count(); ++b) {
-        if (mask.gone_in(b) != PieceMask::Share::nothing || sawn.body.surface.is_all_air(b)) continue;
-        const auto [i, j, k] = sawn.body.grid().brick_place(b);
+        if (mask.removed_extent(b) != PieceMask::RemovedExtent::nothing || sawn.body.surface.is_all_air(b)) continue;
+        const auto [i, j, k] = sawn.body.grid().brick_coordinates(b);
         for (int s = 0; s < 512; ++s)
             ASSERT_EQ(stump.sample(8 * i + s % 8, 8 * j + s / 8 % 8, 8 * k + s / 64),
                       sawn.cut.sample(8 * i + s % 8, 8 * j + s / 8 % 8, 8 * k + s / 64));
@@ -309,7 +309,7 @@ TEST(PieceMask, StoredSamplesOnAFaceThatTwoBricksShareAgree) {
     const Grid& g = sawn.body.grid();
     for (std::size_t b = 0; b < g.brick_count(); ++b) {
         if (sawn.body.surface.is_all_air(b) || stump.stored(b) == nullptr) continue;
-        const auto [i, j, k] = g.brick_place(b);
+        const auto [i, j, k] = g.brick_coordinates(b);
         for (int z = 0; z < stored_edge; ++z)
             for (int y = 0; y < stored_edge; ++y)
                 for (int x = 0; x < stored_edge; ++x) {

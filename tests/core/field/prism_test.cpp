@@ -44,7 +44,7 @@ TEST(Prism, TheWayInIsThatAlongWhichDepthGrows) {
     int outside = 0, inside = 0;
     for (int i = 0; i < 4000; ++i) {
         const Vec3 p{5.0_mm * unit(random), 1.0_mm * unit(random), -1.0_mm + 2.0_mm * unit(random)};
-        const Vec3 way = blade.way_in(p);
+        const Vec3 way = blade.inward_direction(p);
         ASSERT_NEAR(length(way), 1.0, 1e-12);
         // A hair along it, unless another face is then nearer.
         const double gained = blade.distance(p) - blade.distance(p + 1e-9 * way);

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/cut/bone_view.h"
+#include "core/field/cut/body_query.h"
 #include "core/field/cut/removed_volume.h"
 #include "core/field/surface/bone_surface.h"
 #include "tests/support/block.h"
@@ -45,7 +45,7 @@ struct Drilled {
     ToolSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 20.0_mm);
     CutField committed{body, 64}, exact{body, 64};
     CutTracker tracker{body, tool, committed};
-    BoneView view{body, committed, tracker};
+    BodyQuery view{body, committed, tracker};
 
     explicit Drilled(double depth) {
         tracker.restart(at(-1.0_mm));

@@ -39,7 +39,7 @@ TEST(Sweep, HoldsWhatTheSolidWasInAndNothingElse) {
         EXPECT_LE(deepest, at_sub_poses + sweep.step());
         const double between_instants = 2.0_mm / instants;
         if (deepest > 0.0 || deepest < -between_instants) {
-            EXPECT_EQ(sweep.holds(p, 0.0), deepest > 0.0) << n;
+            EXPECT_EQ(sweep.contains(p, 0.0), deepest > 0.0) << n;
         }
         held += deepest > 0.0;
         only_between += deepest > 0.0 && at_sub_poses < 0.0;
@@ -65,9 +65,9 @@ TEST(Sweep, WhatItHoldsItMayHoldAndLittleElse) {
                 PointBlock points;
                 while (points.count < block_capacity) points.add({x(random), x(random), z(random)});
                 std::array<bool, block_capacity> may;
-                sweep.may_hold(points, 0.0, may);
+                sweep.may_contain(points, 0.0, may);
                 for (std::size_t p = 0; p < points.count; ++p) {
-                    const bool does = sweep.holds(points[p], 0.0);
+                    const bool does = sweep.contains(points[p], 0.0);
                     held += does;
                     may_be_held += may[p];
                     missed += does && !may[p];
@@ -138,8 +138,8 @@ TEST(Sweep, AStillSolidHoldsWhatItIsIn) {
     const Pose pose = test::pointing({0, 0, 0}, {0, 0, -1.0});
     const Sweep sweep(drill, pose, pose, 0.1_mm, 0.2_mm);
     EXPECT_EQ(sweep.sub_poses(), 1);
-    EXPECT_TRUE(sweep.holds({0, 0, 3.0_mm}, 0.0));
-    EXPECT_FALSE(sweep.holds({0, 0, -1.0_mm}, 0.0));
+    EXPECT_TRUE(sweep.contains({0, 0, 3.0_mm}, 0.0));
+    EXPECT_FALSE(sweep.contains({0, 0, -1.0_mm}, 0.0));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(ToolSolid, APointLeavesATubeIntoItsBore) {
     EXPECT_NEAR(tube.travel_to_leave({3.4_mm, 0, -5.0_mm}, {1, 0, 0}), 0.6_mm, 1e-12);
     EXPECT_NEAR(tube.travel_to_leave({3.4_mm, 0, -5.0_mm}, {0, 0, 1}), 5.0_mm, 1e-12);
     EXPECT_EQ(tube.travel_to_leave({1.0_mm, 0, -5.0_mm}, {1, 0, 0}), 0.0) << "it is in no bone's way";
-    const Vec3 in = tube.way_in({3.2_mm, 0, -5.0_mm});
+    const Vec3 in = tube.inward_direction({3.2_mm, 0, -5.0_mm});
     EXPECT_NEAR(in.x, 1.0, 1e-12) << "away from the bore";
 }
 
@@ -104,7 +104,7 @@ TEST(ToolSolid, NoPointOutsideGainsMoreDepthThanIsSaid) {
                 {lateral * unit(random), lateral * unit(random), 0.1_mm * unit(random)},
                 quat_from_rotation_vector({turn * unit(random), turn * unit(random), turn * unit(random)})};
             const double after = -solid->distance(moved * p), gain = after - before,
-                         most = solid->most_gained_outside(moved);
+                         most = solid->max_depth_gain_outside(moved);
             if (after < 0.0) continue;
             ASSERT_LE(gain, most + 1e-15) << n;
             ++near_it;
@@ -114,9 +114,9 @@ TEST(ToolSolid, NoPointOutsideGainsMoreDepthThanIsSaid) {
         EXPECT_GT(gained, 50) << "and not much too large";
     }
     const Pose on{{0, 0, 0.1_mm}, {1, 0, 0, 0}};
-    EXPECT_EQ(tool.most_gained_outside(on), 0.0) << "the tool advances: where it stands is as deep as it gets";
+    EXPECT_EQ(tool.max_depth_gain_outside(on), 0.0) << "the tool advances: where it stands is as deep as it gets";
     const ToolSolid drop({{0.0, 0.0}, {-2.0_mm, 2.0_mm}, {-4.0_mm, 1.0_mm}});
-    EXPECT_NEAR(drop.most_gained_outside(on), 0.1_mm, 1e-15) << "its back looks backwards";
+    EXPECT_NEAR(drop.max_depth_gain_outside(on), 0.1_mm, 1e-15) << "its back looks backwards";
 }
 
 TEST(ToolSolid, NoPointOfABoxGainsMoreDepthThanIsSaid) {
@@ -134,7 +134,7 @@ TEST(ToolSolid, NoPointOfABoxGainsMoreDepthThanIsSaid) {
         const Vec3 middle{2.5_mm * unit(random), 2.5_mm * unit(random), -2.0_mm + 2.5_mm * unit(random)};
         const Vec3 moved = std::pow(10.0, -4.0 + unit(random)) * vector();
         const double spread = i % 3 == 0 ? 0.0 : 0.1 * length(moved), deepest = i % 2 == 0 ? 0.3_mm : 1.0;
-        const double most = solid.most_gained(middle, half, moved, spread, deepest);
+        const double most = solid.max_depth_gain(middle, half, moved, spread, deepest);
         double found = -HUGE_VAL;
         for (int n = 0; n < 20; ++n) {
             const Vec3 aside = vector(), p = middle + Vec3{aside.x * half.x, aside.y * half.y, aside.z * half.z};

@@ -20,7 +20,7 @@ using namespace literals;
 
 struct Outcome {
     std::uint64_t felt = 0, cut = 0;  ///< hashes: every tick's pose and wrench; the final cut
-    double deepest = 0.0, most_thrust = 0.0;
+    double deepest = 0.0, max_thrust = 0.0;
 };
 
 void add_bits(Fnv1a& hash, double v) {
@@ -48,7 +48,7 @@ Outcome drill_with(const BlockKernel& kernel) {
         for (const double v : result.command.wrench) add_bits(felt, v);
         add_bits(felt, result.world_from_tool.position.z);
         outcome.deepest = std::min(outcome.deepest, result.world_from_tool.position.z);
-        outcome.most_thrust = std::max(outcome.most_thrust, result.thrust);
+        outcome.max_thrust = std::max(outcome.max_thrust, result.thrust);
     }
     simulation.finish();
     EXPECT_TRUE(simulation.exact().same_bits(simulation.committed()));
@@ -63,7 +63,7 @@ TEST(WholeRun, FeelsAndCutsTheSameWithEitherKernel) {
     const Outcome plain = drill_with(portable_kernel()), fast = drill_with(*avx2_kernel());
 
     EXPECT_LT(plain.deepest, -2.0_mm) << "it drilled a hole";
-    EXPECT_GT(plain.most_thrust, 1.0);
+    EXPECT_GT(plain.max_thrust, 1.0);
     EXPECT_EQ(plain.felt, fast.felt);
     EXPECT_EQ(plain.cut, fast.cut);
 }

@@ -38,20 +38,20 @@ bool is_closed(const Mesh& mesh) {
 TEST(Bodies, ASeveredBarBecomesTwoWithAllTheBoneThatWasNotCut) {
     Milled milled;
     const double before = bone_volume(milled.body, milled.simulation.exact());
-    milled.simulation.look_for_pieces(1e-9 /* 1 mm³ */);
+    milled.simulation.find_pieces(1e-9 /* 1 mm³ */);
     std::vector<Separation> separations;
-    std::uint64_t adopted = 0;
+    std::uint64_t mark_adopted = 0;
     while (milled.x < 4.0_mm) {
         milled.go();
         for (auto& s : milled.simulation.take_separations()) {
             separations.push_back(std::move(s));
-            adopted = milled.simulation.ticks();
+            mark_adopted = milled.simulation.ticks();
         }
     }
     milled.simulation.finish();
 
     ASSERT_EQ(separations.size(), 1u);
-    EXPECT_EQ(adopted, separations[0].tick + Simulation::adoption_delay);
+    EXPECT_EQ(mark_adopted, separations[0].tick + Simulation::adoption_delay);
     ASSERT_EQ(milled.simulation.bodies().size(), 2u);
     double left = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -72,7 +72,7 @@ TEST(Bodies, ASeveredBarBecomesTwoWithAllTheBoneThatWasNotCut) {
 TEST(Bodies, TheToolFeelsBothPiecesWhereTheyAre) {
     // Given a severed bar, its end moved away by 3 mm
     Milled milled;
-    milled.simulation.look_for_pieces(1e-9);
+    milled.simulation.find_pieces(1e-9);
     while (milled.x < 4.0_mm) {
         milled.go();
     }
@@ -100,7 +100,7 @@ TEST(Bodies, TheToolFeelsBothPiecesWhereTheyAre) {
 
 TEST(Bodies, ACutThroughTwoBodiesAtOnceIsRecordedInEachFrame) {
     Milled milled;
-    milled.simulation.look_for_pieces(1e-9);
+    milled.simulation.find_pieces(1e-9);
     while (milled.x < 4.0_mm) {
         milled.go();
     }

@@ -99,7 +99,7 @@ TEST(BodyThreads, GoWithEachPartOfABodyAndCountOnce) {
     BodyThreads threads;
     const std::array<ToolInBody, 1> near{{{0, identity_pose()}}};
     ASSERT_TRUE(threads.leave(thread(), near));
-    threads.pass_on(0, 3);
+    threads.inherit(0, 3);
     EXPECT_EQ(seen(threads), 1u);
     EXPECT_EQ(seen(threads, {{{3, identity_pose()}}}), 1u);
     EXPECT_EQ(threads.volume(), 5e-9);

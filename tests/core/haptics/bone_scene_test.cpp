@@ -27,25 +27,25 @@ struct Bar {
     Body body = test::block({-7.0_mm, -1.5_mm, -1.5_mm}, {7.0_mm, 1.5_mm, 1.5_mm}, 0.25_mm);
     ToolSolid wall = ToolSolid::prism({{0.0, 0.5_mm}, {-12.0_mm, 0.5_mm}}, 12.0_mm);
     BoneScene scene{body, {&wall}};
-    Placings placings;
+    BodyStates body_states;
 
     Bar() {
-        scene.look_for_pieces(1e-9, {.owners = {{0}, {0}},
-                                     .pass_on = [](Owners& owners, std::size_t from,
-                                                   const std::vector<std::size_t>& bodies, const PresentBone&) {
-                                         for (auto* of : {&owners.zone, &owners.step})
-                                             for (std::size_t& owner : *of)
-                                                 if (owner == from) owner = bodies.back();
-                                     }});
+        scene.find_pieces(1e-9, {.owners = {{0}, {0}},
+                                 .inherit = [](Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies,
+                                               const PresentBone&) {
+                                     for (auto* of : {&owners.zone, &owners.step})
+                                         for (std::size_t& owner : *of)
+                                             if (owner == from) owner = bodies.back();
+                                 }});
     }
     void cut(const CutRecord& record) {
-        scene.apply({&record, 1}, placings);
-        scene.leave_bone();
+        scene.apply({&record, 1}, body_states);
+        scene.end_cut();
     }
     /// As a loop would that takes everything over.
     void take(const Offer& offer) {
-        scene.taken(offer, placings, 100);
-        placings.count = offer.placings.count;
+        scene.taken(offer, body_states, 100);
+        body_states.count = offer.body_states.count;
     }
 };
 
@@ -57,7 +57,7 @@ TEST(BoneScene, OffersASeparationWithTheOwnersAfterIt) {
 
     const Offer offer = bar.scene.separation();
     EXPECT_EQ(offer.change, Offer::Change::separation);
-    EXPECT_EQ(offer.placings.count, 2u);
+    EXPECT_EQ(offer.body_states.count, 2u);
     ASSERT_TRUE(offer.made[0].body != nullptr && offer.made[1].body != nullptr);
     EXPECT_EQ(offer.made[1].follows, 0);
     EXPECT_EQ(offer.owners.zone, (std::vector<std::size_t>{1}));
@@ -86,8 +86,8 @@ TEST(BoneScene, GivesBackTheOwnersWithAnUndo) {
     Bar bar;
     bar.cut(wall_at(3.0_mm, 0));
     bar.take(bar.scene.separation());
-    ASSERT_TRUE(bar.scene.can(Turn::undo));
-    bar.take(bar.scene.turn(Turn::undo));
+    ASSERT_TRUE(bar.scene.can(HistoryChange::undo));
+    bar.take(bar.scene.turn(HistoryChange::undo));
     EXPECT_EQ(bar.scene.owners().zone, (std::vector<std::size_t>{0}));
     EXPECT_EQ(bar.scene.bone().count(), 1u);
 }
@@ -95,21 +95,21 @@ TEST(BoneScene, GivesBackTheOwnersWithAnUndo) {
 TEST(BoneScene, DoesNotChangeUntilItsOfferIsTaken) {
     Bar bar;
     const std::uint64_t before = bar.scene.bone().hash();
-    const Offer offer = bar.scene.subtraction(0, {{0, 0, 6.0_mm}, {1, 0, 0, 0}}, bar.placings);
+    const Offer offer = bar.scene.subtraction(0, {{0, 0, 6.0_mm}, {1, 0, 0, 0}}, bar.body_states);
     ASSERT_EQ(offer.subtracted.size(), 1u);
     EXPECT_EQ(bar.scene.bone().hash(), before);
-    EXPECT_FALSE(bar.scene.can(Turn::undo));
+    EXPECT_FALSE(bar.scene.can(HistoryChange::undo));
     EXPECT_NE(offer.made[0].body->committed.hash(), CutField(bar.body, 0).hash());
     bar.take(offer);
     EXPECT_NE(bar.scene.bone().hash(), before);
-    EXPECT_TRUE(bar.scene.can(Turn::undo));
+    EXPECT_TRUE(bar.scene.can(HistoryChange::undo));
 }
 
 TEST(Simulation, KeepsIdsInOrderWhereABodyComesInBeforeAPartIsTakenOver) {
     // Given a bar that the mill has just severed, so that the loop does not know its parts yet
     test::Milled milled;
     const Body metal = test::block({-1.0_mm, -1.0_mm, -1.0_mm}, {1.0_mm, 1.0_mm, 1.0_mm}, 0.2_mm);
-    milled.simulation.look_for_pieces(1e-9);
+    milled.simulation.find_pieces(1e-9);
     while (milled.x < 4.0_mm && milled.simulation.present().count() == 1) milled.go();
     ASSERT_EQ(milled.simulation.present().count(), 2u);
     ASSERT_EQ(milled.simulation.bodies().size(), 1u);

@@ -15,7 +15,7 @@ namespace {
 using namespace literals;
 
 constexpr Vec3 grip{0, 0, -100e-3};
-constexpr Handling at_grip{.grip_z = grip.z};
+constexpr ToolGrip at_grip{.grip_z = grip.z};
 constexpr double dt = 1e-3;
 const Pose origin = identity_pose();
 
@@ -106,7 +106,7 @@ TEST(Coupling, AHandTakesAToolStraightAgainInAir) {
     // Given a tool that it took 2 mm aside and turned by 50 mrad
     Coupling coupling(gains(), at_grip);
     const Pose tool{{2.0_mm, 0, 0}, quat_from_rotation_vector({0, 0.05, 0})};
-    coupling.let_go(origin, tool);
+    coupling.release_fraction(origin, tool);
     expect_near(held(coupling, origin, {}, tool).force.pull, {});
 
     // When it straightens it, a hundredth at a time
@@ -203,7 +203,7 @@ TEST(Anchor, LetGoNothingIsStored) {
     Coupling coupling(gains(), at_grip);
     const Pose handle{{1.0_mm, 2.0_mm, 3.0_mm}, quat_from_rotation_vector({0.02, -0.03, 0.01})};
     const Pose tool{{-4.0_mm, 1.0_mm, 0.0}, quat_from_rotation_vector({0.1, 0.2, 0.3})};
-    coupling.let_go(handle, tool);
+    coupling.release_fraction(handle, tool);
     const Balance b = held(coupling, handle, {}, tool);
     expect_near(b.force.pull, {});
     expect_near(b.torque.pull, {});
@@ -225,7 +225,7 @@ TEST(Anchor, StoresWhatSpringsDo) {
 
 TEST(Anchor, IsAllowedAShareOfEachLimit) {
     Coupling coupling(gains(), at_grip);
-    coupling.allow(0.5, 0.25);
+    coupling.set_allowed_fractions(0.5, 0.25);
     EXPECT_DOUBLE_EQ(coupling.force_limit(), 4.0);
     EXPECT_DOUBLE_EQ(coupling.torque_limit(), 0.05);
     const Pose handle = moved({20.0_mm, 0, 0});

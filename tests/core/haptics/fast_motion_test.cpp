@@ -38,15 +38,15 @@ TEST(FastMotion, AProbeDoesNotPassThroughAThinPlate) {
 TEST(FastMotion, ItIsDoneInPartsOnlyWithBoneInReach) {
     test::Rig simulation(test::block({-4.0_mm, -4.0_mm, -8.0_mm}, {4.0_mm, 4.0_mm, 0}, 0.25_mm), test::twist_drill(),
                          test::at_depth(-60.0_mm));
-    int most_far = 0, most_near = 0;
+    int max_far = 0, max_near = 0;
     for (double depth = -60.0_mm; depth < -2.0_mm; depth += 0.5_mm) {
         const TickResult r = simulation.tick({test::at_depth(depth)});
-        (-simulation.world_from_tool().position.z < -20.0_mm ? most_far : most_near) =
-            std::max(-simulation.world_from_tool().position.z < -20.0_mm ? most_far : most_near, r.parts);
+        (-simulation.world_from_tool().position.z < -20.0_mm ? max_far : max_near) =
+            std::max(-simulation.world_from_tool().position.z < -20.0_mm ? max_far : max_near, r.parts);
     }
-    EXPECT_EQ(most_far, 1);
-    EXPECT_GE(most_near, 4) << "0.5 mm a tick, an eighth of a millimetre a part";
-    EXPECT_LE(most_near, 16);
+    EXPECT_EQ(max_far, 1);
+    EXPECT_GE(max_near, 4) << "0.5 mm a tick, an eighth of a millimetre a part";
+    EXPECT_LE(max_near, 16);
 }
 
 TEST(FastMotion, AToolThatBoneResistsIsNoFasterThanAMetreASecond) {

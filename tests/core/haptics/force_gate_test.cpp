@@ -23,8 +23,8 @@ TEST(ForceGate, IsOpenWithoutAFault) {
     for (int i = 0; i < 100; ++i) gate.step(true, dt);
     EXPECT_EQ(gate.state(), State::open);
     EXPECT_EQ(gate.gain(), 1.0);
-    EXPECT_FALSE(gate.is_barred());
-    EXPECT_EQ(gate.share(limit, 3.0, dt), 1.0);
+    EXPECT_FALSE(gate.is_closed_or_closing());
+    EXPECT_EQ(gate.usable_fraction(limit, 3.0, dt), 1.0);
 }
 
 TEST(ForceGate, ClosesInFiveTicks) {
@@ -33,12 +33,12 @@ TEST(ForceGate, ClosesInFiveTicks) {
         gate.step(false, dt);
         EXPECT_NEAR(gate.gain(), gain, 1e-12);
         EXPECT_EQ(gate.state(), State::closing);
-        EXPECT_TRUE(gate.is_barred());
+        EXPECT_TRUE(gate.is_closed_or_closing());
     }
     gate.step(false, dt);
     EXPECT_EQ(gate.gain(), 0.0);
     EXPECT_EQ(gate.state(), State::shut);
-    EXPECT_TRUE(gate.is_barred());
+    EXPECT_TRUE(gate.is_closed_or_closing());
 }
 
 TEST(ForceGate, ClosesFullyAfterAFaultOfOneTick) {
@@ -57,7 +57,7 @@ TEST(ForceGate, StaysShutWhileTheFaultLasts) {
     for (int i = 0; i < 100; ++i) gate.step(false, dt);
     EXPECT_EQ(gate.state(), State::shut);
     EXPECT_EQ(gate.gain(), 0.0);
-    EXPECT_EQ(gate.share(limit, 0.0, dt), 0.0);
+    EXPECT_EQ(gate.usable_fraction(limit, 0.0, dt), 0.0);
 }
 
 TEST(ForceGate, OpensInFiftyTicksOnceAllIsWell) {
@@ -65,9 +65,9 @@ TEST(ForceGate, OpensInFiftyTicksOnceAllIsWell) {
     for (int i = 1; i < 50; ++i) {
         gate.step(true, dt);
         EXPECT_EQ(gate.state(), State::opening);
-        EXPECT_FALSE(gate.is_barred());
+        EXPECT_FALSE(gate.is_closed_or_closing());
         EXPECT_NEAR(gate.gain(), 0.02 * i, 1e-9);
-        EXPECT_NEAR(gate.share(limit, 0.02 * i * limit, dt), 0.02 * i, 1e-9) << "the time is what bounds it";
+        EXPECT_NEAR(gate.usable_fraction(limit, 0.02 * i * limit, dt), 0.02 * i, 1e-9) << "the time is what bounds it";
     }
     gate.step(true, dt);
     EXPECT_EQ(gate.gain(), 1.0);
@@ -85,10 +85,10 @@ TEST(ForceGate, AllowsFourTenthsOfANewtonATick) {
     ForceGate gate = shut();
     for (int i = 0; i < 49; ++i) gate.step(true, dt);
     // The gain would allow 7.84 N
-    EXPECT_NEAR(gate.share(limit, 0.0, dt), 0.4 / limit, 1e-12);
-    EXPECT_NEAR(gate.share(limit, 2.0, dt), 2.4 / limit, 1e-12);
-    EXPECT_NEAR(gate.share(limit, 2.0, 2.0 * dt), 2.8 / limit, 1e-12) << "in two milliseconds";
-    EXPECT_NEAR(gate.share(limit, 7.9, dt), 0.98, 1e-9) << "but the gain bounds it still";
+    EXPECT_NEAR(gate.usable_fraction(limit, 0.0, dt), 0.4 / limit, 1e-12);
+    EXPECT_NEAR(gate.usable_fraction(limit, 2.0, dt), 2.4 / limit, 1e-12);
+    EXPECT_NEAR(gate.usable_fraction(limit, 2.0, 2.0 * dt), 2.8 / limit, 1e-12) << "in two milliseconds";
+    EXPECT_NEAR(gate.usable_fraction(limit, 7.9, dt), 0.98, 1e-9) << "but the gain bounds it still";
 }
 
 TEST(ForceGate, OpensWhenTheRiseBoundIsNotReached) {
@@ -96,13 +96,13 @@ TEST(ForceGate, OpensWhenTheRiseBoundIsNotReached) {
     ForceGate gate = shut();
     for (int i = 0; i < 60; ++i) gate.step(true, dt);
     double force = 0.0;
-    EXPECT_NEAR(gate.share(limit, force, dt), 0.05, 1e-12);
+    EXPECT_NEAR(gate.usable_fraction(limit, force, dt), 0.05, 1e-12);
     force = 0.4;
-    EXPECT_NEAR(gate.share(limit, force, dt), 0.1, 1e-12) << "held: it goes on opening";
+    EXPECT_NEAR(gate.usable_fraction(limit, force, dt), 0.1, 1e-12) << "held: it goes on opening";
     EXPECT_EQ(gate.state(), State::opening);
 
     // When the force is less than the bound
-    EXPECT_EQ(gate.share(limit, 0.7, dt), 1.0);
+    EXPECT_EQ(gate.usable_fraction(limit, 0.7, dt), 1.0);
 
     // Then it is open
     EXPECT_EQ(gate.state(), State::open);
@@ -113,7 +113,8 @@ TEST(ForceGate, IsOpenWhenTheWholeLimitIsAllowed) {
     for (int i = 0; i < 60; ++i) gate.step(true, dt);
     double force = 0.0;
     int ticks = 0;
-    for (; gate.state() == State::opening && ticks < 100; ++ticks) force = gate.share(limit, force, dt) * limit;
+    for (; gate.state() == State::opening && ticks < 100; ++ticks)
+        force = gate.usable_fraction(limit, force, dt) * limit;
     EXPECT_EQ(ticks, 20) << "8 N by 0.4 N";
     EXPECT_EQ(force, limit);
 }
@@ -121,12 +122,12 @@ TEST(ForceGate, IsOpenWhenTheWholeLimitIsAllowed) {
 TEST(ForceGate, OpensAnewFromNothingAfterASecondFault) {
     ForceGate gate = shut();
     for (int i = 0; i < 60; ++i) gate.step(true, dt);
-    (void)gate.share(limit, 7.0, dt);
+    (void)gate.usable_fraction(limit, 7.0, dt);
     for (int i = 0; i < 10; ++i) gate.step(false, dt);
     gate.step(true, dt);
     EXPECT_EQ(gate.state(), State::opening);
     EXPECT_NEAR(gate.gain(), 0.02, 1e-12);
-    EXPECT_NEAR(gate.share(limit, 0.0, dt), 0.02, 1e-12);
+    EXPECT_NEAR(gate.usable_fraction(limit, 0.0, dt), 0.02, 1e-12);
     EXPECT_EQ(gate.state(), State::opening);
 }
 

@@ -56,7 +56,7 @@ TEST(ToolInAir, ShakenItGivesBackNoMoreThanWasPutIn) {
     InAir drill(1.0);
     for (int n = 0; n < 3000; ++n) (void)drill.tick({3.0_mm * std::sin(2.0 * pi * 6.0 * n * Simulation::dt), 0, 0});
     EXPECT_EQ(drill.simulation.passivity().corrections(), 0u);
-    EXPECT_GT(drill.simulation.passivity().least_energy(), -1e-4);
+    EXPECT_GT(drill.simulation.passivity().min_energy(), -1e-4);
 }
 
 TEST(ToolInAir, AMassThatNoHandHoldsIsRefused) {

@@ -45,14 +45,14 @@ TEST(RegionWall, FromOutsideItIsMetWhereItsSurfaceIs) {
     for (const double aside : {9.0_mm, 12.0_mm, 15.0_mm}) {
         const auto over = [&](double depth) { return test::at_depth(depth, 0.0, {aside, 0, 0}); };
         test::Rig simulation(body, setup, over(-1.0_mm));
-        double most_across = 0.0, thrust = 0.0;
+        double max_across = 0.0, thrust = 0.0;
         for (double depth = -1.0_mm; depth < 3.0_mm; depth += 2.0_um) {
             const TickResult r = simulation.tick({over(depth)});
-            most_across = std::max(most_across, std::hypot(r.bone_on_tool[0], r.bone_on_tool[1]));
+            max_across = std::max(max_across, std::hypot(r.bone_on_tool[0], r.bone_on_tool[1]));
             thrust = r.thrust;
         }
         EXPECT_GT(thrust, 50.0) << aside;
-        EXPECT_LT(most_across, 5.0) << aside << ": it stands, and is not thrown back into the region";
+        EXPECT_LT(max_across, 5.0) << aside << ": it stands, and is not thrown back into the region";
         EXPECT_NEAR(simulation.world_from_tool().position.x, aside, 0.2_mm);
         EXPECT_LT(-simulation.world_from_tool().position.z, 0.5_mm) << aside;
     }

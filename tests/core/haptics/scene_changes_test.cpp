@@ -42,7 +42,7 @@ struct Bench {
     Pose hand = test::mill_at(-4.0_mm);
     TickResult last;
 
-    Bench() { simulation.look_for_pieces(1e-9 /* 1 mm³ */); }
+    Bench() { simulation.find_pieces(1e-9 /* 1 mm³ */); }
 
     /// In a straight line.
     void go_to(Vec3 to, double step = in_bone) {
@@ -269,11 +269,11 @@ TEST(Insert, MetalStopsWhatWouldCutItAndKeepsItsShape) {
 TEST(Insert, TheSeventeenthBodyIsRefusedAndNothingChanges) {
     Bench bench;
     const Body small = test::block({-0.5_mm, -0.5_mm, -0.5_mm}, {0.5_mm, 0.5_mm, 0.5_mm}, 0.2_mm);
-    for (int n = 1; n < static_cast<int>(most_bodies); ++n)
+    for (int n = 1; n < static_cast<int>(max_bodies); ++n)
         ASSERT_EQ(bench.simulation.insert(small, {{20.0_mm * n, 0, 0}, {1, 0, 0, 0}}, true), "") << n;
     const std::uint64_t hash = bench.simulation.present().hash();
     EXPECT_NE(bench.simulation.insert(small, identity_pose(), true).find("16 bodies"), std::string::npos);
-    EXPECT_EQ(bench.simulation.bodies().size(), most_bodies);
+    EXPECT_EQ(bench.simulation.bodies().size(), max_bodies);
     EXPECT_EQ(bench.simulation.present().hash(), hash);
 }
 

@@ -153,7 +153,7 @@ TEST(InAHand, ATorqueBeyondTheWristTurnsTheToolInIt) {
             Balance balance;
             coupling.hold(handle, {}, identity_pose(), Simulation::dt, balance);
             const double torque = length(balance.torque.pull);
-            const double wrist = folded(coupling.gains(), one_hand, -120.0_mm, {}).turn_stiffness.across;
+            const double wrist = combined_spring(coupling.gains(), one_hand, -120.0_mm, {}).turn_stiffness.across;
             EXPECT_LE(torque, 7.0 * (1.0 + 1e-3)) << device;
             EXPECT_NEAR(torque, std::min(7.0, wrist * 2.0 * std::sin(0.5 * turn)), 0.15) << device << ", " << turn;
         }

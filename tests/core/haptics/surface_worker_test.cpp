@@ -58,7 +58,7 @@ void expect_whole_surface(SurfaceWorker& worker, const Body& body, std::size_t b
 /// A way of the hand, and what it asks for between its ticks.
 struct Script {
     std::vector<Pose> way;
-    std::vector<std::pair<std::size_t, Turn>> turns;  ///< before which tick
+    std::vector<std::pair<std::size_t, HistoryChange>> turns;  ///< before which tick
 
     Vec3 at{-3.0_mm, 2.0_mm, 6.0_mm};                             ///< where the mill begins
     static constexpr double in_bone = 5.0_um, in_air = 100.0_um;  // a tick
@@ -79,7 +79,7 @@ struct Script {
         go_to({4.0_mm, y, 6.0_mm}, in_bone);
         wait(100);
     }
-    void turn(Turn turn) {
+    void turn(HistoryChange turn) {
         go_to({12.0_mm, at.y, 6.0_mm}, in_air);
         turns.emplace_back(way.size(), turn);
         wait(200);
@@ -90,12 +90,12 @@ struct Script {
 Script changes_of_mind() {
     Script script;
     script.sever(2.0_mm);
-    script.turn(Turn::undo);
-    script.turn(Turn::redo);
+    script.turn(HistoryChange::undo);
+    script.turn(HistoryChange::redo);
     script.sever(-3.0_mm);
-    script.turn(Turn::undo);
-    script.turn(Turn::undo);
-    script.turn(Turn::redo);
+    script.turn(HistoryChange::undo);
+    script.turn(HistoryChange::undo);
+    script.turn(HistoryChange::redo);
     script.sever(-3.5_mm);
     return script;
 }
@@ -103,7 +103,7 @@ Script changes_of_mind() {
 struct Ended {
     std::vector<std::uint64_t> hashes, committed;
     std::vector<std::uint64_t> adopted_at;
-    std::vector<std::pair<std::uint64_t, Turn>> turned_at;
+    std::vector<std::pair<std::uint64_t, HistoryChange>> turned_at;
     std::vector<std::size_t> bodies;
     std::vector<Pose> way;
 
@@ -122,7 +122,7 @@ Ended live(const Script& script, unsigned late) {
     auto next_turn = script.turns.begin();
     for (std::size_t i = 0; i < script.way.size(); ++i) {
         if (next_turn != script.turns.end() && next_turn->first == i) {
-            EXPECT_TRUE(worker.ask(next_turn++->second));
+            EXPECT_TRUE(worker.request(next_turn++->second));
         }
         ended.way.push_back(milled.loop.tick({script.way[i]}).world_from_tool);
         const std::uint64_t ticks = milled.loop.ticks();
@@ -132,7 +132,7 @@ Ended live(const Script& script, unsigned late) {
         const SurfaceWorker::TakenOver taken = worker.exchange(milled.loop, Simulation::adoption_delay + late);
         if (taken.separation) ended.adopted_at.push_back(ticks);
         if (taken.turn) ended.turned_at.emplace_back(ticks, *taken.turn);
-        EXPECT_FALSE(taken.refused_turn) << "tick " << ticks;
+        EXPECT_FALSE(taken.refused_change) << "tick " << ticks;
         milled.loop.make_room();
         ended.bodies.push_back(milled.loop.bodies().size());
     }
@@ -144,7 +144,7 @@ Ended live(const Script& script, unsigned late) {
 
 Ended lock_step(const Script& script, const Ended& recorded) {
     Milled milled;
-    milled.simulation.look_for_pieces(1e-9);
+    milled.simulation.find_pieces(1e-9);
     milled.simulation.replay_adoptions(recorded.adopted_at);
     Ended ended;
     auto next_turn = recorded.turned_at.begin();
@@ -153,7 +153,8 @@ Ended lock_step(const Script& script, const Ended& recorded) {
         const std::uint64_t ticks = milled.simulation.ticks();
         for (std::size_t n = milled.simulation.take_separations().size(); n > 0; --n) ended.adopted_at.push_back(ticks);
         for (; next_turn != recorded.turned_at.end() && next_turn->first == ticks; ++next_turn) {
-            EXPECT_EQ(next_turn->second == Turn::undo ? milled.simulation.undo() : milled.simulation.redo(), "");
+            EXPECT_EQ(next_turn->second == HistoryChange::undo ? milled.simulation.undo() : milled.simulation.redo(),
+                      "");
             ended.turned_at.push_back(*next_turn);
         }
         ended.bodies.push_back(milled.simulation.bodies().size());
@@ -230,11 +231,11 @@ TEST(SurfaceWorker, UndoBringsBackTheUncutBoneAndItsSurface) {
     ASSERT_EQ(milled.loop.bodies().size(), 2u);
     ASSERT_EQ(worker.surface()->patches.size(), 2u);
 
-    ASSERT_TRUE(worker.ask(Turn::undo));
-    EXPECT_FALSE(worker.ask(Turn::undo));  // one at a time
+    ASSERT_TRUE(worker.request(HistoryChange::undo));
+    EXPECT_FALSE(worker.request(HistoryChange::undo));  // one at a time
     step(script.way.back());
-    EXPECT_FALSE(worker.ask(Turn::undo));
-    EXPECT_EQ(step(script.way.back()).turn, Turn::undo);
+    EXPECT_FALSE(worker.request(HistoryChange::undo));
+    EXPECT_EQ(step(script.way.back()).turn, HistoryChange::undo);
     worker.wait_for_all();
     EXPECT_EQ(milled.loop.bodies().size(), 1u);
     EXPECT_TRUE(milled.loop.committed().same_bits(uncut));
@@ -243,12 +244,12 @@ TEST(SurfaceWorker, UndoBringsBackTheUncutBoneAndItsSurface) {
     expect_whole_surface(worker, milled.body, 1);
 
     // There is nothing before that
-    ASSERT_TRUE(worker.ask(Turn::undo));
+    ASSERT_TRUE(worker.request(HistoryChange::undo));
     step(script.way.back());
-    EXPECT_EQ(step(script.way.back()).refused_turn, Turn::undo);
-    ASSERT_TRUE(worker.ask(Turn::redo));
+    EXPECT_EQ(step(script.way.back()).refused_change, HistoryChange::undo);
+    ASSERT_TRUE(worker.request(HistoryChange::redo));
     step(script.way.back());
-    EXPECT_EQ(step(script.way.back()).turn, Turn::redo);
+    EXPECT_EQ(step(script.way.back()).turn, HistoryChange::redo);
     worker.wait_for_all();
     EXPECT_EQ(milled.loop.bodies().size(), 2u);
     expect_whole_surface(worker, milled.body, 2);
@@ -259,19 +260,19 @@ TEST(SurfaceWorker, UndoIsRefusedWhileTheToolIsInBone) {
     script.sever(2.0_mm);
     MilledLoop milled;
     SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
-    std::optional<Turn> refused, turned;
+    std::optional<HistoryChange> refused, turned;
     for (std::size_t i = 0; i + 800 < script.way.size(); ++i) {
         if (i + 1000 == script.way.size()) {
-            ASSERT_TRUE(worker.ask(Turn::undo));
+            ASSERT_TRUE(worker.request(HistoryChange::undo));
         }
         milled.loop.tick({script.way[i]});
         if (i + 900 == script.way.size()) worker.wait_for_all();
         const auto taken = worker.exchange(milled.loop);
-        if (taken.refused_turn) refused = taken.refused_turn;
+        if (taken.refused_change) refused = taken.refused_change;
         if (taken.turn) turned = taken.turn;
         milled.loop.make_room();
     }
-    EXPECT_EQ(refused, Turn::undo);
+    EXPECT_EQ(refused, HistoryChange::undo);
     EXPECT_FALSE(turned);
     worker.wait_for_all();
     EXPECT_GT(worker.bone().removed(), 0.0);
@@ -285,7 +286,7 @@ TEST(SurfaceWorker, TakingACutBackNeitherAllocatesNorWaits) {
     std::size_t turned = 0;
     for (std::size_t i = 0; i < script.way.size(); ++i) {
         const test::Forbidden before = test::forbidden_here();
-        if (next_turn != script.turns.end() && next_turn->first == i) (void)worker.ask(next_turn++->second);
+        if (next_turn != script.turns.end() && next_turn->first == i) (void)worker.request(next_turn++->second);
         milled.loop.tick({script.way[i]});
         turned += worker.exchange(milled.loop).turn ? 1 : 0;
         EXPECT_EQ(test::forbidden_here(), before) << "tick " << i;

@@ -112,7 +112,7 @@ TEST(TorqueAxis, GainsKeepOneCountUnderItsFriction) {
 }
 
 TEST(TorqueAxis, OnlyAtALargeScaleIsSofterThanTheWrist) {
-    const Handling held{.grip_z = -60.0_mm};
+    const ToolGrip held{.grip_z = -60.0_mm};
     EXPECT_DOUBLE_EQ(Coupling(driver_gains(0.25), held).spring().turn_stiffness.along, 10.0) << "12.7 N·m/rad allowed";
     EXPECT_NEAR(Coupling(driver_gains(1.0), held).spring().turn_stiffness.along, 3.183, 1e-3);
     EXPECT_NEAR(Coupling(driver_gains(1.0), held).spring().turn_stiffness.across,
@@ -173,7 +173,7 @@ ToAndFro turned_to_and_fro(double scale, double give, double most, double cycles
         last = angle;
         sent = sent_about(rig.tick({rig.pose(angle)}), rig.pose(angle));
     }
-    done.least = rig.passivity().least_energy();
+    done.least = rig.passivity().min_energy();
     return done;
 }
 

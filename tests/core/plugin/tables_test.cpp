@@ -132,9 +132,9 @@ TEST(ComponentInfo, IsMeantByTheLastWordsOfItsId) {
     strategy.plugin = "example.chisel";
     strategy.id = "groove";
     for (const char* word : {"groove", "chisel.groove", "example.chisel.groove"})
-        EXPECT_TRUE(strategy.is_meant_by(word)) << word;
+        EXPECT_TRUE(strategy.matches_id(word)) << word;
     for (const char* word : {"oove", "isel.groove", "example.chisel", ""})
-        EXPECT_FALSE(strategy.is_meant_by(word)) << word;
+        EXPECT_FALSE(strategy.matches_id(word)) << word;
 }
 
 TEST(PluginHost, PrintsTheLinesOfAPluginUnderItsName) {

@@ -75,7 +75,7 @@ Written point_in(const Bone& bone, double inwards = 3e-3, double facing = 0.05) 
     points.add({}, {1, 0, 0}, stiffness, facing, 0);
     const kerf_bone_query query = bone.query();
     Contact contact(points);
-    contact.ask(BoneQuery(query), inwards);
+    contact.query_bone(BoneQuery(query), inwards);
     return written(contact);
 }
 
@@ -111,7 +111,7 @@ TEST(Contact, TheForceGrowsWithoutAJump) {
             const Bone bone = hole(1.6e-3, -aside, reach);
             const kerf_bone_query query = bone.query();
             Contact contact(points);
-            contact.ask(BoneQuery(query), 1.6e-3);
+            contact.query_bone(BoneQuery(query), 1.6e-3);
             const double force = written(contact).force();
             EXPECT_LT(std::abs(force - last), 2.0 * stiffness * step) << reach << ", " << aside;
             last = force;
@@ -128,8 +128,8 @@ double carried_aside(double aside, double reach, bool knows) {
     const Bone bone = hole(radius, -aside, reach);
     const kerf_bone_query query = bone.query();
     Contact contact(points);
-    contact.ask(BoneQuery(query), radius);
-    for (const Contact::Deep& one : contact.deep())
+    contact.query_bone(BoneQuery(query), radius);
+    for (const Contact::DeepPoint& one : contact.deep())
         if (knows) contact.hold(one, aside - (radius - shank));
     return written(contact).force();
 }
@@ -137,17 +137,17 @@ double carried_aside(double aside, double reach, bool knows) {
 TEST(Contact, AWallThatIsLostLetsGoWithoutAJump) {
     constexpr double step = 2e-6;
     for (const double reach : {0.28e-3, 0.8e-3, 2e-3}) {
-        double let_go = 0.0, held = 0.0;
+        double release_fraction = 0.0, held = 0.0;
         for (double aside = 0.0; aside < 3.5e-3; aside += step) {
             const double now = carried_aside(aside, reach, false), known = carried_aside(aside, reach, true);
-            EXPECT_LT(std::abs(now - let_go), 6.0 * stiffness * step) << reach << ", " << aside;
+            EXPECT_LT(std::abs(now - release_fraction), 6.0 * stiffness * step) << reach << ", " << aside;
             EXPECT_LT(std::abs(known - held), 2.0 * stiffness * step) << reach << ", " << aside;
             EXPECT_NEAR(known, stiffness * std::max(0.0, aside - 0.05e-3), 0.02 * stiffness * 1.6e-3)
                 << reach << ", " << aside;
-            let_go = now;
+            release_fraction = now;
             held = known;
         }
-        EXPECT_EQ(let_go, 0.0) << "and what has no wall is not held";
+        EXPECT_EQ(release_fraction, 0.0) << "and what has no wall is not held";
     }
 }
 
@@ -181,7 +181,7 @@ TEST(Contact, AHoleHoldsAShankAsFirmlyOnEveryGrid) {
             points.add(shank * out, out, stiffness, 0.05, 0);
         }
         Contact contact(points);
-        contact.ask(BoneQuery(query), 1.6e-3);
+        contact.query_bone(BoneQuery(query), 1.6e-3);
         const Written w = written(contact);
         ASSERT_EQ(w.law.count, 1u) << reach;
         const double across = w.force() * w.channel[0].d[0];
@@ -230,7 +230,7 @@ TEST(Contact, OfMoreSlotsThanThereIsRoomForTheDeepestStay) {
         points.add({1e-5 * static_cast<double>(slot), 0, 0}, {1, 0, 0}, stiffness, 0.05, slot);
     const kerf_bone_query query = bone.query();
     Contact contact(points);
-    contact.ask(BoneQuery(query), 1e-3);
+    contact.query_bone(BoneQuery(query), 1e-3);
     const Written all = written(contact), some = written(contact, KERF_MAX_CHANNELS - 2);
     EXPECT_EQ(all.law.count, 5u);
     ASSERT_EQ(some.law.count, 2u);
@@ -244,7 +244,7 @@ TEST(Contact, WhatIsKnownFromElsewhereCounts) {
     points.add({}, {1, 0, 0}, stiffness, 0.05, 0);
     const kerf_bone_query query = bone.query();
     Contact contact(points);
-    contact.ask(BoneQuery(query), 1e-3);
+    contact.query_bone(BoneQuery(query), 1e-3);
     ASSERT_TRUE(contact.faces_bone(0));
     contact.set_depth(0, 0.02e-3);
     EXPECT_NEAR(written(contact).force(), stiffness * 0.02e-3, 1e-9);

@@ -53,7 +53,7 @@ double area_of(const Triangles& mesh) {
     return area;
 }
 
-double least_angle_of(const Triangles& mesh) {
+double min_angle_of(const Triangles& mesh) {
     double least = 4.0;
     for (std::size_t f = 0; f < mesh.tags.size(); ++f)
         for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -79,7 +79,7 @@ TEST(SplitLongEdges, LeavesNoneNearThePlace) {
         EXPECT_EQ(faces, is_border ? 1 : 2) << "no vertex lies within an edge";
     }
     EXPECT_NEAR(area_of(mesh), side * side, 1e-15);
-    EXPECT_GT(least_angle_of(mesh), 0.39) << "half of the least angle before, 45 degrees";
+    EXPECT_GT(min_angle_of(mesh), 0.39) << "half of the least angle before, 45 degrees";
     EXPECT_LT(mesh.tags.size(), 4000u) << "it stays coarse elsewhere";
 }
 

@@ -126,13 +126,13 @@ TEST(Spindle, IntoReverseItGoesThroughStandingStill) {
 TEST(Spindle, WhatTheMotorPutsIntoItsOwnInertiaIsFeltByWhoeverHoldsIt) {
     Spindle spindle;
     spindle.step(motor, full, 0.0, dt);
-    EXPECT_NEAR(spindle.reaction_beyond(0.0), 1.0, 1e-9) << "running up";
+    EXPECT_NEAR(spindle.excess_torque(0.0), 1.0, 1e-9) << "running up";
     spindle = at_speed(full);
     spindle.step(motor, full, 0.4, dt);
     EXPECT_NEAR(spindle.torque, 0.4, 1e-9);
-    EXPECT_NEAR(spindle.reaction_beyond(0.4), 0.0, 1e-9) << "at speed the bone answers it";
+    EXPECT_NEAR(spindle.excess_torque(0.4), 0.0, 1e-9) << "at speed the bone answers it";
     spindle.step(motor, 0.0, 0.0, dt);
-    EXPECT_NEAR(spindle.reaction_beyond(0.0), -1.0, 1e-9) << "braked, it turns the hand along";
+    EXPECT_NEAR(spindle.excess_torque(0.0), -1.0, 1e-9) << "braked, it turns the hand along";
 }
 
 TEST(Spindle, SwitchedOffItRunsDownAndStops) {

@@ -82,7 +82,7 @@ struct Driving {
         const Quat before = hand.reported().rotation;
         Pose tool = test::at_depth(0.0);
         tool.rotation = tool.rotation * quat_from_rotation_vector({0, 0, std::remainder(driver, 4.0 * pi)});
-        const Pose now = hand.step({}, Felt{.world_from_tool = tool, .torque = torque, .has_event = has_event});
+        const Pose now = hand.step({}, SensedTool{.world_from_tool = tool, .torque = torque, .has_event = has_event});
         handle += ahead_about_z(before, now.rotation);
         if (hand.is_regripping()) {
             anchor = handle - driver;
@@ -274,7 +274,7 @@ TEST(SimulatedHand, BringsBackATipThatItSeesBesideItsWay) {
 TEST(SimulatedHand, GivesUpWhereItSeesTheTipTooFarAside) {
     const Pose out = test::at_depth(-5.0_mm);
     const Intent intent{
-        .legs = {{.target = test::at_depth(20.0_mm), .speed = 5.0_mm_per_s, .push = 0.5, .stop_aside = 1.0_mm},
+        .legs = {{.target = test::at_depth(20.0_mm), .speed = 5.0_mm_per_s, .push = 0.5, .skip_distance = 1.0_mm},
                  {.target = test::at_depth(40.0_mm), .speed = 5.0_mm_per_s, .push = 0.5},
                  {.target = out, .speed = 5.0_mm_per_s, .push = 0.5}}};
     for (const double aside : {0.9_mm, 1.1_mm}) {
@@ -294,7 +294,7 @@ TEST(SimulatedHand, TurnsInPlaceWhereALegHasNoLength) {
 }
 
 /// Peak to peak of the handle [m] in the last second of twelve, pressed on a wall by a coupling of `stiffness`.
-double unrest_on_a_wall(bool asks_setpoint, double stiffness) {
+double unrest_on_a_wall(bool renders_setpoint, double stiffness) {
     CouplingGains gains = test::gains(1.0);
     gains.stiffness = stiffness;
     gains.damping = 0.0;
@@ -302,8 +302,8 @@ double unrest_on_a_wall(bool asks_setpoint, double stiffness) {
     gains.spare_damping = gains.release_damping = 0.0;  // the spring alone
     test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm),
                          test::probe(20000.0_N_per_mm), test::at_depth(-1.0_mm), gains);
-    SimulatedHand hand({.asks_setpoint = asks_setpoint}, down_to(20.0_mm, 10.0_mm_per_s, 3.0), test::at_depth(-1.0_mm),
-                       dt);
+    SimulatedHand hand({.renders_setpoint = renders_setpoint}, down_to(20.0_mm, 10.0_mm_per_s, 3.0),
+                       test::at_depth(-1.0_mm), dt);
     double low = 1.0, high = -1.0;
     for (int i = 0; i < 12000; ++i) {
         hand.step(simulation.tick({hand.reported()}).command, simulation.world_from_tool().position);

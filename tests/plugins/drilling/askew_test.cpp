@@ -143,17 +143,17 @@ struct Pull {
         const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"motor_torque", 20.0}});
         Simulation simulation(body, setup, test::rigid_outline(setup), test::gains(1.0 / 128.0),
                               test::at_depth(-0.1_mm));
-        const auto go = [&](double depth, double aside) {
+        const auto move_with_tip = [&](double depth, double aside) {
             const double across = -simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})}).bone_on_tool[0];
             return across;
         };
-        for (double depth = -0.1_mm; depth < depth_of_hole; depth += 4.0_um) (void)go(depth, 0.0);
+        for (double depth = -0.1_mm; depth < depth_of_hole; depth += 4.0_um) (void)move_with_tip(depth, 0.0);
         for (double aside = 0.0; aside < 10.0_mm; aside += 10.0_um) {
-            const double across = go(depth_of_hole, aside);
+            const double across = move_with_tip(depth_of_hole, aside);
             if (aside >= (1.0 + static_cast<double>(force.size())) * 1.0_mm) force.push_back(across);
         }
-        for (double aside = 10.0_mm; aside > 0.0; aside -= 10.0_um) (void)go(depth_of_hole, aside);
-        for (int tick = 0; tick < 2000; ++tick) back_in_the_middle = go(depth_of_hole, 0.0);
+        for (double aside = 10.0_mm; aside > 0.0; aside -= 10.0_um) (void)move_with_tip(depth_of_hole, aside);
+        for (int tick = 0; tick < 2000; ++tick) back_in_the_middle = move_with_tip(depth_of_hole, 0.0);
     }
 };
 
@@ -174,11 +174,11 @@ TEST(PulledAside, AShankIsHeldHoweverFarItIsPulled) {
 // 68 MPa (ρ / 1 g/cm³)² crush it. Four channels of those that stand for the shank push back here, of a diameter's
 // length each: less than all of it.
 TEST(PulledAside, WeakBoneIsCrushedByTheShank) {
-    const double bears = 68e6 * 0.1 * 0.1 * 3.2_mm * 20.0_mm;  // [N] along all of the shank in bone
+    const double breaking_load = 68e6 * 0.1 * 0.1 * 3.2_mm * 20.0_mm;  // [N] along all of the shank in bone
     for (const double spacing : {0.5_mm, 0.25_mm}) {
         const Pull weak(100.0, 20.0_mm, spacing);
-        EXPECT_LT(weak.force.back(), bears) << "N";
-        EXPECT_GT(weak.force.back(), 0.4 * bears) << "N";
+        EXPECT_LT(weak.force.back(), breaking_load) << "N";
+        EXPECT_GT(weak.force.back(), 0.4 * breaking_load) << "N";
         EXPECT_NEAR(weak.force.back(), weak.force[weak.force.size() - 3], 1.0) << "N, two millimetres before";
     }
 }

@@ -93,24 +93,25 @@ TEST(BitBending, InAHoleItIsTheMomentOfWhatTheHandPullsWith) {
                          test::twist_drill({{"motor_torque", 20.0}, {"length", 60.0_mm}}), test::at_depth(-0.1_mm),
                          test::gains(1.0 / 128.0));
     int told = 0;
-    double stress_when_told = 0.0, least_not_told = 0.0;
-    const auto go = [&](double depth, double aside) {
+    double stress_when_told = 0.0, min_not_told = 0.0;
+    const auto move_with_tip = [&](double depth, double aside) {
         const TickResult r = simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})});
         const double stress = signals_of<drilling::DrillCutting>(simulation.signals()).bending_stress;
         for (std::size_t i = 0; i < r.event_count; ++i)
             if (std::string(r.events[i]) == "drilling.bit_overbent" && told++ == 0) stress_when_told = stress;
-        if (told == 0) least_not_told = std::max(least_not_told, stress);
+        if (told == 0) min_not_told = std::max(min_not_told, stress);
         return r;
     };
     double depth = -0.1_mm;
-    for (; - simulation.world_from_tool().position.z < 3.0_mm && depth < 40.0_mm; depth += 4.0_um) (void)go(depth, 0.0);
+    for (; - simulation.world_from_tool().position.z < 3.0_mm && depth < 40.0_mm; depth += 4.0_um)
+        (void)move_with_tip(depth, 0.0);
     simulation.command_drive(drilling::spindle_drive, 0.0);
-    for (int i = 0; i < 500; ++i) (void)go(depth, 0.0);
+    for (int i = 0; i < 500; ++i) (void)move_with_tip(depth, 0.0);
     TickResult r;
-    for (double aside = 0.0; aside < 12.0_mm && told == 0; aside += 0.5_um) r = go(depth, aside);
+    for (double aside = 0.0; aside < 12.0_mm && told == 0; aside += 0.5_um) r = move_with_tip(depth, aside);
     ASSERT_EQ(told, 1);
     EXPECT_GT(stress_when_told, 1000e6);
-    EXPECT_LT(least_not_told, 1000e6);
+    EXPECT_LT(min_not_told, 1000e6);
     const Quat q = simulation.world_from_tool().rotation;
     const Vec3 force = rotate(conjugate(q), linear(r.bone_on_tool)),
                torque = rotate(conjugate(q), angular(r.bone_on_tool));

@@ -189,13 +189,13 @@ TEST(BreakingWall, APilotBreaksItsFloorWhateverTheShoulderStandsIn) {
 
 TEST(BreakingWall, PushedLessItStandsAndPushedMoreItGoesThrough) {
     Awl awl(1.0_mm);
-    const double bears = closed_form(1.0_mm);
-    for (int i = 0; i < 3000; ++i) awl.push(std::min(0.001 * i, 0.8) * bears);
+    const double breaking_load = closed_form(1.0_mm);
+    for (int i = 0; i < 3000; ++i) awl.push(std::min(0.001 * i, 0.8) * breaking_load);
     const double stands = awl.depth();
-    for (int i = 0; i < 1000; ++i) awl.push(0.8 * bears);
+    for (int i = 0; i < 1000; ++i) awl.push(0.8 * breaking_load);
     EXPECT_NEAR(awl.depth(), stands, 5.0_um) << "in a second";
     EXPECT_EQ(awl.broke, 0);
-    for (int i = 0; i < 4000 && awl.depth() < 8.0_mm; ++i) awl.push(1.1 * bears);
+    for (int i = 0; i < 4000 && awl.depth() < 8.0_mm; ++i) awl.push(1.1 * breaking_load);
     EXPECT_GE(awl.depth(), 8.0_mm);
     EXPECT_EQ(awl.broke, 1);
 }
@@ -245,7 +245,7 @@ struct Ways {
     Awl awl;
     explicit Ways(double thickness, double tip) : awl(thickness) { (void)awl.led_to({}, tip); }
     [[nodiscard]] drilling::Shells ask(Vec3 from, Vec3 along) const {
-        const drilling::WayOut way{from, along, 0.0};
+        const drilling::Ray way{from, along, 0.0};
         return drilling::Shells({&way, 1}, 0.15_mm, 0.0, BoneQuery(awl.simulation.bone().query()));
     }
 };
@@ -286,35 +286,36 @@ TEST(BrokenWall, IsToldOnceAndOfNoSliver) {
 
 TEST(BrokenWall, IsItselfAloneAndWhatIsStrongerIsLeft) {
     drilling::BrokenWall wall(1.0_mm);
-    EXPECT_EQ(wall.is_left_of(wall_at(0.0, 10.0)), 1.0) << "nothing has broken";
+    EXPECT_EQ(wall.fraction_intact(wall_at(0.0, 10.0)), 1.0) << "nothing has broken";
     (void)wall.break_out(wall_at(0.0, 100.0));
-    EXPECT_EQ(wall.is_left_of(wall_at(0.5_mm, 100.0)), 0.0);
-    EXPECT_EQ(wall.is_left_of(wall_at(0.0, 125.0)), 0.0);
-    EXPECT_DOUBLE_EQ(wall.is_left_of(wall_at(0.0, 137.5)), 0.5);
-    EXPECT_EQ(wall.is_left_of(wall_at(0.0, 150.0)), 1.0);
-    EXPECT_EQ(wall.is_left_of(wall_at(3.0_mm, 50.0)), 1.0) << "behind it";
-    EXPECT_EQ(wall.is_left_of({.load = 50.0, .normal = {0.8, 0, -0.6}}), 1.0) << "on another side";
+    EXPECT_EQ(wall.fraction_intact(wall_at(0.5_mm, 100.0)), 0.0);
+    EXPECT_EQ(wall.fraction_intact(wall_at(0.0, 125.0)), 0.0);
+    EXPECT_DOUBLE_EQ(wall.fraction_intact(wall_at(0.0, 137.5)), 0.5);
+    EXPECT_EQ(wall.fraction_intact(wall_at(0.0, 150.0)), 1.0);
+    EXPECT_EQ(wall.fraction_intact(wall_at(3.0_mm, 50.0)), 1.0) << "behind it";
+    EXPECT_EQ(wall.fraction_intact({.load = 50.0, .normal = {0.8, 0, -0.6}}), 1.0) << "on another side";
 }
 
 TEST(BrokenWall, StaysWhereItIsAndIsForgottenTwoRadiiAway) {
     drilling::BrokenWall wall(1.0_mm);  // radius 2 mm
     (void)wall.break_out(wall_at(0.0, 100.0));
-    for (int i = 0; i < 1000; ++i) wall.go({0, 0, (i % 2 ? 100.0 : -100.0) * 1.0_mm, 0, 0, 0}, 1e-3, false);
+    for (int i = 0; i < 1000; ++i) wall.move_with_tip({0, 0, (i % 2 ? 100.0 : -100.0) * 1.0_mm, 0, 0, 0}, 1e-3, false);
     EXPECT_TRUE(wall.is_there()) << "a hand trembles";
-    for (int i = 0; i < 30; ++i) wall.go({0, 0, 100.0_mm, 0, 0, 0}, 1e-3, true);
-    EXPECT_EQ(wall.is_left_of(wall_at(-3.0_mm, 100.0)), 0.0) << "3 mm farther, seen from the tip it is 3 mm back";
-    for (int i = 0; i < 39; ++i) wall.go({100.0_mm, 0, 0, 0, 0, 0}, 1e-3, false);
+    for (int i = 0; i < 30; ++i) wall.move_with_tip({0, 0, 100.0_mm, 0, 0, 0}, 1e-3, true);
+    EXPECT_EQ(wall.fraction_intact(wall_at(-3.0_mm, 100.0)), 0.0) << "3 mm farther, seen from the tip it is 3 mm back";
+    for (int i = 0; i < 39; ++i) wall.move_with_tip({100.0_mm, 0, 0, 0, 0, 0}, 1e-3, false);
     EXPECT_TRUE(wall.is_there());
-    for (int i = 0; i < 2; ++i) wall.go({100.0_mm, 0, 0, 0, 0, 0}, 1e-3, false);
+    for (int i = 0; i < 2; ++i) wall.move_with_tip({100.0_mm, 0, 0, 0, 0, 0}, 1e-3, false);
     EXPECT_FALSE(wall.is_there());
 }
 
 TEST(BrokenWall, TurnsWithTheBoneSeenFromTheTip) {
     drilling::BrokenWall wall(1.0_mm);
     (void)wall.break_out(wall_at(0.0, 100.0));
-    for (int i = 0; i < 1571; ++i) wall.go({0, 0, 0, 0, 1.0, 0}, 1e-3, true);  // the tip turns by 90 degrees about y
-    EXPECT_EQ(wall.is_left_of({.load = 100.0, .normal = {-1, 0, 0}}), 0.0);
-    EXPECT_EQ(wall.is_left_of(wall_at(0.0, 100.0)), 1.0);
+    for (int i = 0; i < 1571; ++i)
+        wall.move_with_tip({0, 0, 0, 0, 1.0, 0}, 1e-3, true);  // the tip turns by 90 degrees about y
+    EXPECT_EQ(wall.fraction_intact({.load = 100.0, .normal = {-1, 0, 0}}), 0.0);
+    EXPECT_EQ(wall.fraction_intact(wall_at(0.0, 100.0)), 1.0);
 }
 
 }  // namespace

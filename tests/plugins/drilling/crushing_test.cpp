@@ -51,7 +51,7 @@ struct Rig {
         return body;
     }
     [[nodiscard]] double depth() const { return -simulation.world_from_tool().position.z; }
-    TickResult go(const Pose& hand) {
+    TickResult move_with_tip(const Pose& hand) {
         const TickResult r = simulation.tick({hand});
         for (std::size_t i = 0; i < r.event_count; ++i) begun += std::string(r.events[i]) == "drilling.crushing";
         return r;
@@ -63,14 +63,14 @@ struct Rig {
     /// With a hand that pushes so hard wherever the drill is.
     TickResult push(double force) {
         const CouplingGains g = test::gains(0.005);
-        return go(test::at_depth(depth() + force * g.force_scale / g.stiffness));
+        return move_with_tip(test::at_depth(depth() + force * g.force_scale / g.stiffness));
     }
     /// With a hand that goes on at `rate`; the mean thrust while the tip is between two depths.
     double thrust_between(double from, double to, double rate) {
         double sum = 0.0, most = 0.0;
         int count = 0;
         for (double hand = depth(); depth() < to && hand < 60.0_mm; hand += rate * tick) {
-            const double thrust = go(test::at_depth(hand)).thrust;
+            const double thrust = move_with_tip(test::at_depth(hand)).thrust;
             if (depth() < from) continue;
             sum += thrust;
             most = std::max(most, thrust);
@@ -113,7 +113,7 @@ TEST(Crushing, ItIsTheSameSeenInAMirror) {
     const auto aside = [](double side) {
         Rig rig(spongy, 0.25_mm, {}, "twist_drill", at(side * 5.5_mm, -0.1_mm));
         for (double hand = -0.1_mm; rig.depth() < 4.0_mm && hand < 60.0_mm; hand += 4.0_um)
-            (void)rig.go(at(side * 5.5_mm, hand));
+            (void)rig.move_with_tip(at(side * 5.5_mm, hand));
         return rig.simulation.world_from_tool().position.x - side * 5.5_mm;
     };
     const double right = aside(1.0), left = aside(-1.0);  // it stands half on the edge of the block
@@ -123,21 +123,21 @@ TEST(Crushing, ItIsTheSameSeenInAMirror) {
 
 TEST(Crushing, WhatBoneBearsItStandsOn) {
     Rig rig;
-    const double bears = closed_form(spongy, 3.2_mm);  // 58 N
-    for (int i = 0; i < 4000 && rig.depth() < 4.0_mm; ++i) (void)rig.push(1.2 * bears);
+    const double breaking_load = closed_form(spongy, 3.2_mm);  // 58 N
+    for (int i = 0; i < 4000 && rig.depth() < 4.0_mm; ++i) (void)rig.push(1.2 * breaking_load);
     ASSERT_GT(rig.depth(), 4.0_mm) << "pushed harder it goes in";
     for (const double share : {0.7, 0.95}) {
-        for (int i = 0; i < 500; ++i) (void)rig.push(share * bears);
+        for (int i = 0; i < 500; ++i) (void)rig.push(share * breaking_load);
         const double stands = rig.depth();
         TickResult r;
-        for (int i = 0; i < 2000; ++i) r = rig.push(share * bears);
+        for (int i = 0; i < 2000; ++i) r = rig.push(share * breaking_load);
         EXPECT_NEAR(rig.depth(), stands, 7.0_um) << share << ", in two seconds";
-        EXPECT_NEAR(r.thrust, share * bears, 0.5);
+        EXPECT_NEAR(r.thrust, share * breaking_load, 0.5);
     }
     const double stands = rig.depth();
-    for (int i = 0; i < 500; ++i) (void)rig.go(test::at_depth(stands));
-    EXPECT_FALSE(rig.go(test::at_depth(stands)).is_cutting) << "let go";
-    for (int i = 0; i < 2000; ++i) (void)rig.push(std::min(0.8, 0.001 * i) * bears);
+    for (int i = 0; i < 500; ++i) (void)rig.move_with_tip(test::at_depth(stands));
+    EXPECT_FALSE(rig.move_with_tip(test::at_depth(stands)).is_cutting) << "let go";
+    for (int i = 0; i < 2000; ++i) (void)rig.push(std::min(0.8, 0.001 * i) * breaking_load);
     EXPECT_NEAR(rig.depth(), stands, 40.0_um) << "the spring of contact";
     EXPECT_EQ(rig.begun, 1);
 }
@@ -165,7 +165,7 @@ TEST(Crushing, WideTipsAndSoftSpringsStandInCortexAsWell) {
         rig.simulation.command_drive(drilling::spindle_drive, 1000.0_rpm);
         for (double depth = -0.1_mm; depth < 5.0_mm; depth += 2.0_um) (void)rig.go_direct(test::at_depth(depth));
         rig.simulation.command_drive(drilling::spindle_drive, 0.0);
-        for (int i = 0; i < 300; ++i) (void)rig.go(test::at_depth(5.0_mm));
+        for (int i = 0; i < 300; ++i) (void)rig.move_with_tip(test::at_depth(5.0_mm));
         const double stands = rig.depth();
         rig.begun = 0;
         for (int i = 0; i < 4000; ++i) (void)rig.push(std::min(one.push, 0.5 * i));
@@ -213,7 +213,7 @@ TEST(StillTip, SticksToASlopeByFriction) {
         Rig rig(1850.0, 0.25_mm, {{"friction", friction}}, "twist_drill", test::at_depth(-1.0_mm, 20.0_deg));
         double from = 0.0;
         for (double hand = -1.0_mm; hand < 4.0_mm; hand += 2.0_um) {
-            const TickResult r = rig.go(test::at_depth(hand, 20.0_deg));
+            const TickResult r = rig.move_with_tip(test::at_depth(hand, 20.0_deg));
             if (from == 0.0 && r.thrust > 1.0) from = rig.simulation.world_from_tool().position.x;
         }
         return std::abs(rig.simulation.world_from_tool().position.x - from);
@@ -229,7 +229,7 @@ TEST(Crushing, TurningAgainItCutsAndInReverseItCrushesAsItStood) {
     for (int i = 0; i < 2000 && rig.depth() < 6.0_mm; ++i) {
         const CouplingGains g = test::gains(0.005);
         hand = rig.depth() + 5.0 * g.force_scale / g.stiffness;
-        thrust = rig.go(test::at_depth(hand)).thrust;
+        thrust = rig.move_with_tip(test::at_depth(hand)).thrust;
         last = signals_of<drilling::DrillCutting>(rig.simulation.signals()).spindle_speed;
     }
     EXPECT_NEAR(last, 1000.0_rpm, 1e-9);
@@ -259,22 +259,22 @@ TEST(Crushing, NothingPushesItOutAgain) {
     (void)rig.thrust_between(1.0_mm, 5.0_mm, 2.0_mm_per_s);
     const double deep = rig.depth();
     double pushed_back = 0.0;
-    for (int i = 0; i < 1000; ++i) (void)rig.go(test::at_depth(deep));
+    for (int i = 0; i < 1000; ++i) (void)rig.move_with_tip(test::at_depth(deep));
     EXPECT_NEAR(rig.depth(), deep, 20.0_um);
     for (int i = 0; i < 1000; ++i)
-        pushed_back = std::max(pushed_back, rig.go(test::at_depth(deep - 1.0_um * i)).thrust);
+        pushed_back = std::max(pushed_back, rig.move_with_tip(test::at_depth(deep - 1.0_um * i)).thrust);
     EXPECT_LT(pushed_back, 0.1) << "N, on the way out";
 }
 
 TEST(Crushing, BoneHoldsItSidewaysAsWell) {
     Rig rig;
-    const double bears = closed_form(spongy, 3.2_mm);
+    const double breaking_load = closed_form(spongy, 3.2_mm);
     double aside = 0.0;
     for (int i = 0; i < 3000 && rig.depth() < 4.0_mm; ++i) {
         const CouplingGains g = test::gains(0.005);
-        Pose hand = test::at_depth(rig.depth() + 1.2 * bears * g.force_scale / g.stiffness);
+        Pose hand = test::at_depth(rig.depth() + 1.2 * breaking_load * g.force_scale / g.stiffness);
         hand.position.x = rig.simulation.world_from_tool().position.x + 5.0 * g.force_scale / g.stiffness;
-        (void)rig.go(hand);
+        (void)rig.move_with_tip(hand);
         aside = rig.simulation.world_from_tool().position.x;
     }
     ASSERT_GT(rig.depth(), 4.0_mm);
@@ -293,7 +293,7 @@ TEST(Crushing, AnAwlsForceIsTheClosedFormOfItsCones) {
         double hand = -0.1_mm;
         for (const double depth : {4.0_mm, 7.0_mm, 10.0_mm}) {
             TickResult r;
-            for (; rig.depth() < depth && hand < 60.0_mm; hand += 2.0_um) r = rig.go(test::at_depth(hand));
+            for (; rig.depth() < depth && hand < 60.0_mm; hand += 2.0_um) r = rig.move_with_tip(test::at_depth(hand));
             const double radius = 0.5_mm + slope * (depth - point), of_point = pi * 0.25_mm * 1.0_mm;
             const double force = strength * (of_point * (1.0 + 0.3 / std::tan(30.0_deg)) +
                                              (pi * radius * radius - of_point) * (1.0 + 0.3 / slope));
@@ -307,7 +307,7 @@ TEST(Crushing, ASlopeIsCrushedEvenly) {
     Rig rig(spongy, 0.25_mm, {}, "twist_drill", test::at_depth(-1.0_mm, 25.0_deg));
     double last = 0.0, step = 0.0, thrust = 0.0;
     for (double hand = -1.0_mm; rig.depth() < 4.0_mm && hand < 60.0_mm; hand += 4.0_um) {
-        thrust = rig.go(test::at_depth(hand, 25.0_deg)).thrust;
+        thrust = rig.move_with_tip(test::at_depth(hand, 25.0_deg)).thrust;
         step = std::max(step, std::abs(thrust - last));
         last = thrust;
     }
@@ -321,7 +321,7 @@ TEST(Crushing, AStillConePressedAgainstTheEdgeOfABoneIsNotThrownUp) {
         Rig rig(density, 0.25_mm, {}, "twist_drill", at(-8.0_mm, 0.6_mm));
         double up = 0.0, last = rig.depth();
         for (int i = 0; i < 6000; ++i) {
-            (void)rig.go(at(-8.0_mm + 1.0_um * i, 0.6_mm));  // its corner stays above the face
+            (void)rig.move_with_tip(at(-8.0_mm + 1.0_um * i, 0.6_mm));  // its corner stays above the face
             up = std::max(up, last - rig.depth());
             last = rig.depth();
         }

@@ -59,12 +59,12 @@ struct Lips {
     kerf_bone_query query = whole_bone();
     DrillCutting law = value_of<DrillCutting>(setup.force_parameters);
     TwistDrill drill = value_of<TwistBit>(setup.tool_parameters, setup.drives).drill();
-    EdgePlaces places{drill, law, BoneQuery(query)};
+    EdgeLayout places{drill, law, BoneQuery(query)};
     std::unique_ptr<Edges> edges = std::make_unique<Edges>(drill, places, law, BoneQuery(query), 0.0);
     static constexpr double n = 1000.0_rpm;
 
     const Edges& going(const Vec6& rate) {
-        edges->share_out({std::max(0.0, rate[2]), rate}, n, edges->least_gap(), edge_depth);
+        edges->divide_feed({std::max(0.0, rate[2]), rate}, n, edges->min_gap(), edge_depth);
         return *edges;
     }
 };
@@ -79,13 +79,13 @@ TEST(ShareOfTheFeed, AsideTheLipThatLeadsTakesWhatTheOtherLeaves) {
     Lips lips;
     const double along = 1.0_mm_per_s, aside = 0.5_mm_per_s;
     const Edges& edges = lips.going({aside, 0, along, 0, 0, 0});
-    for (std::size_t i = 0; i < edges.places.lip.count; ++i) {
-        const LipElement& el = edges.places.lip.element[i];
+    for (std::size_t i = 0; i < edges.layout.lip.count; ++i) {
+        const LipElement& el = edges.layout.lip.element[i];
         const Vec3 at = edges.point[i];
         const double more = el.normal_radial * aside * at.x / std::hypot(at.x, at.y) / (el.normal_axial * along);
         EXPECT_GT(more, 0.0);
         EXPECT_NEAR(edges.takes[i].chip, 1.0 + more, 1e-12) << i;
-        EXPECT_NEAR(edges.takes[i].chip + edges.takes[edges.places.lip.count + i].chip, 2.0, 1e-12)
+        EXPECT_NEAR(edges.takes[i].chip + edges.takes[edges.layout.lip.count + i].chip, 2.0, 1e-12)
             << "together they take the feed";
     }
 }
@@ -93,8 +93,8 @@ TEST(ShareOfTheFeed, AsideTheLipThatLeadsTakesWhatTheOtherLeaves) {
 TEST(ShareOfTheFeed, ALipThatGoesAwayTakesNothing) {
     Lips lips;
     const Edges& edges = lips.going({10.0_mm_per_s, 0, 1.0_mm_per_s, 0, 0, 0});
-    const std::size_t corner = edges.places.lip.count - 1;
-    EXPECT_EQ(edges.takes[edges.places.lip.count + corner].chip, 0.0);
+    const std::size_t corner = edges.layout.lip.count - 1;
+    EXPECT_EQ(edges.takes[edges.layout.lip.count + corner].chip, 0.0);
     EXPECT_EQ(edges.takes[corner].chip, 2.0) << "no more: that a drill goes mostly sideways is felt elsewhere";
     EXPECT_GT(edge_forces(edges, lips.law, Lips::n, 1.0_mm_per_s).normal[0], 0.0) << "so the bone pushes the other way";
 }
@@ -110,9 +110,9 @@ TEST(ShareOfTheFeed, DrawnBackOrHeldStillAnyWobbleLeavesItEven) {
 TEST(ShareOfTheFeed, TurningAboutTheTipTheSideThatSinksTakesMore) {
     Lips lips;
     const Edges& edges = lips.going({0, 0, 1.0_mm_per_s, 0, -0.2, 0});  // x sinks at 0.2 m/s per metre
-    const std::size_t corner = edges.places.lip.count - 1;
+    const std::size_t corner = edges.layout.lip.count - 1;
     EXPECT_GT(edges.takes[corner].chip, 1.1);
-    EXPECT_LT(edges.takes[edges.places.lip.count + corner].chip, 0.9);
+    EXPECT_LT(edges.takes[edges.layout.lip.count + corner].chip, 0.9);
 }
 
 // In whole bone what pushes aside cancels, and the thrust is that of all edges.
@@ -129,12 +129,12 @@ TEST(EdgeForces, InWholeBoneOnlyThrustAndTorqueAreLeft) {
 TEST(EdgeForces, OneLipPushesAlongItsOwnNormal) {
     Lips lips;
     for (std::size_t i = 0; i < lips.edges->count; ++i)
-        if (i >= lips.edges->places.lip.count) lips.edges->resistance[i] = 0.0;
+        if (i >= lips.edges->layout.lip.count) lips.edges->resistance[i] = 0.0;
     const Edges& edges = lips.going({0, 0, 2.0_mm_per_s, 0, 0, 0});
     const EdgeForces forces = edge_forces(edges, lips.law, Lips::n, 2.0_mm_per_s);
     double radial = 0.0, axial = 0.0;
-    for (std::size_t i = 0; i < edges.places.lip.count; ++i) {
-        const LipElement& el = edges.places.lip.element[i];
+    for (std::size_t i = 0; i < edges.layout.lip.count; ++i) {
+        const LipElement& el = edges.layout.lip.element[i];
         const Vec3 at = edges.point[i];
         radial += el.width * el.normal_radial * at.x / std::hypot(at.x, at.y);
         axial += el.width * el.normal_axial;

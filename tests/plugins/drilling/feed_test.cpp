@@ -272,19 +272,19 @@ TEST(DrillThrust, ATipThatRunsOutCutsAWiderHoleAndIsPushedAsideAsItTurns) {
     const double e = 0.1_mm;
     test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55}),
                          test::twist_drill({{"runout", e}}), test::at_depth(-1.0_mm));
-    double at = -1.0_mm, largest_x = 0.0, least_x = 0.0, mean = 0.0, count = 0.0, thrust = 0.0;
+    double at = -1.0_mm, largest_x = 0.0, min_x = 0.0, mean = 0.0, count = 0.0, thrust = 0.0;
     while (at < 4.0_mm) {
         const TickResult r = simulation.tick_direct({test::at_depth(at)});
         at += 2.0_um;
         if (at < 2.5_mm) continue;
         largest_x = std::max(largest_x, r.bone_on_tool[0]);
-        least_x = std::min(least_x, r.bone_on_tool[0]);
+        min_x = std::min(min_x, r.bone_on_tool[0]);
         mean += r.bone_on_tool[0];
         thrust += r.thrust;
         count += 1.0;
     }
     EXPECT_GT(largest_x, 5.0);
-    EXPECT_NEAR(least_x, -largest_x, 0.1 * largest_x);
+    EXPECT_NEAR(min_x, -largest_x, 0.1 * largest_x);
     EXPECT_NEAR(mean / count, 0.0, 0.02 * largest_x) << "over whole turns it cancels";
 
     // One lip with the whole feed: its chip is the same, the second edge's force is gone. The chisel stays.

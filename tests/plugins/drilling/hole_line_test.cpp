@@ -20,22 +20,22 @@ HoleLine moved(HoleLine line, const Vec6& rate, double seconds) {
 
 TEST(HoleLine, APlaceOfTheToolHasGoneAsFarAsItMoved) {
     const HoleLine line = moved({}, {2.0_mm_per_s, -1.0_mm_per_s, 3.0_mm_per_s, 0, 0, 0}, 1.0);
-    EXPECT_NEAR(line.gone(at, x), 2.0_mm, 1e-12);
-    EXPECT_NEAR(line.gone(at, y), -1.0_mm, 1e-12);
+    EXPECT_NEAR(line.offset(at, x), 2.0_mm, 1e-12);
+    EXPECT_NEAR(line.offset(at, y), -1.0_mm, 1e-12);
     const HoleLine tilted = moved({}, {0, 0, 0, 0, 1.0_deg, 0}, 1.0);  // about y: what lies behind the tip goes back
-    EXPECT_NEAR(tilted.gone(at, x), -10.0_mm * 1.0_deg, 1e-6 * 10.0_mm);
-    EXPECT_NEAR(tilted.gone({}, x), 0.0, 1e-12);
+    EXPECT_NEAR(tilted.offset(at, x), -10.0_mm * 1.0_deg, 1e-6 * 10.0_mm);
+    EXPECT_NEAR(tilted.offset({}, x), 0.0, 1e-12);
 }
 
 TEST(HoleLine, ATiltedToolThatIsDrawnBackGoesAside) {
     const HoleLine line = moved(moved({}, {0, 0, 0, 0, 2.0_deg, 0}, 1.0), {0, 0, -5.0_mm_per_s, 0, 0, 0}, 1.0);
-    EXPECT_NEAR(line.gone({}, x), -5.0_mm * 2.0_deg, 1e-4 * 5.0_mm) << "the tip stands 5 mm up its own axis";
+    EXPECT_NEAR(line.offset({}, x), -5.0_mm * 2.0_deg, 1e-4 * 5.0_mm) << "the tip stands 5 mm up its own axis";
 }
 
 TEST(HoleLine, StaysInTheBoneWhileTheToolIsTurned) {
     const HoleLine line = moved(moved({}, {1.0_mm_per_s, 0, 0, 0, 0, 0}, 1.0), {0, 0, 0, 0, 0, 0.5 * pi}, 1.0);
-    EXPECT_NEAR(line.gone({}, x), 0.0, 1.0_mm * 1e-3);
-    EXPECT_NEAR(line.gone({}, y), -1.0_mm, 1.0_mm * 1e-3) << "what was +x for the tool is -y now";
+    EXPECT_NEAR(line.offset({}, x), 0.0, 1.0_mm * 1e-3);
+    EXPECT_NEAR(line.offset({}, y), -1.0_mm, 1.0_mm * 1e-3) << "what was +x for the tool is -y now";
 }
 
 }  // namespace

@@ -34,19 +34,19 @@ TEST(ReEntry, BackInItsHoleADrillMeetsNothingBeforeTheFront) {
             double depth = -1.0_mm;
             test::Rig simulation(test::Slab::make(h, {0.3, 0.7, offset}),
                                  test::twist_drill({{"diameter", d}, {"motor_torque", 20.0}}), test::at_depth(depth));
-            const auto go = [&](double speed) {
+            const auto move_with_tip = [&](double speed) {
                 depth += speed * Simulation::dt;
                 const double thrust = simulation.tick_direct({test::at_depth(depth)}).thrust;
                 return std::abs(thrust);
             };
-            while (depth < deep) (void)go(8.0_mm_per_s);
+            while (depth < deep) (void)move_with_tip(8.0_mm_per_s);
             const double front = depth;
-            while (depth > 1.0_mm) (void)go(-20.0_mm_per_s);
+            while (depth > 1.0_mm) (void)move_with_tip(-20.0_mm_per_s);
             double most = 0.0;
-            while (depth < front - 45.0_um) most = std::max(most, go(20.0_mm_per_s));
+            while (depth < front - 45.0_um) most = std::max(most, move_with_tip(20.0_mm_per_s));
             EXPECT_LT(most, 0.05) << d << ", " << h << ", " << deep << ", " << offset;
             // And at the front there is bone.
-            for (int i = 0; i < 10; ++i) most = std::max(most, go(8.0_mm_per_s));
+            for (int i = 0; i < 10; ++i) most = std::max(most, move_with_tip(8.0_mm_per_s));
             EXPECT_GT(most, deep < 5.0_mm ? 100.0 : 10.0) << d << ", " << h << ", " << deep << ", " << offset;
         }
 }

@@ -15,9 +15,9 @@ using namespace literals;
 using simulated_hand::Plant;
 
 struct Felt {
-    double unrest = 0.0;        ///< [N] RMS of the force's step from tick to tick, the tip 2 mm … 25 mm deep
-    double least_energy = 0.0;  ///< [J] of the port
-    double depth = 0.0;         ///< [m]
+    double unrest = 0.0;      ///< [N] RMS of the force's step from tick to tick, the tip 2 mm … 25 mm deep
+    double min_energy = 0.0;  ///< [J] of the port
+    double depth = 0.0;       ///< [m]
 };
 
 /// An arm that goes along with the handle and pushes 5 N, on the device's side, into a block for three seconds.
@@ -45,7 +45,7 @@ Felt push_into_bone(const Plant& arm, bool is_direct) {
             depth += h * speed;
         }
     }
-    return {std::sqrt(sum / count), simulation.passivity().least_energy(), -simulation.world_from_tool().position.z};
+    return {std::sqrt(sum / count), simulation.passivity().min_energy(), -simulation.world_from_tool().position.z};
 }
 
 const Plant light{.arm_mass = 0.05, .arm_damping = 1.0, .arm_stiffness = 50.0};
@@ -64,7 +64,7 @@ TEST(Rendering, SolvedItIsQuietForEveryHand) {
     for (const Plant& arm : {light, nominal, stiff}) {
         const Felt felt = push_into_bone(arm, false);
         EXPECT_LT(felt.unrest, 0.025) << "arm of " << arm.arm_stiffness << " N/m: one count of the encoder is 0.014 N";
-        EXPECT_GT(felt.least_energy, -1e-4) << "arm of " << arm.arm_stiffness << " N/m";
+        EXPECT_GT(felt.min_energy, -1e-4) << "arm of " << arm.arm_stiffness << " N/m";
         EXPECT_GT(felt.depth, 2.0_mm) << "and it drills";
     }
 }

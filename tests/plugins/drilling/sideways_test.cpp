@@ -39,18 +39,19 @@ struct Pushed {
 Pushed pushed_sideways(const ToolSetup& setup, double spacing, double rate, double withdrawn, double settling = 0.0) {
     test::Rig simulation(test::block({-6.0_mm, -6.0_mm, -14.0_mm}, {8.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73}),
                          setup, test::at_depth(-0.5_mm));
-    const auto go = [&](const Pose& pose) {
+    const auto move_with_tip = [&](const Pose& pose) {
         const TickResult r = simulation.tick_direct({pose});
         return r.bone_on_tool;
     };
     constexpr double stands = 6.0_mm;
-    for (double depth = -0.5_mm; depth < stands + withdrawn; depth += 2.0_um) (void)go(test::at_depth(depth));
-    for (double back = withdrawn; back > 0.0; back -= 2.0_um) (void)go(test::at_depth(stands + back));
+    for (double depth = -0.5_mm; depth < stands + withdrawn; depth += 2.0_um)
+        (void)move_with_tip(test::at_depth(depth));
+    for (double back = withdrawn; back > 0.0; back -= 2.0_um) (void)move_with_tip(test::at_depth(stands + back));
     Vec6 sum{};
     int count = 0;
     const double from = 0.3_mm + settling * rate;
     for (double aside = 0.0; aside < from + 0.5_mm; aside += rate * Simulation::dt) {
-        const Vec6 felt = go(test::at_depth(stands, 0.0, {aside, 0, 0}));
+        const Vec6 felt = move_with_tip(test::at_depth(stands, 0.0, {aside, 0, 0}));
         if (aside < from) continue;
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += felt[i];
         ++count;
@@ -129,7 +130,7 @@ TEST(Work, OfTheMotorIsThatOfTheChipsAlongTheAxisAskewAndSideways) {
         test::Rig simulation(test::block({-6.0_mm, -6.0_mm, -14.0_mm}, {8.0_mm, 6.0_mm, 0}, 0.2_mm, {0.31, 0.17, 0.73}),
                              setup, test::at_depth(-1.5_mm, tilt));
         double work = 0.0, removed = 0.0;
-        const auto go = [&](const Pose& pose) {
+        const auto move_with_tip = [&](const Pose& pose) {
             const TickResult r = simulation.tick_direct({pose});
             work += std::abs(r.torque) * 2.0 * pi * turns * Simulation::dt;
         };
@@ -141,10 +142,11 @@ TEST(Work, OfTheMotorIsThatOfTheChipsAlongTheAxisAskewAndSideways) {
             work = 0.0;
             return ratio;
         };
-        for (double depth = -1.5_mm; depth < 5.0_mm; depth += 2.0_um) go(test::at_depth(depth, tilt));
+        for (double depth = -1.5_mm; depth < 5.0_mm; depth += 2.0_um) move_with_tip(test::at_depth(depth, tilt));
         EXPECT_NEAR(account(), 1.0, 0.02) << "in, at " << tilt;
         if (tilt != 0.0) continue;
-        for (double aside = 0.0; aside < 1.0_mm; aside += 1.0_um) go(test::at_depth(5.0_mm, 0.0, {aside, 0, 0}));
+        for (double aside = 0.0; aside < 1.0_mm; aside += 1.0_um)
+            move_with_tip(test::at_depth(5.0_mm, 0.0, {aside, 0, 0}));
         EXPECT_NEAR(account(), 1.0, 0.05) << "sideways";
     }
 }

@@ -52,8 +52,8 @@ TEST(Lip, LiesOnTheOutlineThatRemovesBone) {
 
 TEST(Lip, TheOtherLipIsHalfATurnAway) {
     const Lip lip = make_lip(orthopaedic, 0.1_mm);
-    const Vec3 one = place_of(lip.element[5], orthopaedic.half_web(), 0.6, 0.8);
-    const Vec3 other = place_of(lip.element[5], orthopaedic.half_web(), -0.6, -0.8);
+    const Vec3 one = position_of(lip.element[5], orthopaedic.half_web(), 0.6, 0.8);
+    const Vec3 other = position_of(lip.element[5], orthopaedic.half_web(), -0.6, -0.8);
     // half_web's offset turns with the lip only if the angle's sine and cosine turn together
     EXPECT_NEAR(one.x + other.x, 0.0, 1e-15);
     EXPECT_NEAR(one.y + other.y, 0.0, 1e-15);

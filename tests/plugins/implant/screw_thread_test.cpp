@@ -48,15 +48,15 @@ TEST(ScrewThread, ItsCoreTapersFromTipToHead) {
 TEST(ScrewThread, StripsByItsShapeFactor) { EXPECT_NEAR(thread().shape_factor(-45.0_mm), 0.69245, 1e-9); }
 
 TEST(ScrewThread, ItsPiecesLieOnItsHelixAndCoverIt) {
-    ThreadPiece pieces[most_pieces];
+    ThreadPiece pieces[max_pieces];
     const ScrewThread t = thread();
     const int count = make_pieces(t, pieces);
     double covered = 0.0;
     for (int i = 0; i < count; ++i) {
         covered += pieces[i].length;
-        const double z = pieces[i].place.z, turn = z / t.advance();
-        EXPECT_NEAR(pieces[i].place.x, t.mean_radius(z) * std::cos(turn), 1e-12);
-        EXPECT_NEAR(pieces[i].place.y, t.mean_radius(z) * std::sin(turn), 1e-12);
+        const double z = pieces[i].point.z, turn = z / t.advance();
+        EXPECT_NEAR(pieces[i].point.x, t.mean_radius(z) * std::cos(turn), 1e-12);
+        EXPECT_NEAR(pieces[i].point.y, t.mean_radius(z) * std::sin(turn), 1e-12);
     }
     EXPECT_NEAR(covered, t.length - t.cone(), 1e-12);
     EXPECT_GE(count / ((t.length - t.cone()) / t.lead()), 8.0) << "in a turn";
@@ -76,15 +76,15 @@ TEST(ScrewThread, HasTheContactThatWasMeasured) {
 
 TEST(ThreadGrip, StretchesAndThenSlips) {
     double stretch = 0.1_mm;
-    EXPECT_EQ(give_way(stretch, 1e6, 500.0), 0.0);
+    EXPECT_EQ(yield_plastically(stretch, 1e6, 500.0), 0.0);
     EXPECT_DOUBLE_EQ(stretch, 0.1_mm);
     stretch = 1.0_mm;  // 500 N stretch 0.5 mm
-    EXPECT_DOUBLE_EQ(give_way(stretch, 1e6, 500.0), 0.5_mm);
+    EXPECT_DOUBLE_EQ(yield_plastically(stretch, 1e6, 500.0), 0.5_mm);
     EXPECT_DOUBLE_EQ(stretch, 0.5_mm);
     stretch = -1.0_mm;
-    EXPECT_DOUBLE_EQ(give_way(stretch, 1e6, 500.0), 0.5_mm) << "the other way";
+    EXPECT_DOUBLE_EQ(yield_plastically(stretch, 1e6, 500.0), 0.5_mm) << "the other way";
     EXPECT_DOUBLE_EQ(stretch, -0.5_mm);
-    EXPECT_DOUBLE_EQ(give_way(stretch, 0.0, 0.0), 0.5_mm) << "nothing holds it";
+    EXPECT_DOUBLE_EQ(yield_plastically(stretch, 0.0, 0.0), 0.5_mm) << "nothing holds it";
 }
 
 TEST(ThreadGrip, ItsStrengthRisesToFullAndFallsToNothing) {
@@ -162,26 +162,26 @@ TEST(ThreadTrack, SaysHowTheToolLiesToIt) {
     kerf_thread t = groove(thread());
     t.tool_from_thread = {{0.2_mm, -0.1_mm, 0}, quat_from_rotation_vector({0.01, 0, 0})};
     ThreadTrack track = Threads{{t}}.found(thread());
-    EXPECT_NEAR(track.askew().x, -0.01, 1e-5) << "the thread is turned about +x, so the tool is about −x";
-    EXPECT_NEAR(track.beside(0.0).x, -0.2_mm, 1e-9);
-    EXPECT_NEAR(track.beside(0.0).y, 0.1_mm, 1e-9);
-    EXPECT_NEAR(track.beside(-10.0_mm).y, 0.1_mm - 0.1_mm, 1e-7) << "10 mm × 0.01";
-    const Vec3 beside = track.beside(-10.0_mm), askew = track.askew();
-    track.give_way(beside, askew, -10.0_mm);
+    EXPECT_NEAR(track.inclination().x, -0.01, 1e-5) << "the thread is turned about +x, so the tool is about −x";
+    EXPECT_NEAR(track.offset(0.0).x, -0.2_mm, 1e-9);
+    EXPECT_NEAR(track.offset(0.0).y, 0.1_mm, 1e-9);
+    EXPECT_NEAR(track.offset(-10.0_mm).y, 0.1_mm - 0.1_mm, 1e-7) << "10 mm × 0.01";
+    const Vec3 offset = track.offset(-10.0_mm), inclination = track.inclination();
+    track.yield_plastically(offset, inclination, -10.0_mm);
     track = Threads{{track.thread()}}.found(thread());
-    EXPECT_NEAR(length(track.beside(-10.0_mm)), 0.0, 1e-9) << "it gave way by all of it";
-    EXPECT_NEAR(length(track.askew()), 0.0, 1e-4);
+    EXPECT_NEAR(length(track.offset(-10.0_mm)), 0.0, 1e-9) << "it gave way by all of it";
+    EXPECT_NEAR(length(track.inclination()), 0.0, 1e-4);
 }
 
 TEST(ThreadTrack, KnowsHowMuchATapTook) {
     kerf_thread t = groove(thread());
-    EXPECT_EQ(Threads{{t}}.found(thread()).share_tapped(t.from, 3.25_mm, 2.25_mm), 0.0) << "no tap was there";
+    EXPECT_EQ(Threads{{t}}.found(thread()).fraction_tapped(t.from, 3.25_mm, 2.25_mm), 0.0) << "no tap was there";
     t.tapped_to = t.from + 10.0_mm;
     t.tapped_radius = 2.75_mm;
     const ThreadTrack track = Threads{{t}}.found(thread());
-    EXPECT_NEAR(track.share_tapped(t.from + 5.0_mm, 3.25_mm, 2.25_mm), 0.5, 1e-12);
-    EXPECT_EQ(track.share_tapped(t.from + 11.0_mm, 3.25_mm, 2.25_mm), 0.0);
-    EXPECT_EQ(track.share_tapped(t.from, 2.5_mm, 2.25_mm), 1.0) << "a wider tap";
+    EXPECT_NEAR(track.fraction_tapped(t.from + 5.0_mm, 3.25_mm, 2.25_mm), 0.5, 1e-12);
+    EXPECT_EQ(track.fraction_tapped(t.from + 11.0_mm, 3.25_mm, 2.25_mm), 0.0);
+    EXPECT_EQ(track.fraction_tapped(t.from, 2.5_mm, 2.25_mm), 1.0) << "a wider tap";
 }
 
 }  // namespace

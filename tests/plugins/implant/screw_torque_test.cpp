@@ -163,17 +163,17 @@ TEST(Tightening, StripsBySlipAndReportsItsPhases) {
     rig.insert(6.0, fast);
     tighten(rig, 1.0);
     const double seated = rig.angle();
-    double most = 0.0, most_at = 0.0;
+    double most = 0.0, max_at = 0.0;
     std::vector<std::pair<double, double>> curve;
     for (int i = 0; i < 1200; ++i) {
         rig.turn(0.01, 0.5 * pi);
         curve.emplace_back(rig.angle() - seated, rig.signals().torque);
-        if (curve.back().second > most) most = curve.back().second, most_at = curve.back().first;
+        if (curve.back().second > most) most = curve.back().second, max_at = curve.back().first;
     }
-    EXPECT_GT(most_at, 60.0_deg);
-    EXPECT_LT(most_at, 360.0_deg);
+    EXPECT_GT(max_at, 60.0_deg);
+    EXPECT_LT(max_at, 360.0_deg);
     for (const auto& [angle, torque] : curve) {
-        if (angle > most_at + 2.0 * pi) {
+        if (angle > max_at + 2.0 * pi) {
             EXPECT_LT(torque, 0.3 * most) << angle;
         }
     }

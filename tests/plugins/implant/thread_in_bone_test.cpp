@@ -321,8 +321,8 @@ double drift(bool is_tapped) {
     }
     simulation.take_tool(1);
     depth = -2.0_mm;
-    constexpr double askew = 6.0 * pi / 180.0;
-    push(2.4_mm, askew);
+    constexpr double inclination = 6.0 * pi / 180.0;
+    push(2.4_mm, inclination);
     follow(4.0);
     const Vec3 along = rotate(simulation.world_from_tool().rotation, {0, 0, 1});
     return std::acos(std::min(1.0, -along.z));

@@ -21,7 +21,7 @@ using namespace literals;
 using remesh_cgal::Triangles;
 using test::mesh_of, test::triangles_of;
 
-double least_height(const SurfaceMesh& mesh) {
+double min_height(const SurfaceMesh& mesh) {
     double least = HUGE_VAL;
     for (const Triangle& t : mesh.triangles) {
         const auto [a, b, c] = mesh.corners(t);
@@ -57,7 +57,7 @@ TEST(Slivers, FlipAVertexOffItsOppositeSide) {
     remesh_cgal::remove_slivers(mesh, 1e-9);
     const SurfaceMesh mended = mesh_of(mesh);
     EXPECT_EQ(flaw_of_base(mended), "");
-    EXPECT_GT(least_height(mended), 1.0_mm);
+    EXPECT_GT(min_height(mended), 1.0_mm);
     EXPECT_NEAR(signed_volume_of(mended), 1e-6, 1e-15);
 }
 

@@ -183,9 +183,9 @@ TEST(BladeInItsSlot, OnlyTheSidePushedToPushesBack) {
             (void)saw.tick(saw.still * Pose{{0, way * aside, 0}, {1, 0, 0, 0}});
         const Sides sides = near_front(saw.simulation);
         const double pushed_into = way > 0.0 ? sides.plus_y : sides.minus_y;
-        const double left_behind = way > 0.0 ? sides.minus_y : sides.plus_y;
+        const double max_cutting_gap = way > 0.0 ? sides.minus_y : sides.plus_y;
         EXPECT_NEAR(pushed_into, 0.3_mm - 0.1_mm /* its teeth stand out */, 0.02_mm) << "towards " << way << " y";
-        EXPECT_LT(left_behind, 0.0) << "towards " << way << " y";
+        EXPECT_LT(max_cutting_gap, 0.0) << "towards " << way << " y";
     }
 }
 

@@ -53,12 +53,13 @@ struct Feeding {
     Vec3 aside;
     Simulation simulation;
 
-    explicit Feeding(Body bone, ToolSetup saw, double period = Simulation::dt, double turned = 0.0, Vec3 beside = {})
+    explicit Feeding(Body bone, ToolSetup saw, double period = Simulation::dt, double turned = 0.0,
+                     Vec3 points_around = {})
         : body(std::move(bone)),
           setup(std::move(saw)),
           about(turned),
           dt(period),
-          aside(beside),
+          aside(points_around),
           simulation(body, setup, test::outline(setup), test::gains(), pose(), period) {}
 
     [[nodiscard]] Pose pose() const {

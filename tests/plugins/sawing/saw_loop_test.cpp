@@ -64,7 +64,7 @@ struct Rig {
     SurfaceWorker worker{body, {&outline.cutting}, {.crumb = 1e-9}};
 
     struct Happened {
-        bool was_fast = false, was_barred = false, has_adopted = false;
+        bool was_fast = false, was_closed_or_closing = false, has_adopted = false;
     };
     /// All that a loop on the clock does between pose read and force out, and after it.
     Happened loop(const Hand& hand) {
@@ -72,7 +72,7 @@ struct Rig {
         haptic.command_drive(0, hand.is_on ? 200.0 : 0.0);
         const TickResult result = haptic.tick({hand.pose});
         happened.was_fast = result.parts > 1;
-        happened.was_barred = result.is_barred;
+        happened.was_closed_or_closing = result.is_closed_or_closing;
         happened.has_adopted = worker.exchange(haptic).separation;
         return happened;
     }
@@ -92,13 +92,13 @@ TEST(SawLoop, NeitherAllocatesNorLocksNorThrowsThroughASplit) {
         const Rig::Happened now = rig.loop(way[i]);
         ASSERT_EQ(test::forbidden_here(), before) << "tick " << i;
         ever.was_fast = ever.was_fast || now.was_fast;
-        ever.was_barred = ever.was_barred || now.was_barred;
+        ever.was_closed_or_closing = ever.was_closed_or_closing || now.was_closed_or_closing;
         ever.has_adopted = ever.has_adopted || now.has_adopted;
         bound = std::max(bound, signals_of<sawing::SawCutting>(rig.haptic.signals()).binding);
         rig.haptic.make_room();
         if (i % 10 == 0) rig.worker.wait_for_all();  // however slow this machine is
     }
-    EXPECT_TRUE(ever.was_fast && ever.was_barred && ever.has_adopted) << "the way was eventful";
+    EXPECT_TRUE(ever.was_fast && ever.was_closed_or_closing && ever.has_adopted) << "the way was eventful";
     EXPECT_GT(bound, 1.0) << "N: it was bent until it bound";
     EXPECT_EQ(rig.haptic.bodies().size(), 2u);
     EXPECT_EQ(rig.worker.lost(), 0u);

@@ -64,7 +64,7 @@ TEST(StraightBlade, SweepsItsRowLengthenedByTheStroke) {
 TEST(StraightBlade, PairStandsForAPitchOfTheFront) {
     const StraightBlade b = blade();
     const Tooth tooth = teeth_of(b, 0.0).tooth[3];
-    const auto pair = b.beside(tooth, 0.25 * b.pitch);
+    const auto pair = b.points_around(tooth, 0.25 * b.pitch);
     EXPECT_NEAR(pair[1].x - pair[0].x, 0.5 * b.pitch, 1e-15);
     EXPECT_NEAR(0.5 * (pair[0].x + pair[1].x), tooth.tip.x, 1e-15);
 }
@@ -79,7 +79,7 @@ TEST(StraightBlade, SidesBendAndTwistBeforeTheBone) {
                  bone = 1.0 / 500e3;
     int checked = 0;
     for (std::size_t i = 0; i < points.side_count; ++i) {
-        const std::size_t at = points.of_sides[i].place;
+        const std::size_t at = points.of_sides[i].index;
         const Vec3 p = points.all.at(at);
         if (std::abs(p.x) > 1e-9) continue;
         const double arm = p.z + 5.0_mm;

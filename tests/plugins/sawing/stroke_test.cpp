@@ -63,7 +63,7 @@ TEST(Stroke, TwoPartsStandForTheOscillationWithinAThirtiethAtAnyFeed) {
                                          edge_depth_per_feed)) /
                          steps;
             for (const StrokePart& part : parts_of(stroke))
-                two += part.share * (1.0 - std::exp(-part.chip_per_feed / edge_depth_per_feed));
+                two += part.time_fraction * (1.0 - std::exp(-part.chip_per_feed / edge_depth_per_feed));
             worst = std::max(worst, std::abs(two / exact - 1.0));
         }
     RecordProperty("worst_percent", std::to_string(100.0 * worst));

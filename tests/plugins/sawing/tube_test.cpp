@@ -63,7 +63,7 @@ TEST(SawnTube, LoadIsThatOfTheTeethInBone) {
     double per_tooth = 0.0;
     for (const auto& part : sawing::parts_of(stroke))
         per_tooth +=
-            part.share * blade.kerf() *
+            part.time_fraction * blade.kerf() *
             force_per_width(part.chip_per_feed * rate, value_of<sawing::SawCutting>(setup.force_parameters).thrust());
     for (double depth = -1.0_mm; depth < 29.0_mm; depth += rate * Simulation::dt) {
         const double thrust = simulation.tick_direct({above(depth)}).thrust;

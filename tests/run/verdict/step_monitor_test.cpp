@@ -25,7 +25,7 @@ struct Case {
     Anatomy anatomy;
     std::vector<AxisFrame> frames;
     ToolSolid drill{{{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 1.5_mm}}};
-    std::vector<std::string> news;
+    std::vector<std::string> new_events;
 
     Case() {
         Step step;
@@ -48,7 +48,7 @@ struct Watch {
 
     void show(double depth, double aside = 0.0, bool is_running = true, bool is_resisted = true) {
         monitor.observe({time, {{aside, 0, depth}, {1, 0, 0, 0}}, is_running, is_resisted}, scene.drill);
-        for (const auto& [id, detail] : monitor.news()) scene.news.push_back(id);
+        for (const auto& [id, detail] : monitor.new_events()) scene.new_events.push_back(id);
         time += 1e-3;
     }
 };
@@ -56,11 +56,11 @@ struct Watch {
 TEST(StepMonitor, BesideTheBoneThereIsNoHoleThatCouldBeTooDeep) {
     Watch watch;
     for (double depth = -1.0_mm; depth < 20.0_mm; depth += 0.1_mm) watch.show(depth, 0.0, true, false);
-    EXPECT_TRUE(watch.scene.news.empty()) << watch.scene.news.front();
+    EXPECT_TRUE(watch.scene.new_events.empty()) << watch.scene.new_events.front();
 
     watch.show(1.0_mm);                     // it enters,
     watch.show(20.0_mm, 0.0, true, false);  // and is out of the far side: that is too deep
-    EXPECT_EQ(watch.scene.news, (std::vector<std::string>{"entered_bone", "goal_reached", "limit_broken"}));
+    EXPECT_EQ(watch.scene.new_events, (std::vector<std::string>{"entered_bone", "goal_reached", "limit_broken"}));
 }
 
 TEST(AxisFrame, ABladeIsFedAlongTheAxisAndLiesInThePlane) {
@@ -107,7 +107,7 @@ TEST(AxisFrame, APlaneSeenFromBehindTurnsTheBladeOver) {
 
 TEST(StepMonitor, TheStepOfAnImplantEndsWhenItIsReleasedInBone) {
     Watch run;
-    run.monitor.stays(0);
+    run.monitor.ends_with_release(0);
     run.show(1.0_mm);
     EXPECT_EQ(run.monitor.release(), "a goal of the step is not reached");
     run.show(11.0_mm);
@@ -132,7 +132,8 @@ TEST(StepMonitor, GoalsAreReachedInOrderAndTheStepEndsOutside) {
     run.show(-1.0_mm, 0.0, true, false);
     EXPECT_TRUE(run.monitor.steps()[0].is_done());
     EXPECT_EQ(run.monitor.current(), 1u);
-    EXPECT_EQ(run.scene.news, (std::vector<std::string>{"entered_bone", "goal_reached", "goal_reached", "step_done"}));
+    EXPECT_EQ(run.scene.new_events,
+              (std::vector<std::string>{"entered_bone", "goal_reached", "goal_reached", "step_done"}));
 }
 
 TEST(StepMonitor, DepthCountsOnlyWhereBoneWasCut) {
@@ -154,7 +155,7 @@ TEST(StepMonitor, AClearanceIsThatOfTheWholeCuttingRegion) {
     EXPECT_TRUE(run.monitor.steps()[0].limits[0].broken_at);
     run.show(5.0_mm);
     EXPECT_NEAR(run.monitor.steps()[0].limits[0].worst, -0.2_mm, 1e-9) << "the worst is kept";
-    EXPECT_EQ(std::count(run.scene.news.begin(), run.scene.news.end(), "zone_entered"), 1) << "said once";
+    EXPECT_EQ(std::count(run.scene.new_events.begin(), run.scene.new_events.end(), "zone_entered"), 1) << "said once";
 }
 
 TEST(StepMonitor, HowFarItWanderedIsCountedInBoneOnly) {
@@ -174,7 +175,7 @@ TEST(StepMonitor, AZoneThatBelongsToAPieceMovesWithIt) {
         run.monitor.observe({0.0, {{x, 0, 5.0_mm}, {1, 0, 0, 0}}, true, true, 0.0, moved}, run.scene.drill);
         return run.monitor.steps()[0].limits[0].broken_at.has_value();
     };
-    run.monitor.belong({.zone = {1}, .step = {0, 0}});
+    run.monitor.set_owners({.zone = {1}, .step = {0, 0}});
 
     // Then its place of before harms nobody, and its new one does
     EXPECT_FALSE(show_at(3.5_mm));
@@ -215,8 +216,8 @@ TEST(StepMonitor, AWallIsJudgedWhenItsStepHasEnded) {
                                        {"flatness", "", {{}, 1.0_mm}, "Uneven.", {}}};
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
     monitor.judge_cut(0, CutWall{.angle = 4.0_deg, .offset = 0.0, .flatness = 0.5_mm, .points = 100}, 2e-9, 1.0);
-    ASSERT_EQ(monitor.news().size(), 1u);
-    EXPECT_EQ(monitor.news()[0].second, "plane_angle");
+    ASSERT_EQ(monitor.new_events().size(), 1u);
+    EXPECT_EQ(monitor.new_events()[0].second, "plane_angle");
     EXPECT_TRUE(monitor.steps()[0].limits[0].broken_at);
     EXPECT_FALSE(monitor.steps()[0].limits[1].broken_at);
     EXPECT_EQ(monitor.steps()[0].removed, 2e-9);
@@ -235,9 +236,9 @@ TEST(StepMonitor, AHoleIsJudgedWhenItsStepHasEnded) {
     result.hole = DrilledHole{.narrowest_offset = 2.5_mm, .angle = 4.0_deg, .drilled = 1.5e-7, .ideal = 1e-7};
     result.breaches.emplace_back(6.5_mm, Breach{.towards = {0.5_mm, 0, 0, 1.9_mm}, .depth = 20.0_mm});
     monitor.judge_hole(0, result, 1.0);
-    ASSERT_EQ(monitor.news().size(), 2u);
-    EXPECT_EQ(monitor.news()[0].second, "narrowest_offset");
-    EXPECT_EQ(monitor.news()[1].second, "excess_removal");
+    ASSERT_EQ(monitor.new_events().size(), 2u);
+    EXPECT_EQ(monitor.new_events()[0].second, "narrowest_offset");
+    EXPECT_EQ(monitor.new_events()[1].second, "excess_removal");
     EXPECT_NEAR(monitor.steps()[0].limits[2].worst, 0.5, 1e-12);
     EXPECT_NEAR(monitor.steps()[0].limits[3].worst, 1.9_mm, 1e-12);
     for (const LimitState& limit : monitor.steps()[0].limits) EXPECT_TRUE(limit.is_seen);
@@ -259,10 +260,10 @@ TEST(StepMonitor, DamageBreaksTheLimitOfThatEventOnce) {
     monitor.report("drilling.stalled", 0.5);
     EXPECT_FALSE(monitor.steps()[0].limits[0].broken_at);
     monitor.report("drilling.bit_overbent", 1.0);
-    ASSERT_EQ(monitor.news().size(), 1u);
-    EXPECT_EQ(monitor.news()[0].second, "drilling.bit_overbent");
+    ASSERT_EQ(monitor.new_events().size(), 1u);
+    EXPECT_EQ(monitor.new_events()[0].second, "drilling.bit_overbent");
     monitor.report("drilling.bit_overbent", 2.0);
-    EXPECT_TRUE(monitor.news().empty());
+    EXPECT_TRUE(monitor.new_events().empty());
     EXPECT_EQ(monitor.steps()[0].limits[0].broken_at, 1.0);
     EXPECT_EQ(monitor.steps()[0].limits[0].worst, 2.0) << "it happened twice";
 }
@@ -448,7 +449,7 @@ TEST(StepMonitor, ALimitIsBrokenOnceAtItsFirstTime) {
         Observation now = cutting_at(0.0, thrust);
         now.time = time;
         monitor.observe(now, limit.scene.drill);
-        for (const auto& [id, detail] : monitor.news()) told += id == "limit_broken";
+        for (const auto& [id, detail] : monitor.new_events()) told += id == "limit_broken";
     }
     EXPECT_EQ(monitor.steps()[0].limits[0].broken_at, 2.0);
     EXPECT_EQ(told, 1u);
@@ -464,7 +465,7 @@ struct OneGoal {
     }
     bool is_reached_after(const std::vector<Observation>& shown, std::size_t owner = 0) const {
         StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
-        monitor.belong({.zone = {0}, .step = {owner, owner}});
+        monitor.set_owners({.zone = {0}, .step = {owner, owner}});
         for (const Observation& one : shown) monitor.observe(one, scene.drill);
         return monitor.steps()[0].goal_done[0];
     }
@@ -549,7 +550,7 @@ TEST(StepMonitor, AfterItsLastStepItSeesNothing) {
     }
     ASSERT_EQ(monitor.current(), 2u);
     monitor.observe(cutting_at(50.0_mm), scene.drill);
-    EXPECT_TRUE(monitor.news().empty());
+    EXPECT_TRUE(monitor.new_events().empty());
     EXPECT_LT(monitor.steps()[1].deepest, 1.0_mm);
 }
 
@@ -718,7 +719,7 @@ TEST(StepMonitor, ASignalBeforeItsTurnCountsAsWell) {
     entering.signals = low;
     monitor.observe(entering, scene.drill);
     EXPECT_TRUE(monitor.steps()[0].goal_done[1]);
-    EXPECT_EQ(monitor.news().back().second, "hole: clamp");
+    EXPECT_EQ(monitor.new_events().back().second, "hole: clamp");
 }
 
 TEST(StepMonitor, KeepsTheRangeOfEachNamedSignalOnce) {
@@ -773,22 +774,22 @@ struct MeasuringWatch : Watch {
 TEST(StepMonitor, AsksForMeasuresWhenTheToolIsOutOfBone) {
     MeasuringWatch watch;
     watch.show(-1.0_mm, 0.0, true, false);
-    EXPECT_FALSE(watch.monitor.asks_for_measures()) << "nothing is cut yet";
+    EXPECT_FALSE(watch.monitor.needs_measures()) << "nothing is cut yet";
     watch.show(3.0_mm);
-    EXPECT_FALSE(watch.monitor.asks_for_measures()) << "the tool is in bone";
+    EXPECT_FALSE(watch.monitor.needs_measures()) << "the tool is in bone";
     watch.show(-1.0_mm, 0.0, true, false);
-    EXPECT_TRUE(watch.monitor.asks_for_measures());
+    EXPECT_TRUE(watch.monitor.needs_measures());
     watch.monitor.show_measures({{.value = 6.0_mm}});
     watch.show(-1.0_mm, 0.0, true, false);
-    EXPECT_FALSE(watch.monitor.asks_for_measures()) << "once is enough";
+    EXPECT_FALSE(watch.monitor.needs_measures()) << "once is enough";
     EXPECT_EQ(watch.monitor.current(), 0U);
     watch.show(4.0_mm);
     watch.show(-1.0_mm, 0.0, true, false);
-    EXPECT_TRUE(watch.monitor.asks_for_measures());
+    EXPECT_TRUE(watch.monitor.needs_measures());
     watch.monitor.show_measures({{.value = 5.0_mm}});
     watch.show(-1.0_mm, 0.0, true, false);
     EXPECT_EQ(watch.monitor.current(), 1U) << "the goal is reached at its bound";
-    EXPECT_FALSE(watch.monitor.asks_for_measures());
+    EXPECT_FALSE(watch.monitor.needs_measures());
 }
 
 TEST(StepMonitor, AMeasureThatCannotBeMadeReachesNoGoal) {

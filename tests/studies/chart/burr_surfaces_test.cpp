@@ -31,7 +31,7 @@ struct Modules {
         burring = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_burring.so", error);
         cgal = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
     }
-    [[nodiscard]] AskStrategy find(const std::string& full_id) const {
+    [[nodiscard]] StrategyCall find(const std::string& full_id) const {
         const std::string id = full_id.substr(full_id.rfind('.') + 1);
         const kerf_component* found = burring->find(id) != nullptr ? burring->find(id) : cgal->find(id);
         return [found](const RemeshRequest& request) { return remesh_here(*found, request); };
@@ -74,10 +74,10 @@ TEST(GrooveSurface, AtOnceIsExactToItsPolygons) {
 
 TEST(BurrSurfaces, AreLeftOutWithoutTheirStrategies) {
     EXPECT_TRUE(burr_surfaces(
-                    "burr-groove", [](const std::string&) { return AskStrategy{}; }, true)
+                    "burr-groove", [](const std::string&) { return StrategyCall{}; }, true)
                     .empty());
     EXPECT_TRUE(burr_surfaces(
-                    "femur", [](const std::string&) { return AskStrategy{}; }, true)
+                    "femur", [](const std::string&) { return StrategyCall{}; }, true)
                     .empty());
 }
 

@@ -109,8 +109,9 @@ TEST(Published, AWallBearsByTheSquaresOfItsThicknessAndItsBone) {
     ASSERT_EQ(ways.size(), 1 + pedicle_walls().size());
     // Within a tenth, as the cone still crushes some of what is before the wall, the less of it the thicker that is.
     for (std::size_t i = 2; i < ways.size(); ++i) {
-        const double bears = (ways[i].push - ways[0].push) / (ways[1].push - ways[0].push);
-        EXPECT_NEAR(bears * by_squares(*ways[1].wall) / by_squares(*ways[i].wall), 1.0, 0.1) << ways[i].wall->name();
+        const double breaking_load = (ways[i].push - ways[0].push) / (ways[1].push - ways[0].push);
+        EXPECT_NEAR(breaking_load * by_squares(*ways[1].wall) / by_squares(*ways[i].wall), 1.0, 0.1)
+            << ways[i].wall->name();
     }
 }
 

@@ -33,11 +33,11 @@ inline ToolUnderTest the_papers_drill(const std::string& law = "") {
 }
 
 /// One device under one hand.
-inline Scope only(const char* device, const TestHand& hand, int most_delay) {
+inline Scope only(const char* device, const TestHand& hand, int max_delay) {
     Scope scope;
     scope.devices = {*find_device(device)};
     scope.hands = {hand};
-    scope.most_delay = most_delay;
+    scope.max_delay = max_delay;
     scope.is_quick = true;
     return scope;
 }

@@ -35,7 +35,7 @@ TEST(Port, FrictionHoldsWhatIsWeakerAndTakesItsPartOfWhatIsStronger) {
 }
 
 TEST(Port, ADelayedForceArrivesThatManyTicksLater) {
-    for (int delay = 0; delay <= longest_latency; ++delay) {
+    for (int delay = 0; delay <= max_latency; ++delay) {
         Port port({.delay = delay}, 0.0);
         for (int tick = 0; tick < 5; ++tick) {
             port.step(1.0 + tick, 0.0);

@@ -32,7 +32,7 @@ TEST(Wall, TheRecordsOfDevicesSayWhatTheBisectionFinds) {
     int count = 0;
     const DeviceRecord* devices = all_devices(count);
     for (int d = 0; d < count; ++d)
-        for (int latency = 0; latency <= longest_latency; ++latency) {
+        for (int latency = 0; latency <= max_latency; ++latency) {
             PortSettings settings = port_of(devices[d], no_hand, latency);
             settings.resolution = 0.0;
             EXPECT_NEAR(devices[d].stiffest_wall[latency] / stiffest_wall(settings), 1.0, 0.01)

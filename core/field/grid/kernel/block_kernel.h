@@ -39,7 +39,7 @@ struct Coordinates {
     double *x, *y, *z;
 };
 
-/// The part of a grid that `place` needs. Coordinates: voxels times 2^bits, as in `locate_fixed`.
+/// The part of a grid that locates points. Coordinates: voxels times 2^bits, as in `locate_fixed`.
 struct Lattice {
     double low[3], high[3];  ///< points outside are moved to the nearest point inside, if `is_bounded`
     std::uint32_t end[3];    ///< samples per axis times 2^bits
@@ -49,11 +49,11 @@ struct Lattice {
     std::int32_t brick_count;  ///< also the index of the brick outside the grid
 };
 /// Cells of points, one array per member. Outside the grid only `brick` is valid.
-struct Places {
+struct LocatedArrays {
     std::int32_t *brick, *offset;
     float *x, *y, *z;  ///< [–] 0 … 1 from the low corner
 };
-struct ConstPlaces {
+struct ConstLocatedArrays {
     const std::int32_t *brick, *offset;
     const float *x, *y, *z;
 };
@@ -154,10 +154,10 @@ struct Walls {
 
 /// Samples −1 … 9 of a brick along each axis, which the surface of its cells needs. The *slot* of sample (x, y, z) is
 /// (x + 1) | (y + 1) << 4 | (z + 1) << 8.
-inline constexpr int place_row = 16, place_layer = 256;
+inline constexpr int slot_row = 16, slot_layer = 256;
 /// The first of the 9³ samples of a brick and of its neighbours at −x, +x, −y, +y, −z, +z; also for a uniform brick.
 struct BrickAround {
-    const std::int16_t *own, *beside[6];
+    const std::int16_t *own, *neighbour[6];
 };
 /// A vertex of a surface.
 struct SurfaceVertex {
@@ -181,17 +181,18 @@ struct BlockKernel {
     /// As `locate_fixed` of frame · point. If `box` is not null, writes the bounding box of the points in their own
     /// frame; the box is arbitrary if a coordinate is NaN.
     void (*place)(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
-                  const Places& places, PointBox* box) noexcept;
+                  const LocatedArrays& places, PointBox* box) noexcept;
     /// As `trilinear` [quanta].
-    void (*values)(const FieldShape& field, std::size_t count, const ConstPlaces& places, float* values) noexcept;
+    void (*values)(const FieldShape& field, std::size_t count, const ConstLocatedArrays& places,
+                   float* values) noexcept;
     /// As `trilinear` [m]; values of uniform bricks are exactly ± `clamp`.
-    void (*metres)(const FieldShape& field, std::size_t count, const ConstPlaces& places, double quantum, double clamp,
-                   double* values) noexcept;
+    void (*metres)(const FieldShape& field, std::size_t count, const ConstLocatedArrays& places, double quantum,
+                   double clamp, double* values) noexcept;
     /// As `trilinear` of floats; `elsewhere` in bricks that begin at −1.
-    void (*densities)(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places,
-                      float elsewhere, float* values) noexcept;
+    void (*densities)(const std::int32_t* start, const float* samples, std::size_t count,
+                      const ConstLocatedArrays& places, float elsewhere, float* values) noexcept;
     /// Writes the larger of two fields, with its gradient. Returns the least of the values.
-    float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstPlaces& places,
+    float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstLocatedArrays& places,
                     const Slopes& larger) noexcept;
     /// Writes the surface point of a contact query: the distance, and the normal where a surface is in reach.
     void (*answer)(const Surface& surface, std::size_t count, const ConstSlopes& slopes,
@@ -222,7 +223,7 @@ struct BlockKernel {
     void (*larger_rows)(const BrickAround& a, const BrickAround& b, std::int16_t* samples,
                         std::uint16_t* inside) noexcept;
     /// Writes the larger of two fields at samples −1 and 9 along y and z, 0 … 8 along the other axes.
-    void (*larger_beside)(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept;
+    void (*larger_border)(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept;
     /// Writes a vertex for each slot: the zero of the field on the grid's edge from that sample along `axis`, by linear
     /// interpolation. The normal is the gradient there, from central differences at both ends. Reads up to seven slots
     /// after the last, writes as many vertices, and eight bytes more. Pre: one end negative, the other not.

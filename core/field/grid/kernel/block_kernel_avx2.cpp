@@ -24,9 +24,9 @@ constexpr int brick_bits = 3, stored = 9;  // of core/field/grid/grid.h: 8 sampl
 
 inline Four all(double v) noexcept { return _mm256_set1_pd(v); }
 /// a < b ? a : b, also for NaN, as the instruction defines it.
-inline Four least(Four a, Four b) noexcept { return _mm256_min_pd(a, b); }
+inline Four min_of(Four a, Four b) noexcept { return _mm256_min_pd(a, b); }
 /// a > b ? a : b.
-inline Four most(Four a, Four b) noexcept { return _mm256_max_pd(a, b); }
+inline Four max_of(Four a, Four b) noexcept { return _mm256_max_pd(a, b); }
 inline Four less(Four a, Four b) noexcept { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
 inline Four not_less(Four a, Four b) noexcept { return _mm256_cmp_pd(a, b, _CMP_GE_OQ); }
 
@@ -106,8 +106,8 @@ using EightInts = __m256i;
 constexpr std::size_t wide = 8;
 
 inline Eight eight(float v) noexcept { return _mm256_set1_ps(v); }
-inline Eight least(Eight a, Eight b) noexcept { return _mm256_min_ps(a, b); }
-inline Eight most(Eight a, Eight b) noexcept { return _mm256_max_ps(a, b); }
+inline Eight min_of(Eight a, Eight b) noexcept { return _mm256_min_ps(a, b); }
+inline Eight max_of(Eight a, Eight b) noexcept { return _mm256_max_ps(a, b); }
 inline Eight less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
 inline Eight not_less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_GE_OQ); }
 inline Eight same(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }
@@ -122,8 +122,8 @@ inline EightInts all_ints(std::int32_t v) noexcept { return _mm256_set1_epi32(v)
 
 template <bool is_bounded, bool is_turned, bool wants_box>
 void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
-              const Places& to, PointBox* box) noexcept {
-    const Places places = to;
+              const LocatedArrays& to, PointBox* box) noexcept {
+    const LocatedArrays places = to;
     const FourFrame frame(fixed_from_points);
     const Four3 low{all(grid.low[0]), all(grid.low[1]), all(grid.low[2])},
         high{all(grid.high[0]), all(grid.high[1]), all(grid.high[2])};
@@ -136,7 +136,7 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
     const EightInts within = all_ints((1 << brick_bits) - 1), rows = all_ints(stored * stored | stored << 16);
     const Eight unit = _mm256_set1_ps(1.0f / static_cast<float>(1 << grid.bits));
     constexpr double far = std::numeric_limits<double>::infinity();
-    Four3 least_point{all(far), all(far), all(far)}, most_point{all(-far), all(-far), all(-far)};
+    Four3 min_point{all(far), all(far), all(far)}, max_point{all(-far), all(-far), all(-far)};
 
     struct Fixed {
         __m128i x, y, z;
@@ -144,8 +144,8 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
     const auto fixed = [&](const double* from) -> Fixed {
         const Four3 p = load_points(from);
         if constexpr (wants_box) {
-            least_point = {least(p.x, least_point.x), least(p.y, least_point.y), least(p.z, least_point.z)};
-            most_point = {most(p.x, most_point.x), most(p.y, most_point.y), most(p.z, most_point.z)};
+            min_point = {min_of(p.x, min_point.x), min_of(p.y, min_point.y), min_of(p.z, min_point.z)};
+            max_point = {max_of(p.x, max_point.x), max_of(p.y, max_point.y), max_of(p.z, max_point.z)};
         }
         Four3 g;
         if constexpr (is_turned)
@@ -153,7 +153,8 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
         else  // the products with zero change nothing
             g = {frame.x.x * p.x + frame.origin.x, frame.y.y * p.y + frame.origin.y, frame.z.z * p.z + frame.origin.z};
         if constexpr (is_bounded)
-            g = {least(high.x, most(low.x, g.x)), least(high.y, most(low.y, g.y)), least(high.z, most(low.z, g.z))};
+            g = {min_of(high.x, max_of(low.x, g.x)), min_of(high.y, max_of(low.y, g.y)),
+                 min_of(high.z, max_of(low.z, g.z))};
         return {_mm256_cvttpd_epi32(g.x), _mm256_cvttpd_epi32(g.y), _mm256_cvttpd_epi32(g.z)};
     };
     const Steps<wide> steps(points, count);
@@ -161,8 +162,8 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
         const double* from = steps[n];
         const Fixed a = fixed(from), b = fixed(from + 3 * lanes);
         EightInts x = together(a.x, b.x), y = together(a.y, b.y), z = together(a.z, b.z);
-        const auto is_within = [](EightInts v, EightInts most) {
-            return _mm256_cmpeq_epi32(_mm256_min_epu32(v, most), v);
+        const auto is_within = [](EightInts v, EightInts max_of) {
+            return _mm256_cmpeq_epi32(_mm256_min_epu32(v, max_of), v);
         };
         const EightInts is_inside =
             _mm256_and_si256(is_within(x, last_x), _mm256_and_si256(is_within(y, last_y), is_within(z, last_z)));
@@ -193,12 +194,12 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
     };
     const auto smaller = [](double a, double b) { return a < b ? a : b; };
     const auto larger = [](double a, double b) { return a > b ? a : b; };
-    *box = {{across(least_point.x, smaller), across(least_point.y, smaller), across(least_point.z, smaller)},
-            {across(most_point.x, larger), across(most_point.y, larger), across(most_point.z, larger)}};
+    *box = {{across(min_point.x, smaller), across(min_point.y, smaller), across(min_point.z, smaller)},
+            {across(max_point.x, larger), across(max_point.y, larger), across(max_point.z, larger)}};
 }
 
 void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
-           const Places& places, PointBox* box) noexcept {
+           const LocatedArrays& places, PointBox* box) noexcept {
     const Frame& f = fixed_from_points;
     const bool is_turned = f.x.y != 0.0 || f.x.z != 0.0 || f.y.x != 0.0 || f.y.z != 0.0 || f.z.x != 0.0 || f.z.y != 0.0;
     const auto place_there = [&]<bool wants_box>() {
@@ -219,7 +220,7 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
 struct Starts {
     std::int32_t of[wide];
 
-    [[gnu::always_inline]] Starts(const std::int32_t* start, const ConstPlaces& places, std::size_t i) noexcept {
+    [[gnu::always_inline]] Starts(const std::int32_t* start, const ConstLocatedArrays& places, std::size_t i) noexcept {
         for (std::size_t n = 0; n < wide; ++n) of[n] = start[places.brick[i + n]];
     }
     /// Returns whether all of them begin before `first_stored`: all bricks are uniform.
@@ -250,7 +251,7 @@ private:
 template <class Sample>
 class Cells {
 public:
-    [[gnu::always_inline]] Cells(const Sample* samples, const Starts& starts, const ConstPlaces& places,
+    [[gnu::always_inline]] Cells(const Sample* samples, const Starts& starts, const ConstLocatedArrays& places,
                                  std::size_t i) noexcept {
         for (std::size_t n = 0; n < wide; ++n)
             corner_[n] = samples + static_cast<std::uint32_t>(starts.of[n] + places.offset[i + n]);
@@ -305,7 +306,7 @@ inline Eight lerp(Eight a, Eight b, Eight t) noexcept { return a + (b - a) * t; 
 struct EightFractions {
     Eight x, y, z;
 
-    EightFractions(const ConstPlaces& places, std::size_t i) noexcept
+    EightFractions(const ConstLocatedArrays& places, std::size_t i) noexcept
         : x(_mm256_loadu_ps(places.x + i)), y(_mm256_loadu_ps(places.y + i)), z(_mm256_loadu_ps(places.z + i)) {}
 };
 template <class Sample>
@@ -318,21 +319,22 @@ template <class Sample>
 
 /// Returns the first sample of each brick, which usually is the same brick for all. Not inlined, so that none of its
 /// work is scheduled before the branch is known.
-[[gnu::noinline]] Eight uniform_values(const FieldShape& field, const ConstPlaces& places, std::size_t i) noexcept {
+[[gnu::noinline]] Eight uniform_values(const FieldShape& field, const ConstLocatedArrays& places,
+                                       std::size_t i) noexcept {
     const Starts starts(field.start, places, i);
     const auto first = [&](std::size_t n) { return static_cast<float>(field.samples[starts.of[n]]); };
     if (starts.are_all(starts.of[0])) return eight(first(0));
     return _mm256_setr_ps(first(0), first(1), first(2), first(3), first(4), first(5), first(6), first(7));
 }
 
-[[gnu::always_inline]] inline Eight values_of(const FieldShape& field, const ConstPlaces& places,
+[[gnu::always_inline]] inline Eight values_of(const FieldShape& field, const ConstLocatedArrays& places,
                                               std::size_t i) noexcept {
     const Starts starts(field.start, places, i);
     if (starts.are_uniform(field.first_stored)) return uniform_values(field, places, i);
     return interpolated(Cells(field.samples, starts, places, i), EightFractions(places, i));
 }
 
-void values(const FieldShape& shape, std::size_t count, const ConstPlaces& places, float* values) noexcept {
+void values(const FieldShape& shape, std::size_t count, const ConstLocatedArrays& places, float* values) noexcept {
     const FieldShape field = shape;  // a copy: stores through `values` cannot change it
     for (std::size_t i = 0; i < count; i += wide) _mm256_storeu_ps(values + i, values_of(field, places, i));
 }
@@ -357,7 +359,7 @@ private:
     }
 };
 
-void metres(const FieldShape& shape, std::size_t count, const ConstPlaces& places, double quantum, double clamp,
+void metres(const FieldShape& shape, std::size_t count, const ConstLocatedArrays& places, double quantum, double clamp,
             double* values) noexcept {
     const FieldShape field = shape;
     // First all values, then their conversion to metres: one pass took slightly longer.
@@ -374,7 +376,7 @@ void metres(const FieldShape& shape, std::size_t count, const ConstPlaces& place
     }
 }
 
-void densities(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places,
+void densities(const std::int32_t* start, const float* samples, std::size_t count, const ConstLocatedArrays& places,
                float elsewhere, float* values) noexcept {
     for (std::size_t i = 0; i < count; i += wide) {
         Starts starts(start, places, i);
@@ -394,8 +396,8 @@ void densities(const std::int32_t* start, const float* samples, std::size_t coun
 struct EightSlopes {
     Eight value, x, y, z;
 };
-[[gnu::always_inline]] inline EightSlopes slopes_of(const FieldShape& field, const ConstPlaces& places, std::size_t i,
-                                                    const EightFractions& f) noexcept {
+[[gnu::always_inline]] inline EightSlopes slopes_of(const FieldShape& field, const ConstLocatedArrays& places,
+                                                    std::size_t i, const EightFractions& f) noexcept {
     const Starts starts(field.start, places, i);
     if (starts.are_uniform(field.first_stored)) {
         const Eight zero = _mm256_setzero_ps();
@@ -412,10 +414,10 @@ struct EightSlopes {
             lerp(y0, y1, f.z), c1 - c0};
 }
 
-float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::size_t count, const ConstPlaces& places,
-             const Slopes& larger) noexcept {
+float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::size_t count,
+             const ConstLocatedArrays& places, const Slopes& larger) noexcept {
     const FieldShape bone = bone_shape, cut = cut_shape;
-    Eight least = _mm256_set1_ps(32767.0f);
+    Eight min_of = _mm256_set1_ps(32767.0f);
     for (std::size_t i = 0; i < count; i += wide) {
         const EightFractions f(places, i);
         const bool is_deep = Starts(bone.start, places, i).are_all(bone.lowest);
@@ -434,12 +436,12 @@ float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::siz
         _mm256_storeu_ps(larger.x + i, found.x);
         _mm256_storeu_ps(larger.y + i, found.y);
         _mm256_storeu_ps(larger.z + i, found.z);
-        least = _mm256_min_ps(found.value, least);
+        min_of = _mm256_min_ps(found.value, min_of);
     }
-    float each[wide], least_of_all = 32767.0f;
-    _mm256_storeu_ps(each, least);
-    for (const float v : each) least_of_all = v < least_of_all ? v : least_of_all;
-    return least_of_all;
+    float each[wide], min_of_all = 32767.0f;
+    _mm256_storeu_ps(each, min_of);
+    for (const float v : each) min_of_all = v < min_of_all ? v : min_of_all;
+    return min_of_all;
 }
 
 /// Transposes four columns of four into rows.
@@ -460,11 +462,11 @@ struct FourRows {
 inline void put_answers(Four distance, __m128 x, __m128 y, __m128 z, Four is_near, kerf_surface_point* to) noexcept {
     static_assert(sizeof(kerf_surface_point) == 5 * sizeof(double) &&
                   offsetof(kerf_surface_point, body) == 4 * sizeof(double));
-    const FourRows told(distance, _mm256_cvtps_pd(x), _mm256_cvtps_pd(y), _mm256_cvtps_pd(z));
+    const FourRows by_point(distance, _mm256_cvtps_pd(x), _mm256_cvtps_pd(y), _mm256_cvtps_pd(z));
     // Body −1, followed by a zero.
     const __m256i body = _mm256_andnot_si256(_mm256_castpd_si256(is_near), _mm256_set1_epi64x(0xffffffff));
     double* at = &to->distance;
-    for (std::size_t n = 0; n < lanes; ++n) _mm256_storeu_pd(at + 5 * n, told.row[n]);
+    for (std::size_t n = 0; n < lanes; ++n) _mm256_storeu_pd(at + 5 * n, by_point.row[n]);
     const __m128d first = _mm_castsi128_pd(_mm256_castsi256_si128(body)),
                   second = _mm_castsi128_pd(_mm256_extracti128_si256(body, 1));
     _mm_storel_pd(at + 4, first);
@@ -544,7 +546,7 @@ void rows(const SampleColumns& columns, std::size_t count, kerf_bone_sample* sam
 
 /// Returns the squared distance to the flat disc of a rim.
 inline Four to_cap2(Four r, Four z, const kerf_profile_point& rim) noexcept {
-    const Four dr = most(r - all(rim.radius), _mm256_setzero_pd()), dz = z - all(rim.z);
+    const Four dr = max_of(r - all(rim.radius), _mm256_setzero_pd()), dz = z - all(rim.z);
     return dr * dr + dz * dz;
 }
 
@@ -570,12 +572,12 @@ inline Four squared_distance(const OutlineShape& outline, Four r, Four z) noexce
         const Four along_r = all(s.along_r), along_z = all(s.along_z);
         const Four dr = r - all(a.radius), dz = z - all(a.z);
         const Four along = (dr * along_r + dz * along_z) * all(s.inverse_length2);
-        const Four t = least(all(1.0), most(_mm256_setzero_pd(), along));
+        const Four t = min_of(all(1.0), max_of(_mm256_setzero_pd(), along));
         const Four off_r = dr - t * along_r, off_z = dz - t * along_z;
-        nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
+        nearest2 = min_of(off_r * off_r + off_z * off_z, nearest2);
     }
-    if (front.radius > 0.0) nearest2 = least(to_cap2(r, z, front), nearest2);
-    return least(to_cap2(r, z, back), nearest2);
+    if (front.radius > 0.0) nearest2 = min_of(to_cap2(r, z, front), nearest2);
+    return min_of(to_cap2(r, z, back), nearest2);
 }
 
 inline Four magnitude(Four a) noexcept { return _mm256_andnot_pd(all(-0.0), a); }
@@ -591,8 +593,8 @@ inline Four to_face(const OutlineSegment& s, Four r, Four z) noexcept {
 }
 /// Returns the depth to the plane of the nearest face; in a convex solid an upper bound of the depth.
 inline Four depth_of_planes(const OutlineShape& outline, Four r, Four z) noexcept {
-    Four depth = least(z - all(outline.point[outline.count - 1].z), all(outline.point[0].z) - z);
-    for (std::size_t n = 0; n + 1 < outline.count; ++n) depth = least(to_face(outline.segment[n], r, z), depth);
+    Four depth = min_of(z - all(outline.point[outline.count - 1].z), all(outline.point[0].z) - z);
+    for (std::size_t n = 0; n + 1 < outline.count; ++n) depth = min_of(to_face(outline.segment[n], r, z), depth);
     return depth;
 }
 /// Returns the depth in a convex solid from that: equal inside and next to the face, less beyond its edges.
@@ -601,17 +603,17 @@ inline Four convex_depth(const OutlineShape& outline, Four r, Four z, Four depth
     if (_mm256_movemask_pd(is_outside) == 0) return depth;
     const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
     const auto same = [](Four a, Four b) { return _mm256_cmp_pd(a, b, _CMP_EQ_OQ); };
-    Four is_beside = _mm256_or_pd(_mm256_and_pd(same(all(front.z) - z, depth), not_less(all(front.radius), r)),
-                                  _mm256_and_pd(same(z - all(back.z), depth), not_less(all(back.radius), r)));
+    Four is_next_to_face = _mm256_or_pd(_mm256_and_pd(same(all(front.z) - z, depth), not_less(all(front.radius), r)),
+                                        _mm256_and_pd(same(z - all(back.z), depth), not_less(all(back.radius), r)));
     for (std::size_t n = 0; n + 1 < outline.count; ++n) {
         const kerf_profile_point& a = outline.point[n];
         const OutlineSegment& s = outline.segment[n];
         const Four along =
             ((r - all(a.radius)) * all(s.along_r) + (z - all(a.z)) * all(s.along_z)) * all(s.inverse_length2);
         const Four is_within = _mm256_and_pd(not_less(along, _mm256_setzero_pd()), not_less(all(1.0), along));
-        is_beside = _mm256_or_pd(is_beside, _mm256_and_pd(same(to_face(s, r, z), depth), is_within));
+        is_next_to_face = _mm256_or_pd(is_next_to_face, _mm256_and_pd(same(to_face(s, r, z), depth), is_within));
     }
-    const Four is_beyond = _mm256_andnot_pd(is_beside, is_outside);
+    const Four is_beyond = _mm256_andnot_pd(is_next_to_face, is_outside);
     if (_mm256_movemask_pd(is_beyond) == 0) return depth;
     const Four distance = _mm256_sqrt_pd(squared_distance(outline, r, z));
     return _mm256_blendv_pd(depth, _mm256_xor_pd(distance, all(-0.0)), is_beyond);
@@ -623,9 +625,9 @@ inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
         _mm256_and_pd(less(z, all(outline.point[0].z)), less(all(outline.point[outline.count - 1].z), z));
     const Four is_inside = _mm256_and_pd(is_between, less(r, wall_at(outline, z)));
     const Four depth = with_sign(_mm256_sqrt_pd(squared_distance(outline, r, z)), is_inside);
-    Four deep = outline.bore > 0.0 ? least(r - all(outline.bore), depth) : depth;
+    Four deep = outline.bore > 0.0 ? min_of(r - all(outline.bore), depth) : depth;
     for (std::size_t n = 0; n < outline.gaps; ++n)
-        deep = least(magnitude(z - all(outline.gap[n].middle)) - all(outline.gap[n].half), deep);
+        deep = min_of(magnitude(z - all(outline.gap[n].middle)) - all(outline.gap[n].half), deep);
     return deep;
 }
 
@@ -634,7 +636,7 @@ inline Four prism_depth(const OutlineShape& outline, Four x, Four y, Four z) noe
     const Four zero = _mm256_setzero_pd(), r = magnitude(x), side = magnitude(y) - all(outline.half_thickness);
     const Four flat = convex_depth(outline, r, z, depth_of_planes(outline, r, z));
     const Four off = _mm256_and_pd(less(flat, zero), flat), beside = _mm256_and_pd(less(zero, side), side);
-    const Four outside = minus(_mm256_sqrt_pd(off * off + beside * beside)), within = least(flat, minus(side));
+    const Four outside = minus(_mm256_sqrt_pd(off * off + beside * beside)), within = min_of(flat, minus(side));
     return _mm256_blendv_pd(within, outside, _mm256_or_pd(less(flat, zero), less(zero, side)));
 }
 
@@ -700,21 +702,21 @@ inline Eight squared_distance(const SingleOutline& o, Eight r, Eight z) noexcept
         const OutlineFace& f = o.face[n];
         const Eight along_r = eight(f.along_r), along_z = eight(f.along_z), dr = r - eight(f.radius),
                     dz = z - eight(f.z);
-        const Eight t = least(eight(1.0f), most(zero, (dr * along_r + dz * along_z) * eight(f.inverse_length2)));
+        const Eight t = min_of(eight(1.0f), max_of(zero, (dr * along_r + dz * along_z) * eight(f.inverse_length2)));
         const Eight off_r = dr - t * along_r, off_z = dz - t * along_z;
-        nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
+        nearest2 = min_of(off_r * off_r + off_z * off_z, nearest2);
     }
     const auto to_cap2 = [&](float radius, float at) {
-        const Eight dr = most(r - eight(radius), zero), dz = z - eight(at);
+        const Eight dr = max_of(r - eight(radius), zero), dz = z - eight(at);
         return dr * dr + dz * dz;
     };
-    if (o.front_radius > 0.0f) nearest2 = least(to_cap2(o.front_radius, o.front_z), nearest2);
-    return least(to_cap2(o.back_radius, o.back_z), nearest2);
+    if (o.front_radius > 0.0f) nearest2 = min_of(to_cap2(o.front_radius, o.front_z), nearest2);
+    return min_of(to_cap2(o.back_radius, o.back_z), nearest2);
 }
 inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
     if (o.is_convex) {
-        Eight depth = least(z - eight(o.back_z), eight(o.front_z) - z);
-        for (std::size_t n = 0; n < o.count; ++n) depth = least(to_face(o.face[n], r, z), depth);
+        Eight depth = min_of(z - eight(o.back_z), eight(o.front_z) - z);
+        for (std::size_t n = 0; n < o.count; ++n) depth = min_of(to_face(o.face[n], r, z), depth);
         return depth;
     }
     Eight wall = eight(o.back_radius);
@@ -726,26 +728,27 @@ inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
     const Eight is_between = _mm256_and_ps(less(z, eight(o.front_z)), less(eight(o.back_z), z));
     const Eight distance = _mm256_sqrt_ps(squared_distance(o, r, z));
     const Eight depth = _mm256_blendv_ps(minus(distance), distance, _mm256_and_ps(is_between, less(r, wall)));
-    Eight deep = o.bore > 0.0f ? least(r - eight(o.bore), depth) : depth;
+    Eight deep = o.bore > 0.0f ? min_of(r - eight(o.bore), depth) : depth;
     for (std::size_t n = 0; n < o.gaps; ++n)
-        deep = least(magnitude(z - eight(o.gap[n].middle)) - eight(o.gap[n].half), deep);
+        deep = min_of(magnitude(z - eight(o.gap[n].middle)) - eight(o.gap[n].half), deep);
     return deep;
 }
 /// Returns the depth in a convex solid from the depth to the nearest plane.
 inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) noexcept {
     const Eight zero = _mm256_setzero_ps(), is_outside = less(depth, zero);
-    Eight is_beside = _mm256_or_ps(_mm256_and_ps(same(eight(o.front_z) - z, depth), not_less(eight(o.front_radius), r)),
-                                   _mm256_and_ps(same(z - eight(o.back_z), depth), not_less(eight(o.back_radius), r)));
+    Eight is_next_to_face =
+        _mm256_or_ps(_mm256_and_ps(same(eight(o.front_z) - z, depth), not_less(eight(o.front_radius), r)),
+                     _mm256_and_ps(same(z - eight(o.back_z), depth), not_less(eight(o.back_radius), r)));
     for (std::size_t n = 0; n < o.count; ++n) {
         const OutlineFace& f = o.face[n];
         const Eight along =
             ((r - eight(f.radius)) * eight(f.along_r) + (z - eight(f.z)) * eight(f.along_z)) * eight(f.inverse_length2);
         const Eight is_within = _mm256_and_ps(not_less(along, zero), not_less(eight(1.0f), along));
-        is_beside = _mm256_or_ps(is_beside, _mm256_and_ps(same(to_face(f, r, z), depth), is_within));
+        is_next_to_face = _mm256_or_ps(is_next_to_face, _mm256_and_ps(same(to_face(f, r, z), depth), is_within));
     }
-    const Eight is_beyond = _mm256_andnot_ps(is_beside, is_outside);
+    const Eight is_beyond = _mm256_andnot_ps(is_next_to_face, is_outside);
     if (!any(is_beyond)) return depth;
-    return _mm256_blendv_ps(depth, least(minus(_mm256_sqrt_ps(squared_distance(o, r, z))), depth), is_beyond);
+    return _mm256_blendv_ps(depth, min_of(minus(_mm256_sqrt_ps(squared_distance(o, r, z))), depth), is_beyond);
 }
 
 struct EightPoints {
@@ -757,15 +760,15 @@ inline Eight radius_of(const SingleOutline& o, const EightPoints& p) noexcept {
 /// Returns the bound for a solid of revolution or a prism, with `r` from `radius_of` and `y` across a prism.
 inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight y, Eight z) noexcept {
     const Eight flat = depth_at_most(o, r, z);
-    return o.half_thickness > 0.0f ? least(eight(o.half_thickness) - magnitude(y), flat) : flat;
+    return o.half_thickness > 0.0f ? min_of(eight(o.half_thickness) - magnitude(y), flat) : flat;
 }
 inline Eight depth_from(const SingleOutline& o, Eight r, Eight y, Eight z, Eight depth) noexcept {
     if (!(o.half_thickness > 0.0f)) return depth_from(o, r, z, depth);
     const Eight zero = _mm256_setzero_ps(), is_outside = less(depth, zero);
     if (!any(is_outside)) return depth;
     const Eight flat = depth_from(o, r, z, depth_at_most(o, r, z));
-    const Eight off = least(flat, zero), beside = most(magnitude(y) - eight(o.half_thickness), zero);
-    return _mm256_blendv_ps(depth, least(minus(_mm256_sqrt_ps(off * off + beside * beside)), depth), is_outside);
+    const Eight off = min_of(flat, zero), beside = max_of(magnitude(y) - eight(o.half_thickness), zero);
+    return _mm256_blendv_ps(depth, min_of(minus(_mm256_sqrt_ps(off * off + beside * beside)), depth), is_outside);
 }
 inline EightPoints moved(const SingleFrame& f, const EightPoints& p) noexcept {
     const auto along = [&](int n) {
@@ -781,9 +784,9 @@ inline EightPoints turned_back(const SingleFrame& f, const EightPoints& d) noexc
     return {along(0), along(1), along(2)};
 }
 
-inline EightPoints way_in(const SingleOutline& o, const EightPoints& p, Eight r) noexcept {
+inline EightPoints inward_direction(const SingleOutline& o, const EightPoints& p, Eight r) noexcept {
     const Eight to_back = p.z - eight(o.back_z), to_front = eight(o.front_z) - p.z;
-    Eight depth = least(to_back, to_front), in_r = _mm256_setzero_ps();
+    Eight depth = min_of(to_back, to_front), in_r = _mm256_setzero_ps();
     Eight in_z = _mm256_blendv_ps(eight(1.0f), eight(-1.0f), less(to_front, to_back));
     for (std::size_t n = 0; n < o.count; ++n) {
         const Eight here = to_face(o.face[n], r, p.z), is_less = less(here, depth);
@@ -826,7 +829,7 @@ void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points,
         const EightPoints at{single(a.x, b.x), single(a.y, b.y), single(a.z, b.z)};
         Eight best = _mm256_loadu_ps(walls.depth + i),
               which = _mm256_loadu_ps(reinterpret_cast<const float*>(walls.which + i));
-        EightPoints way{_mm256_loadu_ps(walls.x + i), _mm256_loadu_ps(walls.y + i), _mm256_loadu_ps(walls.z + i)};
+        EightPoints inward{_mm256_loadu_ps(walls.x + i), _mm256_loadu_ps(walls.y + i), _mm256_loadu_ps(walls.z + i)};
         for (std::size_t n = 0; n < solids; ++n) {
             const SingleFrame& frame = solid_from_points[n];
             const EightPoints p = moved(frame, at);
@@ -838,32 +841,33 @@ void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points,
                 depth = depth_from(outline, r, p.y, p.z, depth);
             is_deeper = less(best, depth);
             if (!any(is_deeper)) continue;
-            const EightPoints way_here = turned_back(frame, way_in(outline, p, r));
+            const EightPoints inward_here = turned_back(frame, inward_direction(outline, p, r));
             best = _mm256_blendv_ps(best, depth, is_deeper);
             which = _mm256_blendv_ps(which, _mm256_castsi256_ps(all_ints(static_cast<std::int32_t>(n))), is_deeper);
-            way = {_mm256_blendv_ps(way.x, way_here.x, is_deeper), _mm256_blendv_ps(way.y, way_here.y, is_deeper),
-                   _mm256_blendv_ps(way.z, way_here.z, is_deeper)};
+            inward = {_mm256_blendv_ps(inward.x, inward_here.x, is_deeper),
+                      _mm256_blendv_ps(inward.y, inward_here.y, is_deeper),
+                      _mm256_blendv_ps(inward.z, inward_here.z, is_deeper)};
         }
         _mm256_storeu_ps(walls.depth + i, best);
         _mm256_storeu_ps(reinterpret_cast<float*>(walls.which + i), which);
-        _mm256_storeu_ps(walls.x + i, way.x);
-        _mm256_storeu_ps(walls.y + i, way.y);
-        _mm256_storeu_ps(walls.z + i, way.z);
+        _mm256_storeu_ps(walls.x + i, inward.x);
+        _mm256_storeu_ps(walls.y + i, inward.y);
+        _mm256_storeu_ps(walls.z + i, inward.z);
     }
 }
 
 /// Returns the nearest quantum, the even one of two, clamped to ± 32767.
 inline EightInts quantised(Eight depth, Eight per_quantum) noexcept {
     const Eight q = depth * per_quantum;
-    return _mm256_cvtps_epi32(most(least(q, eight(32767.0f)), eight(-32767.0f)));
+    return _mm256_cvtps_epi32(max_of(min_of(q, eight(32767.0f)), eight(-32767.0f)));
 }
 
 // The 27 samples of a cell's layer are contiguous: four steps, of which the last repeats five samples.
 constexpr int steps_of_layer = 4, step_start[steps_of_layer] = {0, 8, 16, 19};
-struct LanePlaces {
+struct LaneOffsets {
     float x[steps_of_layer][wide], y[steps_of_layer][wide];
 
-    constexpr LanePlaces() noexcept : x{}, y{} {
+    constexpr LaneOffsets() noexcept : x{}, y{} {
         for (int n = 0; n < steps_of_layer; ++n)
             for (int lane = 0; lane < static_cast<int>(wide); ++lane) {
                 x[n][lane] = static_cast<float>((step_start[n] + lane) % stored);
@@ -871,7 +875,7 @@ struct LanePlaces {
             }
     }
 };
-alignas(32) constexpr LanePlaces lane_places;
+alignas(32) constexpr LaneOffsets lane_offsets;
 
 bool raise(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
            std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept {
@@ -892,8 +896,8 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
         up[layer] = {k * eight(along[2][0]), k * eight(along[2][1]), k * eight(along[2][2])};
     }
     for (int n = 0; n < steps_of_layer; ++n) {
-        const Eight i = eight(cell.first[0]) + _mm256_loadu_ps(lane_places.x[n]),
-                    j = eight(cell.first[1]) + _mm256_loadu_ps(lane_places.y[n]);
+        const Eight i = eight(cell.first[0]) + _mm256_loadu_ps(lane_offsets.x[n]),
+                    j = eight(cell.first[1]) + _mm256_loadu_ps(lane_offsets.y[n]);
         const auto row = [&](int axis) {
             return (eight(cell.origin[axis]) + i * eight(along[0][axis])) + j * eight(along[1][axis]);
         };
@@ -921,17 +925,17 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
     const auto find_spare = [&] {
         if (spare == nullptr) return;
         const EightInts full = all_ints(32767), end_of_band = all_ints(static_cast<std::int32_t>(-band * per_quantum));
-        EightInts least_spare = full;
+        EightInts min_spare = full;
         for (int n = 0; n < steps; ++n) {
             const EightInts here = _mm256_sub_epi32(_mm256_max_epi32(before[n], end_of_band), value[n]);
-            least_spare =
-                _mm256_min_epi32(least_spare, _mm256_blendv_epi8(here, full, _mm256_cmpeq_epi32(before[n], full)));
+            min_spare =
+                _mm256_min_epi32(min_spare, _mm256_blendv_epi8(here, full, _mm256_cmpeq_epi32(before[n], full)));
         }
         std::int32_t each[wide];
-        _mm256_storeu_si256(reinterpret_cast<__m256i*>(each), least_spare);
-        std::int32_t least = 32767;
-        for (const std::int32_t one : each) least = one < least ? one : least;
-        *spare = static_cast<std::int16_t>(least < 0 ? 0 : least);
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(each), min_spare);
+        std::int32_t min_of = 32767;
+        for (const std::int32_t one : each) min_of = one < min_of ? one : min_of;
+        *spare = static_cast<std::int16_t>(min_of < 0 ? 0 : min_of);
     };
     if (!any(may_rise)) {
         find_spare();
@@ -944,7 +948,7 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
             depth[n] = depth_from(outline, radius[n], across[n], height[n], depth[n]);
             value[n] = quantised(depth[n], scale);
         }
-    __m128i least_value = _mm_set1_epi16(32767), most_value = _mm_set1_epi16(-32767);
+    __m128i min_value = _mm_set1_epi16(32767), max_value = _mm_set1_epi16(-32767);
     Eight is_raised = zero;
     for (int n = 0; n < steps; ++n) {
         const Eight rises_here = rises(n);
@@ -952,12 +956,12 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
         const EightInts raised = _mm256_blendv_epi8(before[n], value[n], _mm256_castps_si256(rises_here));
         const __m128i after = _mm_packs_epi32(_mm256_castsi256_si128(raised), _mm256_extracti128_si256(raised, 1));
         _mm_storeu_si128(step_at(n), after);
-        least_value = _mm_min_epi16(least_value, after);
-        most_value = _mm_max_epi16(most_value, after);
+        min_value = _mm_min_epi16(min_value, after);
+        max_value = _mm_max_epi16(max_value, after);
     }
     std::int16_t each[2][wide];
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(each[0]), least_value);
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(each[1]), most_value);
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(each[0]), min_value);
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(each[1]), max_value);
     lowest = each[0][0];
     highest = each[1][0];
     for (std::size_t lane = 1; lane < wide; ++lane) {
@@ -1007,7 +1011,7 @@ constinit const BlockKernel avx2_kernel_table{
     .raise = raise,
     .find = find,
     .larger_rows = avx2::larger_rows,
-    .larger_beside = avx2::larger_beside,
+    .larger_border = avx2::larger_border,
     .crossings = avx2::crossings,
 };
 

@@ -39,7 +39,7 @@ void move(const Frame& a_from_b, std::size_t count, const Vec3* in_b, const Coor
 }
 
 void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const Vec3* points,
-           const Places& places, PointBox* box) noexcept {
+           const LocatedArrays& places, PointBox* box) noexcept {
     const Frame frame = fixed_from_points;
     const double one = static_cast<double>(std::int64_t{1} << grid.bits);
     const auto kept = [](double v, double from, double to) { return v < from ? from : (to < v ? to : v); };
@@ -101,21 +101,22 @@ public:
 private:
     std::array<FloatBlock, 8> at_;
 };
-Corners corners_in(const FieldShape& field, std::size_t count, const ConstPlaces& places) noexcept {
+Corners corners_in(const FieldShape& field, std::size_t count, const ConstLocatedArrays& places) noexcept {
     return Corners(count,
                    [&](std::size_t i) { return field.samples + field.start[places.brick[i]] + places.offset[i]; });
 }
 
 /// In bricks without samples, the corners come from the first stored brick.
 Corners corners_in(const std::int32_t* start, const float* samples, std::size_t count,
-                   const ConstPlaces& places) noexcept {
+                   const ConstLocatedArrays& places) noexcept {
     return Corners(count,
                    [&](std::size_t i) { return samples + std::max(start[places.brick[i]], 0) + places.offset[i]; });
 }
 
 inline float lerp(float a, float b, float t) noexcept { return a + (b - a) * t; }
 
-void interpolate(const Corners& c, std::size_t count, const ConstPlaces& places, float* __restrict values) noexcept {
+void interpolate(const Corners& c, std::size_t count, const ConstLocatedArrays& places,
+                 float* __restrict values) noexcept {
     const float* __restrict fx = places.x, * __restrict fy = places.y, * __restrict fz = places.z;
     for (std::size_t i = 0; i < count; ++i) {
         const float c00 = lerp(c[0][i], c[1][i], fx[i]), c10 = lerp(c[2][i], c[3][i], fx[i]);
@@ -124,7 +125,7 @@ void interpolate(const Corners& c, std::size_t count, const ConstPlaces& places,
     }
 }
 
-void values(const FieldShape& field, std::size_t count, const ConstPlaces& places, float* values) noexcept {
+void values(const FieldShape& field, std::size_t count, const ConstLocatedArrays& places, float* values) noexcept {
     interpolate(corners_in(field, count, places), count, places, values);
 }
 
@@ -133,20 +134,21 @@ inline double metres_of(float value, double quantum, double clamp) noexcept {
     return value >= 32767.0f ? clamp : (value <= -32767.0f ? -clamp : quantum * static_cast<double>(value));
 }
 
-void metres(const FieldShape& field, std::size_t count, const ConstPlaces& places, double quantum, double clamp,
+void metres(const FieldShape& field, std::size_t count, const ConstLocatedArrays& places, double quantum, double clamp,
             double* __restrict values) noexcept {
     FloatBlock quanta;
     kerf::portable_kernel().values(field, count, places, quanta.data());
     for (std::size_t i = 0; i < count; ++i) values[i] = metres_of(quanta[i], quantum, clamp);
 }
 
-void densities(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places,
+void densities(const std::int32_t* start, const float* samples, std::size_t count, const ConstLocatedArrays& places,
                float elsewhere, float* values) noexcept {
     interpolate(corners_in(start, samples, count, places), count, places, values);
     for (std::size_t i = 0; i < count; ++i) values[i] = start[places.brick[i]] < 0 ? elsewhere : values[i];
 }
 
-void slopes_of(const FieldShape& field, std::size_t count, const ConstPlaces& places, SlopeBlock& slopes) noexcept {
+void slopes_of(const FieldShape& field, std::size_t count, const ConstLocatedArrays& places,
+               SlopeBlock& slopes) noexcept {
     const Corners c = corners_in(field, count, places);
     const float* __restrict fx = places.x, * __restrict fy = places.y, * __restrict fz = places.z;
     for (std::size_t i = 0; i < count; ++i) {
@@ -163,21 +165,21 @@ void slopes_of(const FieldShape& field, std::size_t count, const ConstPlaces& pl
     }
 }
 
-float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstPlaces& places,
+float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstLocatedArrays& places,
              const Slopes& larger) noexcept {
     SlopeBlock a, b;
     slopes_of(bone, count, places, a);
     slopes_of(cut, count, places, b);
-    float least = 32767.0f;
+    float minimum = 32767.0f;
     for (std::size_t i = 0; i < count; ++i) {
         const bool is_cut = a.value[i] < b.value[i];
         larger.value[i] = is_cut ? b.value[i] : a.value[i];
         larger.x[i] = is_cut ? b.x[i] : a.x[i];
         larger.y[i] = is_cut ? b.y[i] : a.y[i];
         larger.z[i] = is_cut ? b.z[i] : a.z[i];
-        least = larger.value[i] < least ? larger.value[i] : least;
+        minimum = larger.value[i] < minimum ? larger.value[i] : minimum;
     }
-    return least;
+    return minimum;
 }
 
 void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes,
@@ -258,11 +260,11 @@ void convex_depths(const OutlineShape& outline, std::size_t count, const BlockVa
     for (std::size_t i = 0; i < count; ++i) outside |= depths[i] < 0.0;
     if (outside == 0) return;
 
-    BlockValues nearest2, is_beside;
+    BlockValues nearest2, is_next_to_face;
     for (std::size_t i = 0; i < count; ++i) {
         const bool before = (front.z - z[i] == depths[i]) & (r[i] <= front.radius);
         const bool behind = (z[i] - back.z == depths[i]) & (r[i] <= back.radius);
-        is_beside[i] = before | behind | !(depths[i] < 0.0) ? 1.0 : 0.0;
+        is_next_to_face[i] = before | behind | !(depths[i] < 0.0) ? 1.0 : 0.0;
     }
     for (std::size_t n = 0; n + 1 < outline.count; ++n) {
         const auto a = outline.point[n];
@@ -270,13 +272,13 @@ void convex_depths(const OutlineShape& outline, std::size_t count, const BlockVa
         for (std::size_t i = 0; i < count; ++i) {
             const double to_face = s.offset - (s.normal_r * r[i] + s.normal_z * z[i]);
             const double along = ((r[i] - a.radius) * s.along_r + (z[i] - a.z) * s.along_z) * s.inverse_length2;
-            is_beside[i] = (to_face == depths[i]) & (along >= 0.0) & (along <= 1.0) ? 1.0 : is_beside[i];
+            is_next_to_face[i] = (to_face == depths[i]) & (along >= 0.0) & (along <= 1.0) ? 1.0 : is_next_to_face[i];
         }
     }
     squared_distances(outline, count, r, z, nearest2);
     for (std::size_t i = 0; i < count; ++i) {
         const double distance = std::sqrt(nearest2[i]);
-        depths[i] = is_beside[i] > 0.0 ? depths[i] : -distance;
+        depths[i] = is_next_to_face[i] > 0.0 ? depths[i] : -distance;
     }
 }
 
@@ -425,13 +427,14 @@ float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
 /// face.
 float depth_from(const SingleOutline& o, float r, float z, float depth) noexcept {
     if (!o.is_convex || !(depth < 0.0f)) return depth;
-    bool is_beside = (o.front_z - z == depth && o.front_radius >= r) || (z - o.back_z == depth && o.back_radius >= r);
+    bool is_next_to_face =
+        (o.front_z - z == depth && o.front_radius >= r) || (z - o.back_z == depth && o.back_radius >= r);
     for (std::size_t n = 0; n < o.count; ++n) {
         const OutlineFace& f = o.face[n];
         const float along = ((r - f.radius) * f.along_r + (z - f.z) * f.along_z) * f.inverse_length2;
-        is_beside = is_beside || (to_face(f, r, z) == depth && along >= 0.0f && 1.0f >= along);
+        is_next_to_face = is_next_to_face || (to_face(f, r, z) == depth && along >= 0.0f && 1.0f >= along);
     }
-    return is_beside ? depth : smaller(-std::sqrt(squared_distance(o, r, z)), depth);
+    return is_next_to_face ? depth : smaller(-std::sqrt(squared_distance(o, r, z)), depth);
 }
 
 struct SinglePoint {
@@ -465,7 +468,7 @@ SinglePoint turned_back(const SingleFrame& f, SinglePoint d) noexcept {
 }
 
 /// Returns the inward direction at a point inside, in the frame of the solid.
-SinglePoint way_in(const SingleOutline& o, SinglePoint p, float r) noexcept {
+SinglePoint inward_direction(const SingleOutline& o, SinglePoint p, float r) noexcept {
     float depth = smaller(p.z - o.back_z, o.front_z - p.z), in_r = 0.0f,
           in_z = o.front_z - p.z < p.z - o.back_z ? -1.0f : 1.0f;
     for (std::size_t n = 0; n < o.count; ++n) {
@@ -508,12 +511,12 @@ void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points,
             if (!(depth > walls.depth[i])) continue;
             depth = depth_from(outline, p, r, depth);
             if (!(depth > walls.depth[i])) continue;
-            const SinglePoint way = turned_back(frame, way_in(outline, p, r));
+            const SinglePoint inward = turned_back(frame, inward_direction(outline, p, r));
             walls.depth[i] = depth;
             walls.which[i] = static_cast<std::int32_t>(n);
-            walls.x[i] = way.x;
-            walls.y[i] = way.y;
-            walls.z[i] = way.z;
+            walls.x[i] = inward.x;
+            walls.y[i] = inward.y;
+            walls.z[i] = inward.z;
         }
     }
 }
@@ -527,7 +530,7 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
            std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept {
     const auto& at = cell.along;
     bool is_raised = false;
-    std::int32_t least = 32767, most = -32767, least_spare = 32767;
+    std::int32_t minimum = 32767, maximum = -32767, min_spare = 32767;
     const auto end_of_band = static_cast<std::int32_t>(-band * per_quantum);
     for (int z = 0; z < 3; ++z)
         for (int y = 0; y < 3; ++y)
@@ -542,8 +545,8 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
                 std::int16_t& sample = samples[(z * stored_edge + y) * stored_edge + x];
                 const float at_most = depth_at_most(outline, p, r);
                 if (sample < 32767)
-                    least_spare = std::min(
-                        least_spare, std::max<std::int32_t>(sample, end_of_band) - quantised(at_most, per_quantum));
+                    min_spare = std::min(min_spare,
+                                         std::max<std::int32_t>(sample, end_of_band) - quantised(at_most, per_quantum));
                 if (at_most >= -band && quantised(at_most, per_quantum) > sample) {
                     const float depth = depth_from(outline, p, r, at_most);
                     const std::int32_t value = quantised(depth, per_quantum);
@@ -552,14 +555,14 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
                         is_raised = true;
                     }
                 }
-                least = std::min<std::int32_t>(least, sample);
-                most = std::max<std::int32_t>(most, sample);
+                minimum = std::min<std::int32_t>(minimum, sample);
+                maximum = std::max<std::int32_t>(maximum, sample);
             }
     if (spare != nullptr)
-        *spare = is_raised ? std::int16_t{0} : static_cast<std::int16_t>(std::clamp(least_spare, 0, 32767));
+        *spare = is_raised ? std::int16_t{0} : static_cast<std::int16_t>(std::clamp(min_spare, 0, 32767));
     if (!is_raised) return false;
-    lowest = static_cast<std::int16_t>(least);
-    highest = static_cast<std::int16_t>(most);
+    lowest = static_cast<std::int16_t>(minimum);
+    highest = static_cast<std::int16_t>(maximum);
     return true;
 }
 
@@ -590,7 +593,7 @@ constexpr BlockKernel table{
     .raise = raise,
     .find = find,
     .larger_rows = portable::larger_rows,
-    .larger_beside = portable::larger_beside,
+    .larger_border = portable::larger_border,
     .crossings = portable::crossings,
 };
 

@@ -11,15 +11,15 @@ namespace kerf {
 
 namespace portable {
 void larger_rows(const BrickAround& a, const BrickAround& b, std::int16_t* samples, std::uint16_t* inside) noexcept;
-void larger_beside(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept;
-void crossings(const std::int16_t* samples, const std::uint16_t* places, std::size_t count, int axis,
+void larger_border(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept;
+void crossings(const std::int16_t* samples, const std::uint16_t* slots, std::size_t count, int axis,
                const SampleFrame& frame, SurfaceVertex* vertices) noexcept;
 }  // namespace portable
 
 namespace avx2 {
 void larger_rows(const BrickAround& a, const BrickAround& b, std::int16_t* samples, std::uint16_t* inside) noexcept;
-void larger_beside(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept;
-void crossings(const std::int16_t* samples, const std::uint16_t* places, std::size_t count, int axis,
+void larger_border(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept;
+void crossings(const std::int16_t* samples, const std::uint16_t* slots, std::size_t count, int axis,
                const SampleFrame& frame, SurfaceVertex* vertices) noexcept;
 }  // namespace avx2
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int stored_row = 9, stored_layer = 81;  // of core/field/grid/grid.h
 
-constexpr int place_of(int x, int y, int z) noexcept { return (z + 1) * place_layer + (y + 1) * place_row + (x + 1); }
+constexpr int slot_of(int x, int y, int z) noexcept { return (z + 1) * slot_layer + (y + 1) * slot_row + (x + 1); }
 
 inline std::int16_t larger(std::int16_t a, std::int16_t b) noexcept { return a > b ? a : b; }
 inline __m128i larger_of_eight(const std::int16_t* a, const std::int16_t* b) noexcept {
@@ -26,10 +26,10 @@ inline void store(std::int16_t* to, __m128i eight) noexcept { _mm_storeu_si128(r
 using Eight = __m256;
 using EightInts = __m256i;
 
-inline EightInts shifted(EightInts places, int by) noexcept { return _mm256_add_epi32(places, _mm256_set1_epi32(by)); }
+inline EightInts shifted(EightInts slots, int by) noexcept { return _mm256_add_epi32(slots, _mm256_set1_epi32(by)); }
 /// Loads the samples at eight slots; the upper half of each lane is the next sample of its row.
-inline EightInts pairs(const std::int16_t* samples, EightInts places, int by) noexcept {
-    return _mm256_i32gather_epi32(reinterpret_cast<const int*>(samples + by), places, 2);
+inline EightInts pairs(const std::int16_t* samples, EightInts slots, int by) noexcept {
+    return _mm256_i32gather_epi32(reinterpret_cast<const int*>(samples + by), slots, 2);
 }
 inline EightInts first(EightInts two) noexcept { return _mm256_srai_epi32(_mm256_slli_epi32(two, 16), 16); }
 inline EightInts second(EightInts two) noexcept { return _mm256_srai_epi32(two, 16); }
@@ -48,7 +48,7 @@ inline EightEdges along_x(const std::int16_t* v, EightInts at) noexcept {
     e.high = first(after);
     e.low_slope[0] = difference(e.high, first(before));
     e.high_slope[0] = difference(second(after), e.low);
-    constexpr int steps[3] = {0, place_row, place_layer};
+    constexpr int steps[3] = {0, slot_row, slot_layer};
     for (int n = 1; n < 3; ++n) {
         const EightInts below = pairs(v, at, -steps[n]), above = pairs(v, at, steps[n]);
         e.low_slope[n] = difference(first(above), first(below));
@@ -60,7 +60,7 @@ inline EightEdges along_x(const std::int16_t* v, EightInts at) noexcept {
 /// Loads edges along y or z.
 template <int axis>
 inline EightEdges across(const std::int16_t* v, EightInts at) noexcept {
-    constexpr int step = axis == 1 ? place_row : place_layer, other = axis == 1 ? place_layer : place_row;
+    constexpr int step = axis == 1 ? slot_row : slot_layer, other = axis == 1 ? slot_layer : slot_row;
     const EightInts low = pairs(v, at, -1), high = pairs(v, at, step - 1);
     EightEdges e;
     e.low = second(low);
@@ -94,13 +94,13 @@ inline void store(const Eight (&row)[6], float* to) noexcept {
 }
 
 template <int axis>
-void crossings_along(const std::int16_t* samples, const std::uint16_t* places, std::size_t count,
+void crossings_along(const std::int16_t* samples, const std::uint16_t* slots, std::size_t count,
                      const SampleFrame& frame, SurfaceVertex* vertices) noexcept {
     const Eight spacing = _mm256_set1_ps(frame.spacing), one = _mm256_set1_ps(1.0f), zero = _mm256_setzero_ps(),
                 sign = _mm256_set1_ps(-0.0f);
     const EightInts nibble = _mm256_set1_epi32(15);
     for (std::size_t i = 0; i < count; i += 8) {
-        const EightInts at = _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(places + i)));
+        const EightInts at = _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(slots + i)));
         EightEdges e;
         if constexpr (axis == 0)
             e = along_x(samples, at);
@@ -135,37 +135,37 @@ void crossings_along(const std::int16_t* samples, const std::uint16_t* places, s
 void larger_rows(const BrickAround& a, const BrickAround& b, std::int16_t* samples, std::uint16_t* inside) noexcept {
     for (int z = 0; z < stored_row; ++z)
         for (int y = 0; y < stored_row; ++y) {
-            const int from = z * stored_layer + y * stored_row, to = place_of(0, y, z);
+            const int from = z * stored_layer + y * stored_row, to = slot_of(0, y, z);
             const __m128i low = larger_of_eight(a.own + from, b.own + from);           // samples 0 … 7
             const __m128i high = larger_of_eight(a.own + from + 1, b.own + from + 1);  // samples 1 … 8
             store(samples + to, low);
             store(samples + to + 1, high);
-            samples[to - 1] = larger(a.beside[0][from + 7], b.beside[0][from + 7]);
-            samples[to + 9] = larger(a.beside[1][from + 1], b.beside[1][from + 1]);
+            samples[to - 1] = larger(a.neighbour[0][from + 7], b.neighbour[0][from + 7]);
+            samples[to + 9] = larger(a.neighbour[1][from + 1], b.neighbour[1][from + 1]);
             const unsigned signs = static_cast<unsigned>(_mm_movemask_epi8(_mm_packs_epi16(low, high)));
             inside[to >> 4] = static_cast<std::uint16_t>((signs & 0xff) << 1 | signs >> 15 << 9);
         }
 }
 
-void larger_beside(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept {
+void larger_border(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept {
     const auto copy = [&](int side, int from, int to) {
-        const std::int16_t *p = a.beside[side] + from, *q = b.beside[side] + from;
+        const std::int16_t *p = a.neighbour[side] + from, *q = b.neighbour[side] + from;
         store(samples + to, larger_of_eight(p, q));
         samples[to + 8] = larger(p[8], q[8]);
     };
     for (int n = 0; n < stored_row; ++n) {
-        copy(2, n * stored_layer + 7 * stored_row, place_of(0, -1, n));
-        copy(3, n * stored_layer + 1 * stored_row, place_of(0, 9, n));
-        copy(4, 7 * stored_layer + n * stored_row, place_of(0, n, -1));
-        copy(5, 1 * stored_layer + n * stored_row, place_of(0, n, 9));
+        copy(2, n * stored_layer + 7 * stored_row, slot_of(0, -1, n));
+        copy(3, n * stored_layer + 1 * stored_row, slot_of(0, 9, n));
+        copy(4, 7 * stored_layer + n * stored_row, slot_of(0, n, -1));
+        copy(5, 1 * stored_layer + n * stored_row, slot_of(0, n, 9));
     }
 }
 
-void crossings(const std::int16_t* samples, const std::uint16_t* places, std::size_t count, int axis,
+void crossings(const std::int16_t* samples, const std::uint16_t* slots, std::size_t count, int axis,
                const SampleFrame& frame, SurfaceVertex* vertices) noexcept {
-    if (axis == 0) crossings_along<0>(samples, places, count, frame, vertices);
-    if (axis == 1) crossings_along<1>(samples, places, count, frame, vertices);
-    if (axis == 2) crossings_along<2>(samples, places, count, frame, vertices);
+    if (axis == 0) crossings_along<0>(samples, slots, count, frame, vertices);
+    if (axis == 1) crossings_along<1>(samples, slots, count, frame, vertices);
+    if (axis == 2) crossings_along<2>(samples, slots, count, frame, vertices);
 }
 
 }  // namespace kerf::avx2

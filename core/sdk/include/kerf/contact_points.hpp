@@ -14,14 +14,14 @@ namespace kerf {
 /// state and queries the bone near them in every tick, with `Contact`.   [haptic, nonblocking]
 class ContactPoints {
 public:
-    static constexpr std::size_t most = 304, most_slots = KERF_MAX_CHANNELS;
+    static constexpr std::size_t max_points = 304, max_slots = KERF_MAX_CHANNELS;
 
     /// @param at, outwards  point on the tool's surface and its unit normal; tool frame [m]
     /// @param stiffness     [N/m]
     /// @param facing        cosine up to which the bone has no force; the stiffness is full at 0.1 more
-    /// @param slot          < most_slots
+    /// @param slot          < max_slots
     void add(Vec3 at, Vec3 outwards, double stiffness, double facing, std::size_t slot) noexcept {
-        KERF_ASSERT(count_ < most && slot < most_slots, "a tool has too many contact points or slots; use fewer");
+        KERF_ASSERT(count_ < max_points && slot < max_slots, "a tool has too many contact points or slots; use fewer");
         at_[count_] = at;
         outwards_[count_] = outwards;
         stiffness_[count_] = stiffness;
@@ -37,9 +37,9 @@ public:
     [[nodiscard]] std::span<const Vec3> all() const noexcept { return {at_.data(), count_}; }
 
 private:
-    std::array<Vec3, most> at_, outwards_;
-    std::array<double, most> stiffness_, facing_;
-    std::array<std::size_t, most> slot_;
+    std::array<Vec3, max_points> at_, outwards_;
+    std::array<double, max_points> stiffness_, facing_;
+    std::array<std::size_t, max_points> slot_;
     std::size_t count_ = 0;
 };
 

@@ -184,7 +184,7 @@ template <class T>
 /// States the maximum time of one evaluation of a law. Default: 20 µs.
 [[nodiscard]] constexpr Budget budget_us(std::uint32_t microseconds) noexcept { return {1000 * microseconds}; }
 /// States the maximum work of one evaluation of a law. `kerf check` prints the numbers to write.
-[[nodiscard]] constexpr Work work(Work most) noexcept { return most; }
+[[nodiscard]] constexpr Work work(Work max_work) noexcept { return max_work; }
 /// States the remeshing strategies that suit the cut of a tool, by full id: best first, the one of highest accuracy
 /// last. The host tries the next one where a strategy is not installed or declines a cut.
 template <class... Id>
@@ -300,12 +300,12 @@ constexpr void check_unique(const Table& table) {
 
 /// Access to a parameter of `T`, which `T` or a base of it declares.
 template <class T>
-struct Place {
+struct ParamAccess {
     double T::*member = nullptr;
     double& (*access)(T&) = nullptr;
 };
 template <class T, class B>
-constexpr Place<T> place_of(const Param<B>& p) noexcept {
+constexpr ParamAccess<T> access_of(const Param<B>& p) noexcept {
     if constexpr (std::is_same_v<T, B>)
         return {p.member, p.access};
     else
@@ -327,7 +327,8 @@ struct Tables {
             return T::about();
     }();
 
-    static constexpr auto places = collect<Param, Place<T>>(about.items, [](const auto& p) { return place_of<T>(p); });
+    static constexpr auto param_access =
+        collect<Param, ParamAccess<T>>(about.items, [](const auto& p) { return access_of<T>(p); });
     static constexpr auto params = collect<Param, kerf_param>(about.items, [](const auto& p) {
         check_range(p.text);
         if (p.text.source == nullptr || *p.text.source == '\0') throw "a source is missing: write .source = \"…\"";
@@ -341,8 +342,8 @@ struct Tables {
                           .def = p.text.def.si,
                           .source = p.text.source};
     });
-    static constexpr auto drive_places = collect<Drive, Place<T>>(about.items, [](const auto& d) {
-        return Place<T>{d.member, nullptr};
+    static constexpr auto drive_access = collect<Drive, ParamAccess<T>>(about.items, [](const auto& d) {
+        return ParamAccess<T>{d.member, nullptr};
     });
     static constexpr auto drives = collect<Drive, kerf_drive>(about.items, [](const auto& d) {
         check_drive(d.text);
@@ -374,8 +375,8 @@ struct Tables {
     }();
     static constexpr auto features = collect<Feature, kerf_feature>(about.items, [](const auto& f) {
         check_text(f.text.id, f.text.help);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            if (places[i].member != static_cast<double T::*>(f.member)) continue;
+        for (std::size_t i = 0; i < param_access.size(); ++i) {
+            if (param_access[i].member != static_cast<double T::*>(f.member)) continue;
             if (f.text.off.si != 0.0 && !(f.text.off.dimension == params[i].dimension))
                 throw "`off` of a feature has another dimension than its parameter";
             if (!(params[i].min <= f.text.off.si && f.text.off.si <= params[i].max))
@@ -392,8 +393,8 @@ struct Tables {
         check_text(n.text.id, n.text.help);
         return kerf_need{.id = n.text.id, .help = n.text.help, .dimension = n.text.unit.dimension, .kind = n.kind};
     });
-    static constexpr auto need_places = collect<Need, Place<T>>(about.items, [](const auto& n) {
-        return Place<T>{n.member, nullptr};
+    static constexpr auto need_access = collect<Need, ParamAccess<T>>(about.items, [](const auto& n) {
+        return ParamAccess<T>{n.member, nullptr};
     });
 
     static constexpr bool are_sound = [] {
@@ -410,14 +411,14 @@ struct Tables {
     /// Returns a `T` with these values of its parameters and drives.   [haptic, nonblocking]
     [[nodiscard]] static T value(const double* param, const double* drive) noexcept {
         T value{};
-        put<places>(value, [&](std::size_t i) { return param[i]; });
-        put<drive_places>(value, [&](std::size_t i) { return drive[i]; });
+        put<param_access>(value, [&](std::size_t i) { return param[i]; });
+        put<drive_access>(value, [&](std::size_t i) { return drive[i]; });
         return value;
     }
     /// Returns a set of needs with the values of the bound tool.   [haptic, nonblocking]
     [[nodiscard]] static T value(const kerf_tick_in& in) noexcept {
         T value{};
-        put<need_places>(value, [&](std::size_t i) {
+        put<need_access>(value, [&](std::size_t i) {
             return needs[i].kind == KERF_NEED_PARAM ? in.tool_params[in.bound[i]] : in.drive[in.bound[i]];
         });
         return value;

@@ -201,12 +201,12 @@ struct ChannelSum {
         eta += slope;
         tau_w += edge_force * w;
     }
-    /// Writes the fraction `share` [–] of the sum along `d`; writes nothing if `channel` is null.
-    void write(const Vec6& d, double share, double gap, kerf_channel* channel) const noexcept {
+    /// Writes the fraction `fraction` [–] of the sum along `d`; writes nothing if `channel` is null.
+    void write(const Vec6& d, double fraction, double gap, kerf_channel* channel) const noexcept {
         if (channel == nullptr) return;
         std::copy(d.begin(), d.end(), channel->d);
-        channel->tau = share * tau;
-        channel->eta = share * eta;
+        channel->tau = fraction * tau;
+        channel->eta = fraction * eta;
         channel->w = std::max(1e-6, tau > 0.0 ? tau_w / tau : 1e-6);
         channel->gap = gap;
     }
@@ -223,20 +223,20 @@ struct Advance {
     bool has_law = false;  ///< true if a law was evaluated in this tick
 
     /// Returns the sum of the forces of all channels of one kind [N].
-    [[nodiscard]] double carried_by(std::uint32_t kind) const noexcept {
+    [[nodiscard]] double force_of_kind(std::uint32_t kind) const noexcept {
         double sum = 0.0;
         for (std::size_t c = 0; c < channel.size(); ++c)
             if (channel[c].kind == kind) sum += lambda[c];
         return sum;
     }
     /// Returns the force of the channel `id` [N]; 0 if there is none.
-    [[nodiscard]] double carried_by_id(std::uint32_t id) const noexcept {
+    [[nodiscard]] double force_of_channel(std::uint32_t id) const noexcept {
         for (std::size_t c = 0; c < channel.size(); ++c)
             if (channel[c].id == id) return lambda[c];
         return 0.0;
     }
     /// Returns the force of all channels except friction that pushes the tool back along its shaft [N], ≥ 0.
-    [[nodiscard]] double pushed_along() const noexcept {
+    [[nodiscard]] double axial_thrust() const noexcept {
         double sum = 0.0;
         for (std::size_t c = 0; c < channel.size(); ++c)
             if (channel[c].kind != KERF_FRICTION) sum += channel[c].d[2] * lambda[c];

@@ -60,7 +60,7 @@ struct ComponentTable;
 
 /// Returns the item of this type in the description of `T`, or `otherwise`.
 template <class T, class Item>
-constexpr Item stated_in(Item otherwise) noexcept {
+constexpr Item find_item(Item otherwise) noexcept {
     std::apply(
         [&](const auto&... item) {
             const auto take = [&](const auto& one) {
@@ -80,7 +80,7 @@ struct ComponentTable<Tool> {
         for (std::size_t i = 0; i < Tables<Tool>::drives.size(); ++i) idle[i] = Tables<Tool>::drives[i].def;
         return Tables<Tool>::value(params, idle.data()).outline().write(*out);
     }
-    static constexpr Strategies strategies = stated_in<Tool>(Strategies{});
+    static constexpr Strategies strategies = find_item<Tool>(Strategies{});
 
     static constexpr std::uint32_t kind = KERF_KIND_TOOL, version = KERF_TOOL_VERSION;
     static constexpr kerf_tool table{.size = sizeof(kerf_tool),
@@ -88,7 +88,7 @@ struct ComponentTable<Tool> {
                                      .drives = first_of(Tables<Tool>::drives),
                                      .strategies = strategies.count > 0 ? strategies.ids : nullptr,
                                      .strategy_count = strategies.count,
-                                     .feed = stated_in<Tool>(Feed{}).how,
+                                     .feed = find_item<Tool>(Feed{}).how,
                                      .shape = &shape};
     static constexpr void put_into(kerf_component& component) noexcept { component.tool = &table; }
 };
@@ -96,7 +96,7 @@ struct ComponentTable<Tool> {
 template <LawComponent Law>
 struct ComponentTable<Law> {
     using L = LawTable<Law>;
-    static constexpr Work most = stated_in<Law>(Work{});
+    static constexpr Work max_work = find_item<Law>(Work{});
     static constexpr auto tools = Holding<typename L::Tool>::ids;
     static constexpr auto needs = [] {
         if constexpr (Holding<typename L::Tool>::by_needs)
@@ -118,10 +118,10 @@ struct ComponentTable<Law> {
                                       .tool_count = tools.size(),
                                       .needs = first_of(needs),
                                       .need_count = needs.size(),
-                                      .budget_ns = stated_in<Law>(Budget{20000}).ns,
-                                      .max_channels = most.channels,
-                                      .max_points = most.points,
-                                      .max_queries = most.queries,
+                                      .budget_ns = find_item<Law>(Budget{20000}).ns,
+                                      .max_channels = max_work.channels,
+                                      .max_points = max_work.points,
+                                      .max_queries = max_work.queries,
                                       .begin = &L::begin,
                                       .resist = &L::resist,
                                       .commit = &L::commit};

@@ -51,9 +51,9 @@ public:
     bool choose(const IsLong& is_long) {
         for (auto& [edge, split] : all_)
             split.is_wanted = is_long(0.5 * (mesh_->vertices[edge.first] + mesh_->vertices[edge.second]), split.length);
-        settle([](EdgeSplit& longest, const std::array<EdgeSplit*, 3>&) { return longest.is_wanted = true; });
+        propagate([](EdgeSplit& longest, const std::array<EdgeSplit*, 3>&) { return longest.is_wanted = true; });
         for (auto& [edge, split] : all_) split.is_wanted = split.is_wanted && !split.is_locked;
-        settle([](EdgeSplit&, const std::array<EdgeSplit*, 3>& sides) {
+        propagate([](EdgeSplit&, const std::array<EdgeSplit*, 3>& sides) {
             for (EdgeSplit* side : sides) side->is_wanted = false;
             return true;
         });
@@ -80,7 +80,7 @@ public:
 private:
     /// Calls `change` for faces with a chosen edge whose longest edge is not chosen, until there is no such face.
     template <class Change>
-    void settle(const Change& change) {
+    void propagate(const Change& change) {
         for (bool has_changed = true; has_changed;) {
             has_changed = false;
             for (std::array<EdgeSplit*, 3>& sides : faces_) {

@@ -38,9 +38,9 @@ struct Motor {
 struct Spindle {
     enum class Phase : std::uint32_t { off, spinning_up, running, reversing, bogging, stalled, running_down };
 
-    double speed = 0.0;   ///< [1/s]
-    double torque = 0.0;  ///< [N·m] of the motor in the last step, along the commanded sense
-    double held = 0.0;    ///< [s] time spent below the crawling speed at full torque
+    double speed = 0.0;       ///< [1/s]
+    double torque = 0.0;      ///< [N·m] of the motor in the last step, along the commanded sense
+    double crawl_time = 0.0;  ///< [s] time spent below the crawling speed at full torque
     Phase phase = Phase::off;
 
     /// Advances the spindle by `dt` [s]. `load` [N·m] is the resisting torque at speed, in either sense of rotation.
@@ -54,16 +54,16 @@ struct Spindle {
             return false;
         }
         const double old = sense * speed, now = next_speed(motor, old, wanted, load, dt);
-        const double wasted = 2.0 * pi * motor.inertia * (now - old) / dt;
-        torque = std::clamp(wasted + load * fading(now), -motor.torque, motor.torque);
+        const double inertial_torque = 2.0 * pi * motor.inertia * (now - old) / dt;
+        torque = std::clamp(inertial_torque + load * fading(now), -motor.torque, motor.torque);
         speed = sense * now;
 
         // A stuck motor may seem to gain speed by rounding errors: hence the tolerance.
-        const bool is_held = wanted > 0.0 && now < crawling && now <= old + 1e-4 * crawling;
-        held = is_held ? held + dt : 0.0;
-        if (held > stalling_time - 0.5 * dt) {
+        const bool is_crawling = wanted > 0.0 && now < crawling && now <= old + 1e-4 * crawling;
+        crawl_time = is_crawling ? crawl_time + dt : 0.0;
+        if (crawl_time > stalling_time - 0.5 * dt) {
             phase = Phase::stalled;
-            speed = held = 0.0;
+            speed = crawl_time = 0.0;
         } else if (wanted <= 0.0) {
             phase = now > 0.0 ? Phase::running_down : Phase::off;
         } else if (now >= back_to_speed * wanted) {
@@ -77,7 +77,7 @@ struct Spindle {
     }
     /// Returns the motor's torque beyond the load [N·m], along the sense of rotation: a reaction that the hand feels in
     /// addition to the load's.
-    [[nodiscard]] double reaction_beyond(double load) const noexcept {
+    [[nodiscard]] double excess_torque(double load) const noexcept {
         return torque - load * fading(speed < 0.0 ? -speed : speed);
     }
 
@@ -96,17 +96,18 @@ private:
         return braked >= wanted ? braked : reached(motor, old, wanted, motor.torque, load, dt);
     }
 
-    /// Returns the speed after a step with a torque up to `most` for driving and the full torque for braking.
-    [[nodiscard]] static double reached(const Motor& motor, double old, double wanted, double most, double load,
-                                        double dt) noexcept {
+    /// Returns the speed after a step with a torque up to `max_drive_torque` for driving and the full torque for
+    /// braking.
+    [[nodiscard]] static double reached(const Motor& motor, double old, double wanted, double max_drive_torque,
+                                        double load, double dt) noexcept {
         const double inertia = 2.0 * pi * motor.inertia / dt;  // [N·m·s] per revolution
         // The torque that remains at a speed. It falls as the speed rises.
         const auto left_over = [&](double pull, double at) { return pull - load * fading(at) - inertia * (at - old); };
-        const double least = -motor.torque;
-        if (left_over(most, wanted) >= 0.0 && left_over(least, wanted) <= 0.0) return wanted;
+        const double min_torque = -motor.torque;
+        if (left_over(max_drive_torque, wanted) >= 0.0 && left_over(min_torque, wanted) <= 0.0) return wanted;
         // The motor is too weak to reach `wanted`, or cannot brake to it: it applies its limit. Bisect between
         // standstill and the faster of the two speeds.
-        const double pull = left_over(most, wanted) < 0.0 ? most : least;
+        const double pull = left_over(max_drive_torque, wanted) < 0.0 ? max_drive_torque : min_torque;
         double low = 0.0, high = std::max(old, wanted);
         if (left_over(pull, low) <= 0.0) return 0.0;
         for (int i = 0; i < 40; ++i) {

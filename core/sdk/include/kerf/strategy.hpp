@@ -129,7 +129,7 @@ struct ComponentTable<Strategy> {
             return remeshing::refuse(KERF_REMESH_REFUSED, *out, "it threw an object that is not a std::exception");
         }
     }
-    static constexpr Remeshes how = stated_in<Strategy>(Remeshes{});
+    static constexpr Remeshes how = find_item<Strategy>(Remeshes{});
     static_assert(how.scope != 0, "a strategy states remeshes_patches(…) or remeshes_whole(…) in its about()");
 
     static constexpr std::uint32_t kind = KERF_KIND_REMESHER, version = KERF_REMESHER_VERSION;

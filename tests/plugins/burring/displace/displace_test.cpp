@@ -19,7 +19,7 @@ namespace kerf {
 namespace {
 
 using namespace literals;
-using chart::ball_burr, chart::burr_at, test::euler_of, chart::in_steps, chart::least_angles_of_walls, chart::slab,
+using chart::ball_burr, chart::burr_at, test::euler_of, chart::in_steps, chart::min_angles_of_walls, chart::slab,
     chart::stretches_along;
 
 constexpr double radius = 2.0_mm;
@@ -342,7 +342,7 @@ TEST_F(Displace, LeavesNoSliversOnAverage) {
     const ToolSolid burr = ball_burr(radius);
     LocalCutting cut = cutting(bone, burr);
     for (const CutStretch& step : in_steps({-6.0_mm, 0, -1.0_mm}, {6.0_mm, 0, -1.0_mm}, 0.5_mm)) cut.cut(step);
-    const std::vector<double> angles = least_angles_of_walls(cut.surface().mesh());
+    const std::vector<double> angles = min_angles_of_walls(cut.surface().mesh());
     ASSERT_GT(angles.size(), 1000U);
     EXPECT_GT(angles[angles.size() / 2], 25.0_deg);
 }

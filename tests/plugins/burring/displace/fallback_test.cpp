@@ -71,7 +71,7 @@ TEST_F(Fallback, ABladeIsLeftToLocal) {
     LocalCutting cut = cutting_with_local(bone, blade);
     EXPECT_TRUE(cut.cut({test::blade_at(0.0, -13.0_mm), test::blade_at(0.0, -5.0_mm), 0}));
     EXPECT_EQ(cut.handed_over(), 1);
-    EXPECT_EQ(cut.why_handed_over(), "a blade is no burr: its slot has edges");
+    EXPECT_EQ(cut.hand_over_reason(), "a blade is no burr: its slot has edges");
     EXPECT_EQ(flaw_of(bone, cut), "");
 }
 

@@ -55,7 +55,7 @@ TEST(SweptBurr, AgreesWithTheSweepOfTheField) {
         const Vec3 p{any(random), any(random), any(random)};
         const double outside = burr.outside(p);
         if (std::abs(outside) < 1.0_um) continue;
-        EXPECT_EQ(outside < 0.0, sweep.holds(p, 0.0)) << 1e6 * outside << " um";
+        EXPECT_EQ(outside < 0.0, sweep.contains(p, 0.0)) << 1e6 * outside << " um";
         inside += outside < 0.0;
     }
     EXPECT_GT(inside, 50);

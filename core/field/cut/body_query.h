@@ -12,19 +12,19 @@
 /// cuts where they may concern a point. Each point gets the same bits as in a query of its own.
 namespace kerf {
 
-class BoneView {
+class BodyQuery {
 public:
-    BoneView(const Body& body, const CutField& committed, const CutTracker& tracker)
+    BodyQuery(const Body& body, const CutField& committed, const CutTracker& tracker)
         : body_(&body), committed_(&committed), tracker_(&tracker), grid_(body.grid(), body.region, frame_) {
         query_.size = sizeof(kerf_bone_query);
         query_.reach = body.grid().clamp();
         query_.tissue_count = static_cast<std::uint32_t>(body.materials.size());
-        query_.sample = &BoneView::sample_entry;
-        query_.nearest = &BoneView::nearest_entry;
+        query_.sample = &BodyQuery::sample_entry;
+        query_.nearest = &BodyQuery::nearest_entry;
         query_.bone = reinterpret_cast<const kerf_bone*>(this);
     }
-    BoneView(const BoneView&) = delete;
-    BoneView& operator=(const BoneView&) = delete;
+    BodyQuery(const BodyQuery&) = delete;
+    BodyQuery& operator=(const BodyQuery&) = delete;
 
     /// Sets the body index that samples report.
     void name(std::int32_t body_id) noexcept { body_id_ = body_id; }
@@ -55,12 +55,12 @@ private:
 
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
                              const kerf_vec3* directions, std::uint32_t direction_count, kerf_bone_sample* out) {
-        reinterpret_cast<const BoneView*>(bone)->sample(points, count,
-                                                        Directions::given(directions, direction_count, count), out);
+        reinterpret_cast<const BodyQuery*>(bone)->sample(points, count,
+                                                         Directions::given(directions, direction_count, count), out);
     }
     static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
                               kerf_surface_point* out) {
-        reinterpret_cast<const BoneView*>(bone)->nearest(points, count, out);
+        reinterpret_cast<const BodyQuery*>(bone)->nearest(points, count, out);
     }
 
     const Body* body_;

@@ -10,6 +10,6 @@ namespace kerf {
 /// owns all. If it splits, each zone and axis belongs to the nearest part and moves with it; of equally near parts, to
 /// the first. Distances are from a zone's solids or an axis's entry to every second sample of a part's surface.
 /// Pre: the scene outlives the result.   [main]
-[[nodiscard]] Belongings belongings_of(const Scene& scene);
+[[nodiscard]] BodyOwnership body_ownership_of(const Scene& scene);
 
 }  // namespace kerf

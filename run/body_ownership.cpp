@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "run/belongings.h"
+#include "run/body_ownership.h"
 
 #include <cmath>
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies, const Scene& scene,
+void inherit(Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies, const Scene& scene,
              const PresentBone& bone) {
     if (bodies.size() < 2) return;
     std::vector<Mesh> parts;
@@ -39,15 +39,15 @@ void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& b
 
 }  // namespace
 
-Belongings belongings_of(const Scene& scene) {
-    Belongings belongings;
+BodyOwnership body_ownership_of(const Scene& scene) {
+    BodyOwnership belongings;
     for (const Zone& zone : scene.anatomy.zones) {
         const Box box = bounds_of(zone.solids);
         belongings.owners.zone.push_back(body_at(scene.anatomy, 0.5 * (box.low + box.high)));
     }
     for (const AxisFrame& frame : scene.frames) belongings.owners.step.push_back(body_at(scene.anatomy, frame.entry));
-    belongings.pass_on = [&scene](Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies,
-                                  const PresentBone& bone) { pass_on(owners, from, bodies, scene, bone); };
+    belongings.inherit = [&scene](Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies,
+                                  const PresentBone& bone) { inherit(owners, from, bodies, scene, bone); };
     return belongings;
 }
 

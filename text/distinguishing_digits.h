@@ -8,7 +8,7 @@ namespace kerf {
 /// `most` digits.   [any]
 /// @param text_of   (number, digits) → text of the number
 template <class TextOf>
-[[nodiscard]] int telling_digits(double value, double bound, int digits, int most, const TextOf& text_of) {
+[[nodiscard]] int distinguishing_digits(double value, double bound, int digits, int most, const TextOf& text_of) {
     if (value == bound) return digits;
     for (int more = digits; more <= most; ++more)
         if (text_of(value, more) != text_of(bound, more)) return more;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/cut/bone_view.h"
+#include "core/field/cut/body_query.h"
 
 #include <algorithm>
 #include <array>
@@ -10,15 +10,15 @@ namespace kerf {
 
 namespace {
 
-/// Calls `ask(first, count)` for each block of the points.
-template <class Ask>
-void in_blocks(std::uint32_t count, const Ask& ask) noexcept {
+/// Calls `query(first, count)` for each block of the points.
+template <class Query>
+void in_blocks(std::uint32_t count, const Query& query) noexcept {
     for (std::size_t first = 0; first < count; first += block_capacity)
-        ask(first, std::min(block_capacity, count - first));
+        query(first, std::min(block_capacity, count - first));
 }
 
 /// Writes a sample in air. Member by member: clearing the whole struct took longer than all other stages of a query.
-void put_air(kerf_bone_sample& s) noexcept {
+void write_air(kerf_bone_sample& s) noexcept {
     s.engagement = s.gap = 0.0;
     for (double& weight : s.weight) weight = 0.0;
     for (double& density : s.density) density = 0.0;
@@ -38,16 +38,16 @@ bool can_be_cut(const Lattice& grid, Vec3 p) noexcept {
 
 }  // namespace
 
-void BoneView::sample(const Vec3* points, std::uint32_t count, Directions directions,
-                      kerf_bone_sample* out) const noexcept {
+void BodyQuery::sample(const Vec3* points, std::uint32_t count, Directions directions,
+                       kerf_bone_sample* out) const noexcept {
     in_blocks(count, [&](std::size_t first, std::size_t n) {
         sample_block(points + first, n, directions.from(first), out + first);
     });
 }
 
-void BoneView::sample_block(const Vec3* points, std::size_t count, Directions directions,
-                            kerf_bone_sample* out) const noexcept {
-    PlaceBlock places;
+void BodyQuery::sample_block(const Vec3* points, std::size_t count, Directions directions,
+                             kerf_bone_sample* out) const noexcept {
+    LocatedBlock places;
     FloatBlock uncut, cut, engagement;
     grid_.locate(points, count, places);
     body_->surface.quanta_at(places, uncut);
@@ -56,7 +56,7 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
     for (std::size_t i = 0; i < count; ++i) engagement[i] = kerf::engagement(uncut[i], cut[i]);
     for (std::size_t i = 0; i < count; ++i) engaged_count += engagement[i] > 0.0f;
     if (engaged_count == 0) {
-        std::for_each(out, out + count, put_air);
+        std::for_each(out, out + count, write_air);
         return;
     }
 
@@ -66,15 +66,16 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
     if (engaged_count == count) {
         tracker_->gap(body_from_tool_, points, count, directions, gap);
     } else {
-        std::array<Vec3, block_capacity> engaged, way_of_engaged;
+        std::array<Vec3, block_capacity> engaged, direction_of_engaged;
         std::size_t n = 0;
         for (std::size_t i = 0; i < count; ++i) {
             if (engagement[i] <= 0.0f) continue;
-            way_of_engaged[n] = directions[i];
+            direction_of_engaged[n] = directions[i];
             engaged[n++] = points[i];
         }
-        const Directions ways = directions.is_one() ? directions : Directions::each(way_of_engaged.data());
-        tracker_->gap(body_from_tool_, engaged.data(), engaged_count, ways, gap);
+        const Directions engaged_directions =
+            directions.is_one() ? directions : Directions::each(direction_of_engaged.data());
+        tracker_->gap(body_from_tool_, engaged.data(), engaged_count, engaged_directions, gap);
         for (std::size_t i = count; i-- > 0;) gap[i] = engagement[i] > 0.0f ? gap[--n] : 0.0;
     }
     for (std::size_t i = 0; grid_.lattice().is_bounded && i < count; ++i)
@@ -94,17 +95,17 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
         {engagement.data(), gap.data(), weight[0].data(), density[0].data(), block_capacity, tissues, body_id_}, count,
         out);
     for (std::size_t i = 0; engaged_count < count && i < count; ++i)
-        if (engagement[i] <= 0.0f) put_air(out[i]);
+        if (engagement[i] <= 0.0f) write_air(out[i]);
 }
 
-double BoneView::present_distance(Vec3 p) const noexcept {
-    const BrickPlace place = locate(*body_, p);
+double BodyQuery::present_distance(Vec3 p) const noexcept {
+    const LocatedPoint place = locate(*body_, p);
     const double bone = std::max(body_->surface.at(place), committed_->at(place));
     if (bone >= body_->grid().clamp()) return bone;
     return std::max(bone, body_->region.contains(p) ? tracker_->depth_in_pending(p) : -body_->grid().clamp());
 }
 
-void BoneView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {
+void BodyQuery::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {
     PendingSurface pending(*tracker_, body_from_tool_);
     Surface surface{body_->grid().quantum(), body_->grid().clamp(), {}};
     const double rows[3][3] = {{frame_.x.x, frame_.y.x, frame_.z.x},
@@ -117,12 +118,12 @@ void BoneView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_poi
     });
 }
 
-void BoneView::nearest_block(PendingSurface& pending, const Surface& surface, const Vec3* points, std::size_t count,
-                             kerf_surface_point* out) const noexcept {
-    PlaceBlock places;
+void BodyQuery::nearest_block(PendingSurface& pending, const Surface& surface, const Vec3* points, std::size_t count,
+                              kerf_surface_point* out) const noexcept {
+    LocatedBlock places;
     SlopeBlock slopes;
     const PointBox box = grid_.locate_box(points, count, places);
-    const float least =
+    const float minimum =
         block_kernel().slopes(body_->surface.shape(), committed_->shape(), count, places.places(), slopes.writable());
     const bool is_bounded = grid_.lattice().is_bounded;
     std::array<bool, block_capacity> can_rise;
@@ -134,7 +135,7 @@ void BoneView::nearest_block(PendingSurface& pending, const Surface& surface, co
         if (is_beyond(grid_.lattice(), 2, at.z)) slopes.z[i] = 0.0f;
     }
     block_kernel().answer(surface, count, slopes.slopes(), out);
-    pending.raise(points, count, box, surface.quantum * static_cast<double>(least),
+    pending.raise(points, count, box, surface.quantum * static_cast<double>(minimum),
                   is_bounded ? can_rise.data() : nullptr, out);
     if (body_id_ != 0)
         for (std::size_t i = 0; i < count; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "run/implant_body.h"
+#include "run/staying_implant_body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ using namespace literals;
 
 /// Returns the angle of (x, y) as a fraction of a turn, −0.5 … 0.5, to within 0.001, with the same bits on every
 /// machine.
-double share_of_turn(double x, double y) noexcept {
+double turn_fraction(double x, double y) noexcept {
     const double a = std::abs(x), b = std::abs(y), most = std::max(a, b);
     if (most == 0.0) return 0.0;
     const double t = std::min(a, b) / most;
@@ -43,10 +43,11 @@ public:
     /// Returns the distance to its surface [m], negative inside. Far away it is a lower bound.
     [[nodiscard]] double distance(Vec3 p) const {
         const double r = std::sqrt(p.x * p.x + p.y * p.y);
-        const double along = p.z - lead_ * share_of_turn(p.x, p.y);
-        const double beside = std::abs(along - lead_ * std::round(along / lead_));
+        const double along = p.z - lead_ * turn_fraction(p.x, p.y);
+        const double distance_along = std::abs(along - lead_ * std::round(along / lead_));
         const double half = std::min(0.45 * lead_, crest + std::max(0.0, outer_ - r) * flank_.sin / flank_.cos);
-        return std::max({flank_.cos * (beside - half), r - outer_, core_ - overlap_ - r, p.z - from_, to_ - p.z});
+        return std::max(
+            {flank_.cos * (distance_along - half), r - outer_, core_ - overlap_ - r, p.z - from_, to_ - p.z});
     }
 
 private:
@@ -57,7 +58,7 @@ private:
 
 }  // namespace
 
-Body implant_body(const ToolOutline& implant, const std::string& id, double spacing) {
+Body staying_implant_body(const ToolOutline& implant, const std::string& id, double spacing) {
     const ToolSolid core({implant.profile.begin(), implant.profile.begin() + implant.stay_count});
     const Ridge ridge(implant, spacing);
     const double radius = std::max(core.largest_radius(), implant.thread_radius), margin = 6.0 * spacing;

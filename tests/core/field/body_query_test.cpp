@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/cut/bone_view.h"
+#include "core/field/cut/body_query.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ struct Hole {
     CutField committed{body, 512};
     CutField exact{body, 512};
     CutTracker tracker{body, tool, committed};
-    BoneView view{body, committed, tracker};
+    BodyQuery view{body, committed, tracker};
     std::uint64_t tick = 0;
     double depth = -2.0_mm;
 
@@ -90,7 +90,7 @@ TEST(LaggedCut, ContactNeverMeetsWhatTheOpenStretchHasTaken) {
         const Vec3 ahead{0, 0, 0.02 * hole.h};
         hole.view.nearest(&ahead, 1, &at);
         ASSERT_LT(at.distance, 0.0) << hole.depth;
-        const BrickPlace place = locate(hole.body, hole.pose() * behind_the_tip);
+        const LocatedPoint place = locate(hole.body, hole.pose() * behind_the_tip);
         deepest = std::min(deepest, hole.exact.at(place));
     }
     EXPECT_LT(deepest, -0.05 * hole.h) << "closed records alone would have left it standing";
@@ -125,7 +125,7 @@ TEST(LaggedCut, AfterAFlushBothFieldsAreTheSameBits) {
     EXPECT_TRUE(hole.committed.same_bits(hole.exact));
 }
 
-TEST(BoneView, NearestSeesTheHoleAsItIsNow) {
+TEST(BodyQuery, NearestSeesTheHoleAsItIsNow) {
     Hole hole;
     hole.move_to(4.0_mm, 2.0_um);
 
@@ -144,7 +144,7 @@ struct Swung {
     ToolSolid tool = test::drill_outline(widest, 59.0_deg, length);
     CutField committed{body, 512};
     CutTracker tracker{body, tool, committed};
-    BoneView view{body, committed, tracker};
+    BodyQuery view{body, committed, tracker};
 
     static Pose pose(double tilt) {
         Pose upright = test::pointing({0, 0, -16.0_mm}, {0, 0, -1});
@@ -159,7 +159,7 @@ struct Swung {
     }
 };
 
-TEST(BoneView, NearestMatchesBruteForceForTurnedPendingPoses) {
+TEST(BodyQuery, NearestMatchesBruteForceForTurnedPendingPoses) {
     const Swung swung;
     ASSERT_GT(swung.tracker.pending_count(), 5u);
     std::mt19937 random(9);
@@ -182,7 +182,7 @@ TEST(BoneView, NearestMatchesBruteForceForTurnedPendingPoses) {
     EXPECT_GT(risen, 1000) << "pending poses were seen";
 }
 
-TEST(BoneView, SpreadBoundsTheMotionOfEachPoint) {
+TEST(BodyQuery, SpreadBoundsTheMotionOfEachPoint) {
     const Swung swung;
     const CutTracker::Spread& spread = swung.tracker.spread();
     const Frame newest = swung.tracker.solid_from_tool(swung.tracker.solid_count() - 1, Swung::pose(0.0));
@@ -202,7 +202,7 @@ TEST(BoneView, SpreadBoundsTheMotionOfEachPoint) {
 /// Angle between two unit vectors [rad], small.
 double angle_between(Vec3 a, Vec3 b) { return length(a - b); }
 
-TEST(BoneView, ANormalIsOffByLessThanTheWallTurnsInHalfAVoxel) {
+TEST(BodyQuery, ANormalIsOffByLessThanTheWallTurnsInHalfAVoxel) {
     // Given a hole, and points on either side of its wall where it has been committed
     Hole hole;
     hole.move_to(6.0_mm, 2.0_um);
@@ -233,7 +233,7 @@ TEST(BoneView, ANormalIsOffByLessThanTheWallTurnsInHalfAVoxel) {
     EXPECT_LT(worst, 4.0 * worst_by_differences);
 }
 
-TEST(BoneView, OutsideTheGridAndAtNotANumberThereIsAir) {
+TEST(BodyQuery, OutsideTheGridAndAtNotANumberThereIsAir) {
     Hole hole;
     const double nan = std::nan("");
     const Vec3 far[] = {{1.0, 0, 0}, {0, -1e300, 0}, {nan, 0, 0}, {0, 0, nan}};
