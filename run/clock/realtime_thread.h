@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace kerf {
+
+/// What the system granted to a thread that requested real time.
+struct RealtimeState {
+    int priority = 0;                   ///< of SCHED_FIFO; 0: the thread has the normal class
+    bool is_locked = false;             ///< the memory of the process stays in RAM
+    std::vector<std::string> refusals;  ///< what the system refused and what to set, for people
+};
+
+/// Runs `work` to its end on a thread of its own: class SCHED_FIFO of priority 49, with the memory of the process
+/// locked and its stack touched. The system may refuse parts of that; the work runs all the same. Returns what was
+/// granted.   [main] blocks until the work is done
+RealtimeState run_in_real_time(const std::function<void()>& work);
+
+}  // namespace kerf

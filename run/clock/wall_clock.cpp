@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/clock/wall_clock.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <ctime>
+
+namespace kerf {
+
+namespace {
+
+constexpr std::int64_t second = 1'000'000'000;  // [ns]
+constexpr std::int64_t spin = 150'000;          // [ns] at the end of a wait; a wake-up of a busy core is that late
+constexpr std::uint32_t pause = 3;              // missed periods after which the loop fades the force
+
+std::int64_t now_of(clockid_t clock) noexcept {
+    timespec time{};
+    clock_gettime(clock, &time);
+    return time.tv_sec * second + time.tv_nsec;
+}
+
+void sleep_until(std::int64_t due) noexcept {
+    const timespec time{due / second, due % second};
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR) {
+    }
+}
+
+}  // namespace
+
+WallClock::WallClock(double period) noexcept : period_(std::llround(period * static_cast<double>(second))) {}
+
+std::uint32_t WallClock::wait() noexcept {
+    std::int64_t now = now_of(CLOCK_MONOTONIC);
+    due_ = due_ == 0 ? now + period_ : due_ + period_;
+    sleep_until(std::max(due_ - spin, now + 1));
+    while ((now = now_of(CLOCK_MONOTONIC)) < due_) {
+    }
+    const std::int64_t lateness = now - due_;
+    const std::int64_t missed = lateness / period_;
+    due_ += missed * period_;
+
+    ++times_.ticks;
+    times_.lateness.add(static_cast<std::uint64_t>(lateness));
+    if (missed > 0) ++times_.late;
+    times_.missed += static_cast<std::uint64_t>(missed);
+    const auto count = static_cast<std::uint32_t>(std::min<std::int64_t>(missed, UINT32_MAX));
+    if (count >= pause) ++times_.pauses;
+    begun_ = now_of(CLOCK_THREAD_CPUTIME_ID);
+    return count;
+}
+
+void WallClock::tick_done() noexcept {
+    const std::int64_t took = now_of(CLOCK_THREAD_CPUTIME_ID) - begun_;
+    times_.compute.add(static_cast<std::uint64_t>(took));
+    if (took > period_) ++times_.over_period;
+}
+
+}  // namespace kerf

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs on a clock: on a virtual one the bits are those of lock-step, and missed periods are replayed.
+#include "run/live_run.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "run/clock/wall_clock.h"
+#include "session/read_session.h"
+#include "tests/support/short_scene.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/watched_run.h"
+
+namespace kerf {
+namespace {
+
+using test::short_scene;
+
+/// Misses the periods that a test asks for, before the ticks that it names.
+class VirtualClock final : public TickClock {
+public:
+    explicit VirtualClock(std::map<std::uint64_t, std::uint32_t> missed) : missed_(std::move(missed)) {}
+    [[nodiscard]] std::uint32_t wait() noexcept override {
+        const auto found = missed_.find(ticks_++);
+        return found == missed_.end() ? 0 : found->second;
+    }
+
+private:
+    std::map<std::uint64_t, std::uint32_t> missed_;
+    std::uint64_t ticks_ = 0;
+};
+
+RunOutcome on_clock(RunRequest request, std::map<std::uint64_t, std::uint32_t> missed) {
+    VirtualClock clock(std::move(missed));
+    return run_on_clock(short_scene(), test::plugins(), request, clock);
+}
+
+TEST(LiveRun, HasTheBitsOfLockStepWithoutLateTicks) {
+    const test::WatchedRun lock_step = test::watched_run(short_scene(), test::plugins(), {});
+    const RunOutcome live = on_clock({}, {});
+    EXPECT_EQ(live.summary.hash, lock_step.summary.hash);
+    EXPECT_EQ(live.summary.ticks, lock_step.summary.ticks);
+    EXPECT_FALSE(live.summary.clock) << "the figures are those of a wall clock";
+}
+
+TEST(LiveRun, ReplaysMissedPeriodsToTheBit) {
+    const std::map<std::uint64_t, std::uint32_t> missed{{1000, 1}, {4000, 2}, {6000, 5}, {9000, 100}};
+    const test::TemporaryFolder folder;
+    RunRequest request;
+    request.out = folder.path() + "/live";
+    const RunOutcome live = on_clock(request, missed);
+    ASSERT_EQ(live.error, "");
+    EXPECT_NE(live.summary.hash, on_clock({}, {}).summary.hash);
+
+    std::string error;
+    auto inputs = read_session(request.out + "/session.db", error);
+    ASSERT_TRUE(inputs) << error;
+    ASSERT_EQ(inputs->missed.size(), missed.size());
+    RunRequest again;
+    again.replay = std::move(inputs->device_from_handle);
+    again.adoptions = std::move(inputs->adoptions);
+    again.hand_inputs = std::move(inputs->hand_inputs);
+    again.missed = std::move(inputs->missed);
+    EXPECT_EQ(run_procedure(short_scene(), test::plugins(), again).summary.hash, live.summary.hash);
+}
+
+TEST(LiveRun, LetsTheHandMoveDuringAPause) {
+    const auto travel_before_tick_100 = [](std::map<std::uint64_t, std::uint32_t> missed) {
+        struct Watcher final : RunObserver {
+            Vec3 before{}, after{};
+            void on_tick(const TickRow& row) override {
+                if (row.tick == 99) before = row.device_from_handle.position;
+                if (row.tick == 100) after = row.device_from_handle.position;
+            }
+            std::optional<RunEnd> end() override {
+                return after == Vec3{} ? std::nullopt : std::optional(RunEnd::interrupted);
+            }
+        } watcher;
+        RunRequest request;
+        request.observers = {&watcher};
+        static_cast<void>(on_clock(request, std::move(missed)));
+        return length(watcher.after - watcher.before);
+    };
+    const double alone = travel_before_tick_100({});
+    ASSERT_GT(alone, 0.0);
+    EXPECT_GT(travel_before_tick_100({{100, 50}}), 40.0 * alone) << "51 periods passed, in air";
+}
+
+TEST(WallClock, CountsEachPeriodOnce) {
+    WallClock clock(1e-3);
+    const auto start = std::chrono::steady_clock::now();
+    for (int tick = 0; tick < 100; ++tick) {
+        static_cast<void>(clock.wait());
+        clock.tick_done();
+    }
+    const double periods = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() * 1e3;
+    const TickTimes& times = clock.times();
+    EXPECT_EQ(times.ticks, 100u);
+    EXPECT_EQ(times.lateness.calls(), 100u);
+    EXPECT_EQ(times.compute.calls(), 100u);
+    // The last tick began after its due time, which is the sum of all periods.
+    EXPECT_GE(periods, static_cast<double>(times.ticks + times.missed));
+}
+
+TEST(WallClock, SkipsThePeriodsOfAStall) {
+    WallClock clock(1e-3);
+    EXPECT_EQ(clock.times().pauses, 0u);
+    static_cast<void>(clock.wait());
+    std::this_thread::sleep_for(std::chrono::milliseconds(25));
+    EXPECT_GE(clock.wait(), 23u) << "25 ms passed since a tick";
+    EXPECT_GE(clock.times().pauses, 1u);
+    EXPECT_GE(clock.times().late, 1u);
+}
+
+}  // namespace
+}  // namespace kerf
