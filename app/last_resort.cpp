@@ -36,7 +36,7 @@ void write_plain(const char* text) {
 }
 
 /// The exception that is being handled. False: it is not one of memory or of the system.
-bool is_said() {
+bool report_current_exception() {
     try {
         throw;
     } catch (const std::bad_alloc&) {
@@ -57,22 +57,23 @@ bool is_said() {
 }
 
 [[noreturn]] void end() {
-    if (std::current_exception() != nullptr && is_said()) _exit(exit_fault);
+    if (std::current_exception() != nullptr && report_current_exception()) _exit(exit_fault);
     std::abort();
 }
 
 }  // namespace
 
-ExitCode do_or_say_why_not(const std::function<ExitCode()>& work) {
+ExitCode run_guarded(const std::function<ExitCode()>& work) {
     try {
         return work();
     } catch (const std::exception& error) {
-        if (!is_said()) print_error(std::string("\nkerf: this should not have happened: ") + error.what() + ".\n");
+        if (!report_current_exception())
+            print_error(std::string("\nkerf: this should not have happened: ") + error.what() + ".\n");
         return exit_fault;
     }
 }
 
-void say_why_not_on_terminate() { std::set_terminate(&end); }
+void install_terminate_handler() { std::set_terminate(&end); }
 
 bool is_stack_large_enough() {
     rlimit limit{};

@@ -3,14 +3,11 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,31 +15,30 @@
 #include "app/plugin_folders.h"
 #include "app/plugin_guard.h"
 #include "app/standard_streams.h"
-#include "run/shipped.h"
 
 namespace kerf {
 
-int run_program(int argc, char** argv, const std::function<ExitCode(CommandLine&, const Installation&)>& command) {
+int run_program(int argc, char** argv, const std::function<ExitCode(const CommandLine&, const Invocation&)>& run) {
     occupy_closed_streams();
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error with a name, not an end
-    say_why_not_on_terminate();
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow fails to be written, and the program continues
+    install_terminate_handler();
     if (!is_stack_large_enough()) return exit_fault;
-    return close_stdout(do_or_say_why_not([&] {
+    return close_stdout(run_guarded([&] {
         CommandLine line = read_command_line(argc, argv);
-        if (!line.answer.empty()) {
+        if (line.command == nullptr) {
             line.exit_code == exit_pass ? print(line.answer) : print_error(line.answer);
-            return static_cast<ExitCode>(line.exit_code);
+            return line.exit_code;
         }
         const Installation here = this_installation();
-        line.shipped = here.procedures();
-        return command(line, here);
+        resolve_shipped_files(line, here.procedures());
+        return run(line, {here, argc, argv});
     }));
 }
 
-void resolve_shipped_files(CommandLine& line, const Installation& here) {
-    if (line.command == "privacy") return;  // it opens exactly the file that is named
-    for (std::string& file : line.files) file = shipped_or_own(file, here.procedures());
-    line.anatomy = shipped_or_own(line.anatomy, here.procedures());
+ExitCode complain_about_other_command(const Command& command) {
+    return complain(
+        "this program does not run `" + command.full_name() + "`. Write `kerf " + command.full_name() + "`.",
+        exit_bad_input);
 }
 
 std::vector<std::string> plugin_folders_of(const Installation& here) {
@@ -52,20 +48,13 @@ std::vector<std::string> plugin_folders_of(const Installation& here) {
     return std::move(folders.folders);
 }
 
-ExitCode with_plugins(CommandLine& line, const Installation& here,
-                      const std::function<ExitCode(const PluginRegistry&)>& command) {
-    resolve_shipped_files(line, here);
+ExitCode with_plugins(const Installation& here, const std::function<ExitCode(const PluginRegistry&)>& run) {
     PluginRegistry plugins;
     plugins.scan(plugin_folders_of(here));
     for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
     for (const auto& note : plugins.notes()) print_error(note + "\n");
     const PluginGuard guard;  // after loading, which needs a process of one thread
-    return command(plugins);
-}
-
-bool is_own_program(const std::string& command) {
-    constexpr std::array<std::string_view, 4> programs{"chart", "check", "plan", "stability"};
-    return std::find(programs.begin(), programs.end(), command) != programs.end();
+    return run(plugins);
 }
 
 ExitCode become_program_of(const std::string& command, const Installation& here, char** argv) {

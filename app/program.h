@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/command_line.h"
@@ -12,25 +13,31 @@
 /// Code shared by `kerf` and the programs that it starts: from `main` to the exit code.
 namespace kerf {
 
-/// Reads the command line and calls `command`; prints help and mistakes instead where that is the answer. Occupies
-/// closed streams first, and turns a lack of memory, threads or stack into a message and exit_fault.
-/// Returns the exit code of the program.   [main, once]
+/// Reads the command line and calls `run`; prints help or mistakes instead where they are the answer. Occupies closed
+/// streams first, resolves the names of shipped documents, and turns a lack of memory, threads or stack into a message
+/// and exit_fault. Returns the exit code of the program.   [main, once]
 [[nodiscard]] int run_program(int argc, char** argv,
-                              const std::function<ExitCode(CommandLine&, const Installation&)>& command);
+                              const std::function<ExitCode(const CommandLine&, const Invocation&)>& run);
 
-/// Resolves the names of shipped procedures, loads the plugins and calls `command` while a PluginGuard lives. Prints
-/// what it refused to load.   [main]
-[[nodiscard]] ExitCode with_plugins(CommandLine& line, const Installation& here,
-                                    const std::function<ExitCode(const PluginRegistry&)>& command);
+/// Prints that a program of libexec/kerf does not run `command`; returns exit_bad_input.   [main]
+[[nodiscard]] ExitCode complain_about_other_command(const Command& command);
 
-/// Replaces files of `line` by shipped ones of the same name where there is no other.   [main]
-void resolve_shipped_files(CommandLine& line, const Installation& here);
+/// As run_program(), for libexec/kerf/kerf-NAME, which runs the one command with the options `T`.   [main, once]
+template <class T>
+[[nodiscard]] int run_own_program(int argc, char** argv,
+                                  const std::function<ExitCode(const T&, const Installation&)>& run) {
+    return run_program(argc, argv, [&](const CommandLine& line, const Invocation& call) {
+        const T* options = std::get_if<T>(&line.options);
+        return options != nullptr ? run(*options, call.here) : complain_about_other_command(*line.command);
+    });
+}
+
+/// Loads the plugins and calls `run` while a PluginGuard lives. Prints each plugin that it refused.   [main]
+[[nodiscard]] ExitCode with_plugins(const Installation& here,
+                                    const std::function<ExitCode(const PluginRegistry&)>& run);
 
 /// Returns the folders of plugins, and prints what is wrong with KERF_PLUGIN_PATH.   [main]
 [[nodiscard]] std::vector<std::string> plugin_folders_of(const Installation& here);
-
-/// Returns whether a command is a program of its own: studies and the conformance kit, which an operation never needs.
-[[nodiscard]] bool is_own_program(const std::string& command);
 
 /// Replaces this process by the program of a command, with the same arguments. Returns only if that is missing: prints
 /// how to get it.   [main]

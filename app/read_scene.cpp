@@ -7,19 +7,19 @@
 
 namespace kerf {
 
-DocumentRequest request_of(const std::string& file, const CommandLine& line) {
-    return {file, line.anatomy, {line.variant, line.settings}, line.shipped};
+DocumentRequest request_of(const std::string& file, const DocumentOptions& options, const Installation& here) {
+    return {file, options.anatomy, {options.variant, options.settings}, here.procedures()};
 }
 
-std::optional<Scene> make_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins,
-                                Diagnostics& diagnostics, const ImportOptions& options) {
-    auto documents = check_documents(request_of(file, line), plugins, diagnostics);
-    return documents ? make_bone(std::move(*documents), file, diagnostics, options) : std::nullopt;
+std::optional<Scene> make_scene(const std::string& file, const DocumentOptions& options, const Environment& with,
+                                Diagnostics& diagnostics, const ImportOptions& import_options) {
+    auto documents = check_documents(request_of(file, options, with.here), with.plugins, diagnostics);
+    return documents ? make_bone(std::move(*documents), file, diagnostics, import_options) : std::nullopt;
 }
 
-std::optional<Scene> read_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins) {
+std::optional<Scene> read_scene(const std::string& file, const DocumentOptions& options, const Environment& with) {
     Diagnostics diagnostics;
-    auto scene = make_scene(file, line, plugins, diagnostics);
+    auto scene = make_scene(file, options, with, diagnostics);
     return with_findings(std::move(scene), diagnostics);
 }
 

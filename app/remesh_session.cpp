@@ -33,16 +33,17 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The shipped procedure whose text a session holds; empty: none.
-std::string shipped_procedure(const CommandLine& line, const PluginRegistry& plugins, const RecordedInputs& recorded) {
+std::string shipped_procedure(const RemeshOptions& options, const Environment& with, const RecordedInputs& recorded) {
     std::vector<std::string> files;
     std::error_code error;
-    for (auto entry = fs::directory_iterator(line.shipped, error); !error && entry != fs::directory_iterator();
-         entry.increment(error))
+    for (auto entry = fs::directory_iterator(with.here.procedures(), error);
+         !error && entry != fs::directory_iterator(); entry.increment(error))
         if (entry->path().extension() == ".yaml") files.push_back(entry->path().string());
     std::sort(files.begin(), files.end());
     for (const std::string& file : files) {
         Diagnostics ignored;
-        const auto procedure = read_procedure(file, plugins.catalog(), ignored, {recorded.variant, line.settings});
+        const auto procedure =
+            read_procedure(file, with.plugins.catalog(), ignored, {recorded.variant, options.settings});
         if (procedure && procedure->text == recorded.procedure_text) return file;
     }
     return {};
@@ -136,38 +137,40 @@ std::string write_pieces(const std::string& folder, const ExactSurface& made, co
 
 }  // namespace
 
-ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins, const StrategyHost& host) {
+ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
     std::string error;
     std::string wanted;
-    if (!line.strategy.empty()) {
-        const auto id = full_id_of(line.strategy, plugins.catalog(), error);
+    if (!options.strategy.empty()) {
+        const auto id = full_id_of(options.strategy, with.plugins.catalog(), error);
         if (!id) return complain("--strategy: " + error, exit_bad_input);
         wanted = *id;
     }
-    const auto recorded = read_session(line.source, error);
+    const auto recorded = read_session(options.session, error);
     if (!recorded) return complain(error, exit_bad_input);
-    std::string folder = line.out;
-    if (folder.empty()) folder = fs::path(line.source).parent_path().string();
+    std::string folder = options.out;
+    if (folder.empty()) folder = fs::path(options.session).parent_path().string();
     if (folder.empty()) folder = ".";
     if (error = refusal_of_folder(folder); !error.empty()) return complain(error, exit_bad_input);
-    const std::string file = !line.files.empty() ? line.files.front() : shipped_procedure(line, plugins, *recorded);
+    const std::string file =
+        !options.procedure.empty() ? options.procedure : shipped_procedure(options, with, *recorded);
     if (file.empty())
-        return complain(line.source +
+        return complain(options.session +
                             ": no shipped procedure has the text that it was recorded with. Name its procedure, as in "
                             "`--procedure amputation.yaml`, with the `--set` it was run with.",
                         exit_bad_input);
 
     Diagnostics diagnostics;
     auto documents =
-        check_documents({file, line.anatomy, {recorded->variant, line.settings}, line.shipped}, plugins, diagnostics);
+        check_documents({file, options.anatomy, {recorded->variant, options.settings}, with.here.procedures()},
+                        with.plugins, diagnostics);
     if (!documents) {
         print_error(to_text(diagnostics));
         return exit_bad_input;
     }
-    if (error = refusal_of_replay(*recorded, line.source, documents->procedure); !error.empty())
+    if (error = refusal_of_replay(*recorded, options.session, documents->procedure); !error.empty())
         return complain(error, exit_bad_input);
     // While this process has one thread and little memory.
-    ExactStrategies strategies(host);
+    ExactStrategies strategies(with.here.strategies(with.plugins));
     if (error = strategies.start(documents->procedure, wanted); !error.empty()) {
         print_error(
             to_text({error_about(file, code_text(Code::no_strategy), "No exact surface can be made: " + error)}));
@@ -178,20 +181,20 @@ ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins, 
     if (!diagnostics.empty()) print_error(to_text(diagnostics));
     if (!bone) return exit_bad_input;
     if (recorded->anatomy_hash != bone->anatomy_hash)
-        return complain(refusal_of_other_text(line.source), exit_bad_input);
+        return complain(refusal_of_other_text(options.session), exit_bad_input);
 
     RunRequest request;
-    if (error = repeat(*recorded, line.source, request); !error.empty()) return complain(error, exit_bad_input);
+    if (error = repeat(*recorded, options.session, request); !error.empty()) return complain(error, exit_bad_input);
     Remesher remesher(*bone, strategies, interruption);
     request.observers = {&remesher};
     const auto start = std::chrono::steady_clock::now();
-    const RunOutcome outcome = run_procedure(*bone, plugins, request);
+    const RunOutcome outcome = run_procedure(*bone, with.plugins, request);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     if (interruption.has_come()) return complain("interrupted; nothing is written", exit_fault);
     if (!recorded->hash.empty() && recorded->hash != hex16(outcome.summary.hash))
-        return complain(line.source + ": the replay hash differs: got " + hex16(outcome.summary.hash) + ", expected " +
-                            recorded->hash + ". The recorded cuts cannot be used.",
+        return complain(options.session + ": the replay hash differs: got " + hex16(outcome.summary.hash) +
+                            ", expected " + recorded->hash + ". The recorded cuts cannot be used.",
                         exit_fault);
     const ExactSurface& made = remesher.made;
     if (!made.error.empty()) {

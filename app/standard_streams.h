@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/command_line.h"
+#include "app/exit_code.h"
 
 /// Everything the program prints goes through here, so that what a document, a file name or a plugin holds cannot
 /// command a terminal, and what does not arrive is an error.

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a file is known by: when it was written, and how long it is.
+/// Identifies the state of a file by its time and size [bytes].
 using Files = std::map<std::string, std::pair<fs::file_time_type, std::uintmax_t>>;
 
 void add(const fs::path& path, Files& files) {
@@ -36,7 +36,7 @@ void add(const fs::path& path, Files& files) {
     if (!error) files[path.string()] = {written, size};
 }
 
-/// Those of a folder and of its own folders, of this kind.
+/// Adds the files of a folder with this ending, and those of its subfolders down to `levels`.
 void add_all(const fs::path& folder, const std::string& extension, int levels, Files& files) {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -45,10 +45,10 @@ void add_all(const fs::path& folder, const std::string& extension, int levels, F
     }
 }
 
-Files watched(const CommandLine& line, const std::vector<std::string>& plugins) {
+Files watched(const RunOptions& options, const std::vector<std::string>& plugins) {
     Files files;
     for (const std::string& folder : plugins) add_all(folder, ".so", 0, files);
-    for (const std::string& document : {line.files.front(), line.anatomy}) {
+    for (const std::string& document : {options.procedure, options.anatomy}) {
         if (document.empty()) continue;
         const fs::path folder = fs::path(document).parent_path();
         add_all(folder.empty() ? fs::path(".") : folder, ".yaml", 1, files);
@@ -56,7 +56,7 @@ Files watched(const CommandLine& line, const std::vector<std::string>& plugins) 
     return files;
 }
 
-/// The first that is new, gone or different.
+/// Returns the first file that is new, removed or different; empty if none is.
 std::string changed(const Files& before, const Files& now) {
     for (const auto& [path, known] : now)
         if (const auto found = before.find(path); found == before.end() || found->second != known) return path;
@@ -65,7 +65,7 @@ std::string changed(const Files& before, const Files& now) {
     return {};
 }
 
-/// The exit code; −1 if it could not be started.
+/// Returns the exit code; −1 if the program could not be started.
 int run_once(const std::string& program, std::vector<std::string>& arguments) {
     std::vector<char*> pointers{const_cast<char*>(program.c_str())};
     for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -84,20 +84,21 @@ int run_once(const std::string& program, std::vector<std::string>& arguments) {
 
 }  // namespace
 
-ExitCode run_and_watch(const CommandLine& line, const std::string& program, std::vector<std::string> arguments,
+ExitCode run_and_watch(const RunOptions& options, const std::string& program, std::vector<std::string> arguments,
                        const std::vector<std::string>& plugins) {
     constexpr auto interval = std::chrono::milliseconds(200);
     const Interruption interruption;
     for (;;) {
-        Files before = watched(line, plugins);
+        Files before = watched(options, plugins);
         if (run_once(program, arguments) < 0) return exit_fault;
         if (interruption.has_come()) return exit_pass;
         print_error("kerf: waiting for a change of a plugin, the procedure or its anatomy; Ctrl-C ends\n");
         std::string what;
         for (Files last = before; !interruption.has_come(); std::this_thread::sleep_for(interval)) {
-            const Files now = watched(line, plugins);
+            const Files now = watched(options, plugins);
             what = changed(before, now);
-            if (!what.empty() && changed(last, now).empty()) break;  // whoever writes it has finished
+            if (!what.empty() && changed(last, now).empty())
+                break;  // unchanged since the last poll: the writer has finished
             last = now;
         }
         if (interruption.has_come()) return exit_pass;

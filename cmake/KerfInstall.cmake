@@ -7,6 +7,8 @@
 #     lib/kerf/*.so            plugins, each by its own kerf_add_plugin()
 #     share/kerf/procedures    procedures and their anatomies
 #     share/doc/kerf           the documentation
+#     share/man/man1           the manual page; app/CMakeLists.txt makes it and the next three
+#     share/bash-completion/completions, share/zsh/site-functions, share/fish/vendor_completions.d
 #   component sdk
 #     include/kerf             the headers of core/sdk: target kerf::sdk, which needs nothing
 #     include/kerf-run         the headers of core, the rooms on it, run and devices

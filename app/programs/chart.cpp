@@ -31,8 +31,8 @@ std::map<std::string, std::unique_ptr<RemeshChild>> start_strategies(const Strat
     return started;
 }
 
-ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, const Installation& here) {
-    const std::string out = line.out.empty() ? "out/chart" : line.out;
+ExitCode draw_chart(const ChartOptions& options, const PluginRegistry& plugins, const Installation& here) {
+    const std::string out = options.out.empty() ? "out/chart" : options.out;
     if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
     PluginRegistry printed;
     scan_printed_laws(printed, here);
@@ -40,7 +40,7 @@ ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, cons
         print_error("kerf: the papers as printed are not in " + here.printed_laws() +
                     ": the chart goes without them.\n");
     print(std::string(notice_line) + ".\n");
-    chart::Request request{.scene = line.scene, .is_quick = line.is_quick};
+    chart::Request request{.scene = options.scene, .is_quick = options.is_quick};
     request.progress = [](const std::string& what) { print_error(what + "\n"); };
     // First, while this process has one thread and little memory.
     const auto strategies = start_strategies(here.strategies(plugins));
@@ -63,7 +63,7 @@ ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, cons
 
 int main(int argc, char** argv) {
     using namespace kerf;
-    return run_program(argc, argv, [](CommandLine& line, const Installation& here) {
-        return with_plugins(line, here, [&](const PluginRegistry& plugins) { return draw_chart(line, plugins, here); });
+    return run_own_program<ChartOptions>(argc, argv, [](const ChartOptions& options, const Installation& here) {
+        return with_plugins(here, [&](const PluginRegistry& plugins) { return draw_chart(options, plugins, here); });
     });
 }

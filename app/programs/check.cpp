@@ -5,6 +5,5 @@
 
 int main(int argc, char** argv) {
     using namespace kerf;
-    return run_program(argc, argv,
-                       [](CommandLine& line, const Installation& here) { return check_plugins(line, here); });
+    return run_own_program<CheckOptions>(argc, argv, &check_plugins);
 }

@@ -23,40 +23,41 @@ namespace {
 using namespace conformance;
 namespace fs = std::filesystem;
 
-std::string refusal_of(const CommandLine& line) {
-    if (line.excluded.size() != line.reasons.size())
-        return "`--exclude` is given " + std::to_string(line.excluded.size()) + " time(s) and `--reason` " +
-               std::to_string(line.reasons.size()) +
+std::string refusal_of(const CheckOptions& options) {
+    if (options.excluded.size() != options.reasons.size())
+        return "`--exclude` is given " + std::to_string(options.excluded.size()) + " time(s) and `--reason` " +
+               std::to_string(options.reasons.size()) +
                ". Write a reason for each, as in `--exclude law.time --reason 'a slow machine'`.";
-    std::vector<std::string> patterns = line.excluded;
-    patterns.push_back(line.only);
+    std::vector<std::string> patterns = options.excluded;
+    patterns.push_back(options.only);
     for (const std::string& pattern : patterns)
         if (const std::string refusal = refusal_of_pattern(pattern); !refusal.empty()) return refusal;
-    for (const std::string& file : line.files)
+    for (const std::string& file : options.plugins)
         if (fs::is_directory(file))
             return "`" + file + "` is a folder. Write the file of a plugin, as in `" + file + "/*.so`.";
-    std::vector<std::string> files = line.files;
-    files.insert(files.end(), line.procedures.begin(), line.procedures.end());
-    if (!line.twin.empty()) files.push_back(line.twin);
+    std::vector<std::string> files = options.plugins;
+    files.insert(files.end(), options.procedures.begin(), options.procedures.end());
+    if (!options.twin.empty()) files.push_back(options.twin);
     std::error_code ignored;
     for (const std::string& file : files)
         if (!fs::exists(file, ignored)) return "`" + file + "` does not exist. Check its name and its folder.";
-    if (line.level < 5 && (!line.procedures.empty() || !line.twin.empty()))
+    if (options.level < 5 && (!options.procedures.empty() || !options.twin.empty()))
         return "`--procedure` and `--twin` belong to level 5. Add `--level 5`.";
     return {};
 }
 
 /// `--accept` and `--record`, in place of the tests.
-ExitCode accept_or_record(const CommandLine& line, const std::string& child) {
-    if (!line.accept.empty() && !line.record.empty())
+ExitCode accept_or_record(const CheckOptions& options, const std::string& child) {
+    if (!options.accept.empty() && !options.record.empty())
         return complain("`--accept` and `--record` are both given. Write one of them.", exit_bad_input);
-    if (line.files.size() > 1) return complain("an acceptance file belongs to one plugin. Name one.", exit_bad_input);
-    const bool is_record = line.accept.empty();
+    if (options.plugins.size() > 1)
+        return complain("an acceptance file belongs to one plugin. Name one.", exit_bad_input);
+    const bool is_record = options.accept.empty();
     const AcceptanceRequest request{.child = child,
-                                    .plugin = line.files.front(),
-                                    .file = is_record ? line.record : line.accept,
-                                    .law = line.law,
-                                    .folder = line.differences.empty() ? "out/check" : line.differences};
+                                    .plugin = options.plugins.front(),
+                                    .file = is_record ? options.record : options.accept,
+                                    .law = options.law,
+                                    .folder = options.differences.empty() ? "out/check" : options.differences};
     const AcceptanceOutcome outcome = is_record ? record(request) : accept(request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print(std::string(notice_line) + ".\n" + outcome.text);
@@ -65,23 +66,23 @@ ExitCode accept_or_record(const CommandLine& line, const std::string& child) {
 
 }  // namespace
 
-ExitCode check_plugins(const CommandLine& line, const Installation& here) {
-    if (const std::string refusal = refusal_of(line); !refusal.empty()) return complain(refusal, exit_bad_input);
+ExitCode check_plugins(const CheckOptions& options, const Installation& here) {
+    if (const std::string refusal = refusal_of(options); !refusal.empty()) return complain(refusal, exit_bad_input);
     const std::string child = here.helper("kerf-check-child");
-    if (!line.accept.empty() || !line.record.empty()) return accept_or_record(line, child);
+    if (!options.accept.empty() || !options.record.empty()) return accept_or_record(options, child);
     const Interruption interruption;
     CheckRequest request{.child = child,
-                         .level = line.level,
-                         .only = line.only,
+                         .level = options.level,
+                         .only = options.only,
                          .is_interrupted = [&] { return interruption.has_come(); },
                          .program = here.program(),
-                         .procedures = line.procedures,
-                         .shipped = line.shipped,
-                         .twin = line.twin};
-    for (std::size_t i = 0; i < line.excluded.size(); ++i)
-        request.excluded.emplace_back(line.excluded[i], line.reasons[i]);
+                         .procedures = options.procedures,
+                         .shipped = here.procedures(),
+                         .twin = options.twin};
+    for (std::size_t i = 0; i < options.excluded.size(); ++i)
+        request.excluded.emplace_back(options.excluded[i], options.reasons[i]);
 
-    const bool is_text = line.format == "text", shows_text = is_text || !line.out.empty();
+    const bool is_text = options.format == "text", shows_text = is_text || !options.out.empty();
     std::vector<PluginReport> reports;
     std::string text;
     const auto show = [&](const std::string& more) {
@@ -89,7 +90,7 @@ ExitCode check_plugins(const CommandLine& line, const Installation& here) {
         if (shows_text) print(more);
     };
     show(std::string(notice_line) + ".\n");
-    for (const std::string& file : line.files) {
+    for (const std::string& file : options.plugins) {
         reports.push_back(check_plugin(file, request, [&](const TestResult& result) {
             show_work(result.id);
             if (const std::string one = text_of(result, file); !one.empty()) show(one);
@@ -97,17 +98,17 @@ ExitCode check_plugins(const CommandLine& line, const Installation& here) {
         show_work("");
         if (!reports.back().error.empty()) return complain(file + ": " + reports.back().error, exit_fault);
         if (reports.back().results.empty())
-            return complain("no test matches `--only " + line.only + "` up to level " + std::to_string(line.level) +
-                                ". `kerf check --help` explains the levels.",
+            return complain("no test matches `--only " + options.only + "` up to level " +
+                                std::to_string(options.level) + ". `kerf check --help` explains the levels.",
                             exit_bad_input);
         show(summary_of(reports.back()));
     }
-    const std::string report = line.format == "json"    ? json_text(reports)
-                               : line.format == "junit" ? junit_text(reports)
-                                                        : text;
-    if (line.out.empty()) {
+    const std::string report = options.format == "json"    ? json_text(reports)
+                               : options.format == "junit" ? junit_text(reports)
+                                                           : text;
+    if (options.out.empty()) {
         if (!is_text) print(report);
-    } else if (const std::string error = write_file(line.out, report); !error.empty()) {
+    } else if (const std::string error = write_file(options.out, report); !error.empty()) {
         return complain(error, exit_fault);
     }
     return std::all_of(reports.begin(), reports.end(), is_conforming) ? exit_pass : exit_not_passed;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/command_line.h"
+#include "app/exit_code.h"
 #include "app/installation.h"
+#include "app/options.h"
 
 namespace kerf {
 
-/// `kerf check`: tests plugins in child processes, prints what was found and how the program ends. It loads none of
-/// them.   [main]
-[[nodiscard]] ExitCode check_plugins(const CommandLine& line, const Installation& here);
+/// `kerf check`: tests plugins in child processes and prints the findings. It loads no plugin itself.
+///   [main]
+[[nodiscard]] ExitCode check_plugins(const CheckOptions& options, const Installation& here);
 
 }  // namespace kerf

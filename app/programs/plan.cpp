@@ -11,13 +11,13 @@
 namespace kerf {
 namespace {
 
-ExitCode plan(const CommandLine& line, const PluginRegistry& plugins, const StrategyHost& strategies) {
-    if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty())
+ExitCode plan(const PlanOptions& options, const PluginRegistry& plugins, const Installation& here) {
+    if (const std::string refusal = options.out.empty() ? "" : refusal_of_folder(options.out); !refusal.empty())
         return complain(refusal, exit_bad_input);
-    const auto scene = read_scene(line.files.front(), line, plugins);
+    const auto scene = read_scene(options.procedure, options, {plugins, here});
     if (!scene) return exit_bad_input;
-    const PlanOutcome outcome =
-        plan_procedure(*scene, plugins, line.out, strategies, [](const std::string& text) { print(text); });
+    const PlanOutcome outcome = plan_procedure(*scene, plugins, options.out, here.strategies(plugins),
+                                               [](const std::string& text) { print(text); });
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_planned ? exit_fault : exit_bad_input);
     return outcome.is_kept ? exit_pass : exit_not_passed;
 }
@@ -27,8 +27,7 @@ ExitCode plan(const CommandLine& line, const PluginRegistry& plugins, const Stra
 
 int main(int argc, char** argv) {
     using namespace kerf;
-    return run_program(argc, argv, [](CommandLine& line, const Installation& here) {
-        return with_plugins(
-            line, here, [&](const PluginRegistry& plugins) { return plan(line, plugins, here.strategies(plugins)); });
+    return run_own_program<PlanOptions>(argc, argv, [](const PlanOptions& options, const Installation& here) {
+        return with_plugins(here, [&](const PluginRegistry& plugins) { return plan(options, plugins, here); });
     });
 }

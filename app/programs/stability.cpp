@@ -14,9 +14,9 @@
 namespace kerf {
 namespace {
 
-ExitCode run_stability(const CommandLine& line, const PluginRegistry& plugins, const Installation& here) {
+ExitCode run_stability(const StabilityOptions& options, const PluginRegistry& plugins, const Installation& here) {
     using namespace stability;
-    const std::string out = line.out.empty() ? "out/stability" : line.out;
+    const std::string out = options.out.empty() ? "out/stability" : options.out;
     if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
     PluginRegistry printed;
     scan_printed_laws(printed, here);
@@ -26,7 +26,7 @@ ExitCode run_stability(const CommandLine& line, const PluginRegistry& plugins, c
         std::fflush(stdout);
     };
     std::string error;
-    const auto findings = run_suite(plugins, printed, line.plugin, line.is_quick, print_line, error);
+    const auto findings = run_suite(plugins, printed, options.plugin, options.is_quick, print_line, error);
     if (!error.empty()) return complain(error, exit_bad_input);
     print(tally(findings));
     if (error = write_atlas(out, findings); !error.empty()) return complain(error, exit_fault);
@@ -39,8 +39,7 @@ ExitCode run_stability(const CommandLine& line, const PluginRegistry& plugins, c
 
 int main(int argc, char** argv) {
     using namespace kerf;
-    return run_program(argc, argv, [](CommandLine& line, const Installation& here) {
-        return with_plugins(line, here,
-                            [&](const PluginRegistry& plugins) { return run_stability(line, plugins, here); });
+    return run_own_program<StabilityOptions>(argc, argv, [](const StabilityOptions& options, const Installation& here) {
+        return with_plugins(here, [&](const PluginRegistry& plugins) { return run_stability(options, plugins, here); });
     });
 }

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace kerf {
@@ -14,33 +17,46 @@ CommandLine read(std::vector<const char*> words) {
     return read_command_line(static_cast<int>(words.size()), words.data());
 }
 
+/// The options of a command line that is right.
+template <class T>
+T options_of(std::vector<const char*> words) {
+    CommandLine line = read(std::move(words));
+    EXPECT_EQ(line.answer, "");
+    const T* options = std::get_if<T>(&line.options);
+    EXPECT_NE(options, nullptr);
+    return options != nullptr ? *options : T{};
+}
+
 TEST(CommandLine, ReadsEveryOptionOfRun) {
-    const CommandLine line = read({"run", "p.yaml", "--anatomy", "a.yaml", "--hand", "expert", "--replay", "s.db",
-                                   "--out", "o", "--learner", "L17", "--mode", "exam", "--headless"});
-    ASSERT_EQ(line.answer, "");
-    EXPECT_EQ(line.command, "run");
-    EXPECT_EQ(line.files, std::vector<std::string>{"p.yaml"});
-    EXPECT_EQ(line.anatomy, "a.yaml");
-    EXPECT_EQ(line.hand, "expert");
-    EXPECT_EQ(line.replay, "s.db");
-    EXPECT_EQ(line.out, "o");
-    EXPECT_EQ(line.learner, "L17");
-    EXPECT_EQ(line.mode, "exam");
-    EXPECT_TRUE(line.is_headless);
+    const auto run = options_of<RunOptions>({"run", "p.yaml", "--anatomy", "a.yaml", "--hand", "expert", "--replay",
+                                             "s.db", "--out", "o", "--learner", "L17", "--mode", "exam", "--headless"});
+    EXPECT_EQ(run.procedure, "p.yaml");
+    EXPECT_EQ(run.anatomy, "a.yaml");
+    EXPECT_EQ(run.hand, "expert");
+    EXPECT_EQ(run.replay, "s.db");
+    EXPECT_EQ(run.out, "o");
+    EXPECT_EQ(run.learner, "L17");
+    EXPECT_EQ(run.mode, "exam");
+    EXPECT_TRUE(run.is_headless);
+    EXPECT_FALSE(run.is_watched);
+    EXPECT_EQ(read({"run", "p.yaml"}).command->name, "run");
 }
 
 TEST(CommandLine, TakesSeveralFilesToValidateAndToRehearse) {
-    for (const char* command : {"validate", "rehearse"}) {
-        const CommandLine line = read({command, "a.yaml", "b.yaml", "--anatomy", "c.yaml", "d.yaml"});
-        EXPECT_EQ(line.answer, "");
-        EXPECT_EQ(line.files, (std::vector<std::string>{"a.yaml", "b.yaml", "d.yaml"}));
-        EXPECT_EQ(line.anatomy, "c.yaml");
-    }
+    const std::vector<std::string> files{"a.yaml", "b.yaml", "d.yaml"};
+    const auto validate =
+        options_of<ValidateOptions>({"validate", "a.yaml", "b.yaml", "--anatomy", "c.yaml", "d.yaml"});
+    EXPECT_EQ(validate.procedures, files);
+    EXPECT_EQ(validate.anatomy, "c.yaml");
+    const auto rehearse =
+        options_of<RehearseOptions>({"rehearse", "a.yaml", "b.yaml", "--anatomy", "c.yaml", "d.yaml"});
+    EXPECT_EQ(rehearse.procedures, files);
+    EXPECT_EQ(rehearse.anatomy, "c.yaml");
 }
 
 TEST(CommandLine, DescribesAllOrOne) {
-    EXPECT_EQ(read({"describe"}).component, "");
-    EXPECT_EQ(read({"describe", "kerf.saw/blade"}).component, "kerf.saw/blade");
+    EXPECT_EQ(options_of<DescribeOptions>({"describe"}).component, "");
+    EXPECT_EQ(options_of<DescribeOptions>({"describe", "kerf.saw/blade"}).component, "kerf.saw/blade");
 }
 
 TEST(CommandLine, ChangesAProcedureByVariantAndSettings) {
@@ -48,62 +64,84 @@ TEST(CommandLine, ChangesAProcedureByVariantAndSettings) {
         const CommandLine line = read({command, "a.yaml", "--variant", "osteoporotic", "--set",
                                        "accuracy.spacing=0.5 mm", "--set", "steps.drill.limits=~"});
         EXPECT_EQ(line.answer, "") << command;
-        EXPECT_EQ(line.files, std::vector<std::string>{"a.yaml"});
-        EXPECT_EQ(line.variant, "osteoporotic");
-        EXPECT_EQ(line.settings, (std::vector<std::string>{"accuracy.spacing=0.5 mm", "steps.drill.limits=~"}));
+        const ChangeOptions* changes = std::visit(
+            [](const auto& options) -> const ChangeOptions* {
+                if constexpr (std::is_base_of_v<ChangeOptions, std::decay_t<decltype(options)>>) return &options;
+                return nullptr;
+            },
+            line.options);
+        ASSERT_NE(changes, nullptr) << command;
+        EXPECT_EQ(changes->variant, "osteoporotic");
+        EXPECT_EQ(changes->settings, (std::vector<std::string>{"accuracy.spacing=0.5 mm", "steps.drill.limits=~"}));
     }
-    EXPECT_FALSE(read({"validate", "a.yaml"}).is_with_bone);
-    EXPECT_TRUE(read({"validate", "a.yaml", "--bone"}).is_with_bone);
+    EXPECT_FALSE(options_of<ValidateOptions>({"validate", "a.yaml"}).is_with_bone);
+    EXPECT_TRUE(options_of<ValidateOptions>({"validate", "a.yaml", "--bone"}).is_with_bone);
 }
 
 TEST(CommandLine, ExplainsOneCodeOrAll) {
-    EXPECT_EQ(read({"explain"}).code, "");
-    EXPECT_EQ(read({"explain", "E0412"}).code, "E0412");
+    EXPECT_EQ(options_of<ExplainOptions>({"explain"}).code, "");
+    EXPECT_EQ(options_of<ExplainOptions>({"explain", "E0412"}).code, "E0412");
 }
 
 TEST(CommandLine, PrintsTheSchemaOfOneKindOfDocument) {
-    EXPECT_EQ(read({"schema"}).kind, "procedure");
-    EXPECT_EQ(read({"schema", "anatomy"}).kind, "anatomy");
+    EXPECT_EQ(options_of<SchemaOptions>({"schema"}).kind, "procedure");
+    EXPECT_EQ(options_of<SchemaOptions>({"schema", "anatomy"}).kind, "anatomy");
 }
 
 TEST(CommandLine, ReadsEveryOptionOfStability) {
-    const CommandLine line = read({"stability", "--quick", "--plugin", "kerf.saw", "--out", "o"});
-    ASSERT_EQ(line.answer, "");
-    EXPECT_EQ(line.command, "stability");
-    EXPECT_TRUE(line.is_quick);
-    EXPECT_EQ(line.plugin, "kerf.saw");
-    EXPECT_EQ(line.out, "o");
-    EXPECT_EQ(read({"stability"}).plugin, "kerf.drilling");
+    const auto stability = options_of<StabilityOptions>({"stability", "--quick", "--plugin", "kerf.saw", "--out", "o"});
+    EXPECT_TRUE(stability.is_quick);
+    EXPECT_EQ(stability.plugin, "kerf.saw");
+    EXPECT_EQ(stability.out, "o");
+    EXPECT_EQ(options_of<StabilityOptions>({"stability"}).plugin, "kerf.drilling");
 }
 
 TEST(CommandLine, ReadsEveryOptionOfChart) {
-    const CommandLine line = read({"chart", "--quick", "--scene", "femur", "-o", "o"});
-    ASSERT_EQ(line.answer, "");
-    EXPECT_EQ(line.command, "chart");
-    EXPECT_TRUE(line.is_quick);
-    EXPECT_EQ(line.scene, "femur");
-    EXPECT_EQ(line.out, "o");
-    EXPECT_EQ(read({"chart", "--out", "p"}).out, "p");
+    const auto chart = options_of<ChartOptions>({"chart", "--quick", "--scene", "femur", "-o", "o"});
+    EXPECT_TRUE(chart.is_quick);
+    EXPECT_EQ(chart.scene, "femur");
+    EXPECT_EQ(chart.out, "o");
 }
 
-TEST(CommandLine, WhatIsWrittenGoesWhereTheSameWordSaysWithEveryCommand) {
-    for (const char* option : {"-o", "--out"}) {
-        for (const char* command : {"run", "plan", "preview", "report", "import"})
-            EXPECT_EQ(read({command, "x", option, "place"}).out, "place") << command;
-        for (const char* command : {"stability", "chart"})
-            EXPECT_EQ(read({command, option, "place"}).out, "place") << command;
-    }
+TEST(CommandLine, ReadsEveryOptionOfCheck) {
+    const auto check = options_of<CheckOptions>({"check", "a.so", "b.so", "--level", "5", "--exclude", "law",
+                                                 "--reason", "slow", "--procedure", "p.yaml", "--format", "junit"});
+    EXPECT_EQ(check.plugins, (std::vector<std::string>{"a.so", "b.so"}));
+    EXPECT_EQ(check.level, 5);
+    EXPECT_EQ(check.excluded, std::vector<std::string>{"law"});
+    EXPECT_EQ(check.reasons, std::vector<std::string>{"slow"});
+    EXPECT_EQ(check.procedures, std::vector<std::string>{"p.yaml"});
+    EXPECT_EQ(check.format, "junit");
+}
+
+TEST(CommandLine, ReadsOutWithEveryCommandThatWrites) {
+    for (const Command& command : command_table())
+        for (const Parameter& option : command.options) {
+            if (option.name != "--out") continue;
+            for (const char* name : {"-o", "--out"}) {
+                std::vector<const char*> words{command.name.c_str()};
+                if (!command.action.empty()) words.push_back(command.action.c_str());
+                if (!command.arguments.empty()) words.push_back("x");
+                words.insert(words.end(), {name, "place"});
+                CommandLine line = read(words);
+                ASSERT_EQ(line.answer, "") << command.name;
+                EXPECT_EQ(*std::get<std::string*>(option.member(line.options)), "place") << command.name;
+            }
+        }
 }
 
 TEST(CommandLine, ReportsOneSession) {
-    const CommandLine line = read({"report", "session.db", "--out", "r.html"});
-    ASSERT_EQ(line.answer, "");
-    EXPECT_EQ(line.source, "session.db");
-    EXPECT_EQ(line.out, "r.html");
+    const auto report = options_of<ReportOptions>({"report", "session.db", "--out", "r.html"});
+    EXPECT_EQ(report.session, "session.db");
+    EXPECT_EQ(report.out, "r.html");
     EXPECT_NE(read({"report"}).answer.find("of which run? Write `kerf report SESSION.db`."), std::string::npos);
 }
 
-TEST(CommandLine, HelpMayStandBeforeOrAfterTheCommandAndBesideAnything) {
+TEST(CommandLine, TakesAnEqualsSignBetweenOptionAndValue) {
+    EXPECT_EQ(options_of<RunOptions>({"run", "p.yaml", "--out=o"}).out, "o");
+}
+
+TEST(CommandLine, TakesHelpBeforeOrAfterTheCommand) {
     for (const std::vector<const char*>& words :
          {std::vector<const char*>{"run", "--help"}, {"--help", "run"}, {"run", "p.yaml", "-h"}, {"help", "run"}}) {
         const CommandLine line = read(words);
@@ -113,7 +151,7 @@ TEST(CommandLine, HelpMayStandBeforeOrAfterTheCommandAndBesideAnything) {
     }
 }
 
-TEST(CommandLine, TheVersionMayStandBeforeOrAfterTheCommand) {
+TEST(CommandLine, TakesVersionBeforeOrAfterTheCommand) {
     for (const std::vector<const char*>& words :
          {std::vector<const char*>{"--version"}, {"run", "--version"}, {"--version", "list"}}) {
         const CommandLine line = read(words);
@@ -127,7 +165,7 @@ struct Wrong {
     const char* says;
 };
 
-TEST(CommandLine, WrongUseSaysWhatToWriteAndEndsWithTwo) {
+TEST(CommandLine, ReportsMistakesWithACorrection) {
     for (const auto& [words, says] : {
              Wrong{{}, "Usage: kerf"},
              {{"--"}, "nothing to do. Write `kerf run PROCEDURE.yaml`"},
@@ -150,6 +188,13 @@ TEST(CommandLine, WrongUseSaysWhatToWriteAndEndsWithTwo) {
              {{"run", "p.yaml", "--set", "a b=1"}, "Write a path and a value"},
              {{"run", "p.yaml", "--variant", ""}, "`--variant` is empty. Write the id of a variant."},
              {{"schema", "bone"}, "`KIND` is `bone`. Write `procedure` or `anatomy`."},
+             {{"check", "a.so", "--level", "6"}, "`--level` is `6`. Write 1, 2, 3, 4 or 5."},
+             {{"completion"}, "for which shell? Write `kerf completion bash`."},
+             {{"completion", "csh"}, "`SHELL` is `csh`. Write `bash`, `zsh` or `fish`."},
+             {{"privacy"}, "which file? Write `kerf privacy FILE`."},
+             {{"new"}, "what? Write `kerf new plugin NAME`."},
+             {{"new", "plugin", "x", "--strateggy"},
+              "there is no option `--strateggy` of `kerf new plugin`. Write `--strategy`."},
              {{"validate"}, "which procedure? Write `kerf validate PROCEDURE.yaml`."},
              {{"list", "all"}, "`all` is one argument too many."},
              {{"list", "--out", "x"}, "there is no option `--out` of `kerf list`."},
@@ -157,7 +202,7 @@ TEST(CommandLine, WrongUseSaysWhatToWriteAndEndsWithTwo) {
          }) {
         const CommandLine line = read(words);
         EXPECT_EQ(line.exit_code, exit_bad_input) << says;
-        EXPECT_EQ(line.command, "") << says;
+        EXPECT_EQ(line.command, nullptr) << says;
         EXPECT_NE(line.answer.find(says), std::string::npos) << line.answer;
     }
 }

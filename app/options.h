@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+/// The arguments and options of each command, one struct a command. app/command_table.cpp fills them.
+namespace kerf {
+
+/// Changes to a procedure.
+struct ChangeOptions {
+    std::string variant;                ///< id; empty: the procedure without a variant
+    std::vector<std::string> settings;  ///< "path=value" each
+};
+
+/// Changes to a procedure, and its anatomy.
+struct DocumentOptions : ChangeOptions {
+    std::string anatomy;  ///< file; empty: the anatomy that the procedure names
+};
+
+struct RunOptions : DocumentOptions {
+    std::string procedure;          ///< file
+    std::string hand;               ///< id of a rehearsal; empty: the first
+    std::string replay;             ///< file of a session; empty: none
+    std::string learner;            ///< a code, never a name
+    std::string out;                ///< folder; empty: out/ and the procedure's id
+    std::string mode = "practice";  ///< practice | exam | demo
+    bool is_headless = false;       ///< accepted for scripts: every run is headless at present
+    bool is_watched = false;
+};
+
+struct ValidateOptions : DocumentOptions {
+    std::vector<std::string> procedures;
+    std::string format = "text";  ///< text | json | github
+    bool is_with_bone = false;
+};
+
+struct RehearseOptions : DocumentOptions {
+    std::vector<std::string> procedures;
+};
+
+struct ExpandOptions : ChangeOptions {
+    std::string procedure;
+};
+
+struct PreviewOptions : DocumentOptions {
+    std::string procedure;
+    std::string out;  ///< page; empty: out/ and the procedure's id
+};
+
+struct PlanOptions : DocumentOptions {
+    std::string procedure;
+    std::string out;  ///< folder; empty: nothing is written
+};
+
+struct ExplainOptions {
+    std::string code;  ///< empty: all
+};
+
+struct SchemaOptions {
+    std::string kind = "procedure";  ///< procedure | anatomy
+};
+
+struct ImportSourceOptions {
+    std::string source;               ///< a scan, a folder with DICOM, or a surface
+    std::string out;                  ///< file; empty: nothing is written
+    std::string series, acquisition;  ///< empty: the only one
+    bool may_resample = false;
+    std::string unit = "mm";  ///< of a surface: mm | cm | m | um
+    std::string frame;        ///< of a surface: LPS | RAS; empty: the frame that the file names, or else LPS
+};
+
+struct AnatomyOptions {
+    std::string action;  ///< "check"
+    std::string anatomy, procedure;
+    std::string format = "text";  ///< text | json | github
+};
+
+struct ReportOptions {
+    std::string session;
+    std::string out;  ///< page; empty: report.html next to the session
+};
+
+struct RemeshOptions {
+    std::string session;
+    std::string procedure;  ///< empty: the shipped procedure with the same text
+    std::string anatomy;    ///< empty: the anatomy that the procedure names
+    std::vector<std::string> settings;
+    std::string strategy;  ///< empty: the strategy that the procedure names, or else one that suits the tool
+    std::string out;       ///< folder; empty: the session's folder
+};
+
+struct PrivacyOptions {
+    std::vector<std::string> files;
+    bool shows_values = false;
+};
+
+struct ListOptions {};
+
+struct DescribeOptions {
+    std::string component;  ///< "PLUGIN" or "PLUGIN/COMPONENT"; empty: all
+};
+
+struct CheckOptions {
+    std::vector<std::string> plugins;              ///< files
+    int level = 3;                                 ///< 1 … 5
+    std::string only;                              ///< a pattern on the ids of tests; empty: all
+    std::vector<std::string> excluded, reasons;    ///< patterns, and the reason for each
+    std::string twin;                              ///< the same plugin from another compiler
+    std::vector<std::string> procedures;           ///< for level 5
+    std::string format = "text";                   ///< text | json | junit
+    std::string out;                               ///< file; empty: the report goes to stdout
+    std::string accept, record, law, differences;  ///< acceptance files
+};
+
+struct NewPluginOptions {
+    std::string name;
+    std::string out;  ///< folder; empty: the name
+    bool is_strategy = false;
+};
+
+struct StabilityOptions {
+    bool is_quick = false;
+    std::string plugin = "kerf.drilling";  ///< the suite tests its first tool and force law
+    std::string out;                       ///< folder; empty: out/stability
+};
+
+struct ChartOptions {
+    bool is_quick = false;
+    std::string scene;  ///< empty: all
+    std::string out;    ///< folder; empty: out/chart
+};
+
+struct CompletionOptions {
+    std::string shell;  ///< bash | zsh | fish
+};
+
+struct ManOptions {};
+
+using Options = std::variant<RunOptions, ValidateOptions, RehearseOptions, ExpandOptions, PreviewOptions, PlanOptions,
+                             ExplainOptions, SchemaOptions, ImportSourceOptions, AnatomyOptions, ReportOptions,
+                             RemeshOptions, PrivacyOptions, ListOptions, DescribeOptions, CheckOptions,
+                             NewPluginOptions, StabilityOptions, ChartOptions, CompletionOptions, ManOptions>;
+
+}  // namespace kerf

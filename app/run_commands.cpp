@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// `kerf run` and `kerf rehearse`.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/interruption.h"
+#include "app/make_bone.h"
+#include "app/outputs.h"
+#include "app/program.h"
+#include "app/progress.h"
+#include "app/read_scene.h"
+#include "app/replay.h"
+#include "app/standard_streams.h"
+#include "app/watch.h"
+#include "run/exact/exact_strategies.h"
+#include "run/run_checks.h"
+#include "run/run_procedure.h"
+#include "session/content_hash.h"
+#include "session/read_session.h"
+#include "session/record_checksum.h"
+#include "session/recorder.h"
+
+namespace kerf {
+
+namespace {
+
+std::string text_of(const ExactRow& exact) {
+    constexpr std::string_view none = "no exact surface";
+    if (!exact.why_not.empty())
+        return "  " + (exact.why_not.starts_with(none) ? "" : std::string(none) + ": ") + exact.why_not + "\n";
+    std::size_t triangles = 0;
+    for (const ExactRow::Piece& piece : exact.pieces) triangles += piece.triangles;
+    std::string text = formatted("  exact surface: %zu %s, %zu triangles, digest %s\n", exact.pieces.size(),
+                                 exact.pieces.size() == 1 ? "body" : "bodies", triangles, hex16(exact.digest).c_str());
+    for (const std::string& note : exact.notes) text += "    " + note + "\n";
+    return text;
+}
+
+/// Two digits behind the point, or two that count.
+std::string text_of(const MetricRow& m) {
+    double value = m.value / m.per_unit;
+    if (std::abs(value) < 5e-7) value = 0.0;
+    const bool is_small = value != 0.0 && std::abs(value) < 0.1;
+    return formatted(is_small ? "  %-34s %8.2g" : "  %-34s %8.2f", m.id.c_str(), value) +
+           (m.unit.empty() ? "" : " " + m.unit) + (m.status.starts_with("grade") ? "  " + m.status : "") + "\n";
+}
+
+void print_summary(const RunSummary& s) {
+    print(std::string("verdict: ") + to_text(s.verdict) + "\n");
+    for (const auto& reason : s.reasons) print("  " + reason + "\n");
+    // A measure that no limit of its step is on stands in summary.json; here, before and after.
+    const auto is_shown = [](const MetricRow& m) {
+        return m.status != "info" || m.id.find(".measure.") == std::string::npos;
+    };
+    const auto print_metrics = [&](bool of_simulation) {
+        for (const auto& m : s.metrics)
+            if (is_of_simulation(m) == of_simulation && is_shown(m)) print(text_of(m));
+    };
+    print_metrics(false);
+    print(formatted("  removed %.1f mm3, %.1f s simulated, force scale 1/%.0f, hash %016llx\n", s.removed * 1e9,
+                    s.duration, 1.0 / s.force_scale, static_cast<unsigned long long>(s.hash)));
+    if (s.exact) print(text_of(*s.exact));
+    print("checks of the simulation:\n");
+    print_metrics(true);
+}
+
+/// Shows the progress of a run, and ends it at the first Ctrl-C.
+class ShownRun final : public RunObserver {
+public:
+    explicit ShownRun(const Interruption& interruption) : interruption_(interruption) {}
+    void on_progress(double fraction, const std::string& what) override { show_progress(fraction, what); }
+    std::optional<RunEnd> end() override {
+        return interruption_.has_come() ? std::optional(RunEnd::interrupted) : std::nullopt;
+    }
+
+private:
+    const Interruption& interruption_;
+};
+
+// ---- rehearse ----------------------------------------------------------------------------------------------------
+
+std::string expectation_of(const Rehearsal& rehearsal) {
+    if (rehearsal.expect != "fail") return rehearsal.expect;
+    return "fail by the limit `" + rehearsal.expect_limit +
+           (rehearsal.expects_others ? "`, and others may break" : "` alone") +
+           (rehearsal.expect_step.empty() ? "" : ", in the step `" + rehearsal.expect_step + "`");
+}
+
+std::string ending_of(const RunSummary& summary) {
+    std::string text = to_text(summary.verdict);
+    for (const auto& reason : summary.reasons) text += "\n            " + shown(reason);
+    return text;
+}
+
+ExitCode rehearse_file(const std::string& file, const DocumentOptions& options, const Environment& with) {
+    const auto scene = read_scene(file, options, with);
+    if (!scene) return exit_bad_input;
+    if (scene->procedure.rehearsals.empty())
+        return complain(file + " has no rehearsals. Add one under `rehearsals:`.", exit_bad_input);
+
+    int as_expected = 0;
+    for (const auto& rehearsal : scene->procedure.rehearsals) {
+        RunRequest request;
+        request.rehearsal = rehearsal.id;
+        const Interruption interruption;
+        ShownRun shown_run(interruption);
+        request.observers = {&shown_run};
+        const RunOutcome outcome = run_procedure(*scene, with.plugins, request);
+        if (outcome.was_interrupted) return complain("interrupted", exit_fault);
+        if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
+        print(rehearsal.id + ": " + (outcome.is_as_expected ? "ended as expected" : "NOT AS EXPECTED") +
+              "\n  expected  " + expectation_of(rehearsal) + "\n  ended     " + ending_of(outcome.summary) + "\n");
+        as_expected += outcome.is_as_expected;
+    }
+    const int count = static_cast<int>(scene->procedure.rehearsals.size());
+    print(file + formatted(": %d of %d rehearsals ended as expected\n", as_expected, count));
+    return as_expected == count ? exit_pass : exit_not_passed;
+}
+
+// ---- run ---------------------------------------------------------------------------------------------------------
+
+/// Says whether a replay ended as its recording did, and whether the recording is as it was written.
+ExitCode compare(const RecordedInputs& recorded, const RunSummary& replayed) {
+    ExitCode code = exit_pass;
+    const auto say = [&](const char* what, ExitCode comes_to) {
+        print(std::string("  replay: ") + what + "\n");
+        code = std::max(code, comes_to);
+    };
+    if (recorded.hash.empty())
+        say("nothing to compare with: the recording ends without a result", exit_not_passed);
+    else if (recorded.hash == hex16(replayed.hash))
+        say("the same bits", exit_pass);
+    else
+        say("NOT the same bits", exit_fault);
+    if (recorded.rows == RecordCheck::changed)
+        say("the recording was CHANGED after its run wrote it: its rows do not give its checksum", exit_fault);
+    if (recorded.rows == RecordCheck::unknown && recorded.is_old)
+        say("the rows of the recording were not checked: this old session has no checksum", exit_pass);
+    else if (recorded.rows == RecordCheck::unknown && !recorded.hash.empty())
+        say("the rows of the recording were not checked: it is incomplete", exit_not_passed);
+    return code;
+}
+
+}  // namespace
+
+namespace commands {
+
+ExitCode rehearse(const RehearseOptions& options, const Environment& with) {
+    ExitCode worst = exit_pass;
+    for (const auto& file : options.procedures) worst = std::max(worst, rehearse_file(file, options, with));
+    return worst;
+}
+
+ExitCode run(const RunOptions& options, const Environment& with) {
+    if (const std::string refusal = options.out.empty() ? "" : refusal_of_folder(options.out); !refusal.empty())
+        return complain(refusal, exit_bad_input);
+    const std::string& file = options.procedure;
+    Diagnostics diagnostics;
+    auto documents = check_documents(request_of(file, options, with.here), with.plugins, diagnostics);
+    if (!documents) {
+        with_findings(std::nullopt, diagnostics);
+        return exit_bad_input;
+    }
+
+    // Before the bone is made, which may take minutes: can it be run at all?
+    std::string rehearsal = options.hand;
+    std::optional<RecordedInputs> recorded;
+    if (!options.replay.empty()) {
+        std::string error;
+        recorded = read_session(options.replay, error);
+        if (recorded) error = refusal_of_replay(*recorded, options.replay, documents->procedure);
+        if (recorded && error.empty() && !options.hand.empty() && options.hand != recorded->rehearsal)
+            error = options.replay + ": was recorded with the rehearsal `" + recorded->rehearsal +
+                    "`, and `--hand` is `" + options.hand + "`. Leave out `--hand`.";
+        if (!error.empty()) return complain(error, exit_bad_input);
+        rehearsal = recorded->rehearsal;
+    }
+    if (const std::string refusal = refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
+        return complain(refusal, exit_bad_input);
+    // Started while this process has one thread and little memory.
+    ExactStrategies strategies(with.here.strategies(with.plugins));
+    if (const std::string error = strategies.start(documents->procedure); !error.empty()) {
+        Diagnostics missing;  // apart from the others: the run does without it
+        report_strategy(documents->procedure, strategies.instrument_without(), error, missing);
+        print_error(to_text(missing));
+    }
+    for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
+    const Interruption interruption;  // a second one ends the program at once
+    auto made = make_bone(std::move(*documents), file, diagnostics);
+    const auto scene = with_findings(std::move(made), diagnostics);
+    if (!scene) return exit_bad_input;
+    if (interruption.has_come()) return complain("interrupted before anything was cut; nothing is written", exit_fault);
+    if (recorded && recorded->anatomy_hash != scene->anatomy_hash)
+        return complain(refusal_of_other_text(options.replay), exit_bad_input);
+
+    RunRequest request;
+    ShownRun shown_run(interruption);
+    request.observers = {&shown_run};
+    request.strategies = &strategies;
+    request.learner = options.learner;
+    request.mode = options.mode;
+    request.rehearsal = rehearsal;
+    if (recorded)
+        if (const std::string error = repeat(*recorded, options.replay, request); !error.empty())
+            return complain(error, exit_bad_input);
+    request.out = options.out.empty() ? "out/" + scene->procedure.id : options.out;
+    std::error_code ignored;
+    if (!options.replay.empty() && std::filesystem::equivalent(options.replay, request.out + "/session.db", ignored))
+        return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
+
+    const RunOutcome outcome = run_procedure(*scene, with.plugins, request);
+    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
+    print_summary(outcome.summary);
+    for (const std::string& message : outcome.over_budget) print_error("kerf: " + message + "\n");
+    print("  " + request.out + "/report.html\n");
+    if (outcome.was_interrupted) return complain("interrupted; the results up to now are written", exit_fault);
+    const ExitCode judged = outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;
+    return recorded ? std::max(judged, compare(*recorded, outcome.summary)) : judged;
+}
+
+ExitCode watch(const RunOptions& options, const Invocation& call) {
+    std::vector<std::string> arguments;
+    for (int i = 1; i < call.argc; ++i)
+        if (std::string(call.argv[i]) != "--watch") arguments.emplace_back(call.argv[i]);
+    return run_and_watch(options, call.here.program(), std::move(arguments), plugin_folders_of(call.here));
+}
+
+}  // namespace commands
+}  // namespace kerf

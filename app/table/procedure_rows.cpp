@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/table/parameters.h"
+#include "app/table/rows.h"
+
+namespace kerf::table {
+
+namespace {
+
+constexpr const char* hint_of_run =
+    "Writes session.db, summary.json, report.html and bone.stl; bone-1.stl … if it came apart,\n"
+    "implant-1.stl … of what stays in it.\n"
+    "Exit code: 0 pass, 1 fail, incomplete or invalid, 2 bad input, 3 fault or interrupted.\n"
+    "A replay: 1 too where nothing could be compared, 3 where it differs or its recording was changed.";
+
+/// A run that is watched loads no plugin itself: each of its runs is a process.
+ExitCode run_or_watch(const Options& options, const Invocation& call) {
+    const auto& of_run = std::get<RunOptions>(options);
+    return of_run.is_watched ? commands::watch(of_run, call) : with_environment(&commands::run)(options, call);
+}
+
+Command run_command_row() {
+    using T = RunOptions;
+    return {
+        .name = "run",
+        .group = "Procedures",
+        .summary = "Run a procedure, assess it and write the results",
+        .arguments = {procedure_of<T>()},
+        .options = {anatomy_of<T>(),
+                    variant_of<T>(),
+                    settings_of<T>(),
+                    {.name = "--hand",
+                     .value = text("REHEARSAL", "the id of a rehearsal"),
+                     .help = "Rehearsal for the simulated hand",
+                     .default_value = "the first, or that of the recording",
+                     .member = in<T>(&T::hand)},
+                    {.name = "--replay",
+                     .value = file("the name of a session.db", ".db", "SESSION"),
+                     .help = "Repeat the hand of this session.db, to the same bits",
+                     .member = in<T>(&T::replay)},
+                    out_of<T>(folder(), "Folder for the results", "out/ and the procedure's id",
+                              "Replaces an earlier run, nothing else"),
+                    {.name = "--learner",
+                     .value = {.placeholder = "CODE", .kind = ValueKind::code},
+                     .help = "Code of the trainee, never a name",
+                     .member = in<T>(&T::learner)},
+                    {.name = "--mode",
+                     .value = one_of("MODE", {"practice", "exam", "demo"}),
+                     .help = "practice (default), exam or demo",
+                     .default_value = "practice",
+                     .member = in<T>(&T::mode)},
+                    flag("--headless", "Run without a window, as every run does at present", in<T>(&T::is_headless)),
+                    flag("--watch", "Run again whenever a plugin, the procedure or its anatomy changes, until Ctrl-C",
+                         in<T>(&T::is_watched))},
+        .when_missing = "which procedure? Write `kerf run PROCEDURE.yaml`.",
+        .examples = {{"kerf run pedicle-screw.yaml", "runs a shipped procedure with its first rehearsal"},
+                     {"kerf run pedicle-screw.yaml --replay out/pedicle-screw/session.db --out out/again",
+                      "repeats a recorded run"}},
+        .footer = hint_of_run,
+        .defaults = T{},
+        .run = &run_or_watch};
+}
+
+}  // namespace
+
+std::vector<Command> procedure_commands() {
+    std::vector<Command> rows;
+    rows.push_back(run_command_row());
+    rows.push_back(
+        {.name = "validate",
+         .group = "Procedures",
+         .summary = "Check procedures without running them",
+         .arguments = {procedures_of<ValidateOptions>()},
+         .options = {anatomy_of<ValidateOptions>("procedures'"),
+                     format_of<ValidateOptions>({"text", "json", "github"},
+                                                "text (default), json, or github for its annotations"),
+                     variant_of<ValidateOptions>(), settings_of<ValidateOptions>(),
+                     flag("--bone",
+                          "Make the bone too, and check what depends on it: axes, scans, hands, the force scale",
+                          in<ValidateOptions>(&ValidateOptions::is_with_bone))},
+         .when_missing = "which procedure? Write `kerf validate PROCEDURE.yaml`.",
+         .examples = {{"kerf validate my-procedure.yaml --bone", "checks a procedure and its bone"}},
+         .footer = "Exit code: 0 no errors, 2 errors.",
+         .defaults = ValidateOptions{},
+         .run = with_environment(&commands::validate)});
+    rows.push_back({.name = "rehearse",
+                    .group = "Procedures",
+                    .summary = "Run every rehearsal and compare its result with `expect:`",
+                    .arguments = {procedures_of<RehearseOptions>()},
+                    .options = {anatomy_of<RehearseOptions>("procedures'"), variant_of<RehearseOptions>(),
+                                settings_of<RehearseOptions>()},
+                    .when_missing = "which procedure? Write `kerf rehearse PROCEDURE.yaml`.",
+                    .examples = {{"kerf rehearse pedicle-screw.yaml", "runs all rehearsals of a shipped procedure"}},
+                    .footer = "Exit code: 0 all ended as expected, 1 one did not, 2 bad input, 3 fault or interrupted.",
+                    .defaults = RehearseOptions{},
+                    .run = with_environment(&commands::rehearse)});
+    rows.push_back(
+        {.name = "expand",
+         .group = "Procedures",
+         .summary = "Print the procedure with a variant and `--set` applied, and the origin of each value",
+         .arguments = {procedure_of<ExpandOptions>()},
+         .options = {variant_of<ExpandOptions>(), settings_of<ExpandOptions>()},
+         .when_missing = "which procedure? Write `kerf expand PROCEDURE.yaml`.",
+         .examples = {{"kerf expand amputation.yaml --variant transtibial", "prints a variant as one document"}},
+         .defaults = ExpandOptions{},
+         .run = with_environment(&commands::expand)});
+    rows.push_back(
+        {.name = "preview",
+         .group = "Procedures",
+         .summary =
+             "Write a page that shows a procedure before it is run: bone, zones, landmarks, the tool at each goal",
+         .arguments = {procedure_of<PreviewOptions>()},
+         .options = {anatomy_of<PreviewOptions>(), variant_of<PreviewOptions>(), settings_of<PreviewOptions>(),
+                     out_of<PreviewOptions>(file("a file, as in `--out preview.html`", ".html"), "An .html file",
+                                            "out/ and the procedure's id")},
+         .when_missing = "which procedure? Write `kerf preview PROCEDURE.yaml`.",
+         .examples = {{"kerf preview pedicle-screw.yaml --out preview.html", "writes the page preview.html"}},
+         .defaults = PreviewOptions{},
+         .run = with_environment(&commands::preview)});
+    rows.push_back({.name = "explain",
+                    .group = "Procedures",
+                    .summary = "Explain a code such as E0412: its meaning, its reason, what to do",
+                    .arguments = {{.name = "CODE",
+                                   .value = text("", "a code, as in `E0412`"),
+                                   .help = "the code before a message",
+                                   .default_value = "a list of all",
+                                   .member = in<ExplainOptions>(&ExplainOptions::code)}},
+                    .examples = {{"kerf explain E0412", "explains the code E0412"}},
+                    .defaults = ExplainOptions{},
+                    .run = with_environment(&commands::explain)});
+    rows.push_back({.name = "schema",
+                    .group = "Procedures",
+                    .summary = "Print the JSON Schema of a kind of document, for editors",
+                    .arguments = {{.name = "KIND",
+                                   .value = one_of("", {"procedure", "anatomy"}),
+                                   .help = "procedure (default) or anatomy",
+                                   .default_value = "procedure",
+                                   .member = in<SchemaOptions>(&SchemaOptions::kind)}},
+                    .examples = {{"kerf schema anatomy", "prints the schema of anatomies"}},
+                    .defaults = SchemaOptions{},
+                    .run = with_environment(&commands::print_schema)});
+    return rows;
+}
+
+}  // namespace kerf::table
