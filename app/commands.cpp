@@ -17,7 +17,7 @@
 #include "app/new_plugin.h"
 #include "app/outputs.h"
 #include "app/preview/preview_page.h"
-#include "app/privacy.h"
+#include "app/privacy/privacy_report.h"
 #include "app/progress.h"
 #include "app/read_scene.h"
 #include "app/remesh_session.h"
