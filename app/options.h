@@ -28,6 +28,7 @@ struct RunOptions : DocumentOptions {
     std::string mode = "practice";  ///< practice | exam | demo
     bool is_headless = false;       ///< accepted for scripts: every run is headless at present
     bool is_watched = false;
+    bool is_live = false;  ///< on the wall clock
 };
 
 struct ValidateOptions : DocumentOptions {

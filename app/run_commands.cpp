@@ -21,6 +21,7 @@
 #include "app/standard_streams.h"
 #include "app/watch.h"
 #include "run/exact/exact_strategies.h"
+#include "run/live_run.h"
 #include "run/run_checks.h"
 #include "run/run_procedure.h"
 #include "session/content_hash.h"
@@ -41,6 +42,16 @@ std::string text_of(const ExactRow& exact) {
     std::string text = formatted("  exact surface: %zu %s, %zu triangles, digest %s\n", exact.pieces.size(),
                                  exact.pieces.size() == 1 ? "body" : "bodies", triangles, hex16(exact.digest).c_str());
     for (const std::string& note : exact.notes) text += "    " + note + "\n";
+    return text;
+}
+
+std::string text_of(const ClockRow& clock) {
+    std::string text = formatted(
+        "  clock: %llu ticks, %llu late, %llu pauses; compute median %.0f us, 99.9 %% within %.0f us, worst %.2f ms\n",
+        static_cast<unsigned long long>(clock.ticks), static_cast<unsigned long long>(clock.late_ticks),
+        static_cast<unsigned long long>(clock.pauses), 1e6 * clock.compute.median, 1e6 * clock.compute.p999,
+        1e3 * clock.compute.worst);
+    for (const std::string& refusal : clock.refusals) text += "    " + refusal + "\n";
     return text;
 }
 
@@ -170,6 +181,8 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         return exit_bad_input;
     }
 
+    if (options.is_live && !options.replay.empty())
+        return complain("a replay has no clock. Leave out `--live` or `--replay`.", exit_bad_input);
     // Before the bone is made, which may take minutes: can it be run at all?
     std::string rehearsal = options.hand;
     std::optional<RecordedInputs> recorded;
@@ -216,9 +229,11 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (!options.replay.empty() && std::filesystem::equivalent(options.replay, request.out + "/session.db", ignored))
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
 
-    const RunOutcome outcome = run_procedure(*scene, with.plugins, request);
+    const RunOutcome outcome =
+        options.is_live ? run_live(*scene, with.plugins, request) : run_procedure(*scene, with.plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print_summary(outcome.summary);
+    if (outcome.summary.clock) print(text_of(*outcome.summary.clock));
     for (const std::string& message : outcome.over_budget) print_error("kerf: " + message + "\n");
     print("  " + request.out + "/report.html\n");
     if (outcome.was_interrupted) return complain("interrupted; the results up to now are written", exit_fault);

@@ -106,7 +106,7 @@ double mean_tooth(const Feeding& saw, double feed) {
     const sawing::Stroke stroke{saw.blade().stroke(), saw.blade().pitch, saw.setup.drives[0]};
     double sum = 0.0;
     for (const auto& part : sawing::parts_of(stroke))
-        sum += part.share * saw.blade().kerf() *
+        sum += part.time_fraction * saw.blade().kerf() *
                force_per_width(part.chip_per_feed * feed,
                                value_of<sawing::SawCutting>(saw.setup.force_parameters).thrust());
     return sum;

@@ -48,6 +48,7 @@ Command run_command_row() {
                      .help = "practice (default), exam or demo",
                      .default_value = "practice",
                      .member = in<T>(&T::mode)},
+                    flag("--live", "Run on the wall clock: one tick each millisecond", in<T>(&T::is_live)),
                     flag("--headless", "Run without a window, as every run does at present", in<T>(&T::is_headless)),
                     flag("--watch", "Run again whenever a plugin, the procedure or its anatomy changes, until Ctrl-C",
                          in<T>(&T::is_watched))},

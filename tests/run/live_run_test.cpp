@@ -64,7 +64,7 @@ TEST(LiveRun, ReplaysMissedPeriodsToTheBit) {
     RunRequest again;
     again.replay = std::move(inputs->device_from_handle);
     again.adoptions = std::move(inputs->adoptions);
-    again.hand_inputs = std::move(inputs->hand_inputs);
+    for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, hand_input(text).value());
     again.missed = std::move(inputs->missed);
     EXPECT_EQ(run_procedure(short_scene(), test::plugins(), again).summary.hash, live.summary.hash);
 }
