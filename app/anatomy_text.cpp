@@ -14,7 +14,7 @@ namespace {
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 
 std::string position_text(const Body& body, Vec3 at) {
-    const PointOnBone place = locate_on_bone(body, at);
+    const PlaceOnBone place = place_on_bone(body, at);
     if (!place.is_in_region) return "outside the region, not checked";
     const bool is_far = std::abs(place.distance) >= 0.99 * place.known;
     return std::string(is_far ? "more than " : "") + millimetres(std::abs(place.distance)) +
@@ -25,9 +25,9 @@ std::string shift_text(const BorderShift& shift) {
     const std::string head = "Border at " + shift.axis + ": ";
     if (!shift.lower || !shift.upper)
         return head + "a threshold moved by " + rounded(shift.step, 0) + " loses the entry on one side.";
-    const double most = std::max(std::abs(*shift.lower), std::abs(*shift.upper));
+    const double largest = std::max(std::abs(*shift.lower), std::abs(*shift.upper));
     return head + "± " + rounded(shift.step, 0) + " " + shift.unit + " moves the cortex at the entry by " +
-           millimetres(most, 2) + " (" + millimetres(*shift.lower, 2) + " lower, " + millimetres(*shift.upper, 2) +
+           millimetres(largest, 2) + " (" + millimetres(*shift.lower, 2) + " lower, " + millimetres(*shift.upper, 2) +
            " higher).";
 }
 

@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-/// What `kerf anatomy check` says of an anatomy that passed: how it was made, where its landmarks and zones lie to the
-/// bone, and how sure its border is.   [main]
+/// Returns the text that `kerf anatomy check` prints for an anatomy without errors: the notes of import, the positions
+/// of landmarks and zones relative to the bone, and the uncertainty of its border.   [main]
 [[nodiscard]] std::string anatomy_text(const Scene& scene);
 
 }  // namespace kerf

@@ -228,7 +228,7 @@ std::string fish_quoted(const std::string& text) { return "'" + escaped(text, "\
 
 bool takes_any_file(const Value& value) { return value.kind == ValueKind::file && value.suffix.empty(); }
 
-/// What completes a value, behind the name of an option or as an argument.
+/// Returns the arguments of `complete` that offer values.
 std::string fish_value(const Value& value) {
     switch (value.kind) {
         case ValueKind::words:

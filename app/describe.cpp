@@ -15,14 +15,14 @@ namespace kerf {
 
 namespace {
 
-/// Without what a terminal would obey: the text comes out of a plugin.
+/// Escapes control characters: the text comes from a plugin.
 std::string shown_text(const std::string& text) { return kerf::shown(text); }
 
 const char* kind_of(const ComponentInfo& component) {
     return component.kind == KERF_KIND_TOOL ? "tool" : component.kind == KERF_KIND_FORCE ? "force" : "strategy";
 }
 
-/// As a procedure writes it, in `remeshing`; tools and laws with the two keys that it writes apart.
+/// The id as a procedure writes it in `remeshing:`; for tools and laws, its two keys joined by `/`.
 std::string full_id(const ComponentInfo& component) {
     return component.kind == KERF_KIND_REMESHER ? component.full_id() : component.plugin + "/" + component.id;
 }
@@ -32,7 +32,7 @@ std::string shown(double value, const std::string& unit) {
     return quantity_text(value, unit.empty() || parse_unit(unit) ? unit : "(SI)");
 }
 
-/// Whether a user means a component: a strategy by the last words of its id, as a procedure does.
+/// Whether `wanted` names a component. The last words of its id name a strategy, as in a procedure.
 bool names(const ComponentInfo& component, const std::string& wanted) {
     return component.kind == KERF_KIND_REMESHER ? component.matches_id(wanted) : full_id(component) == wanted;
 }

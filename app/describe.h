@@ -6,14 +6,14 @@
 
 #include "core/plugin/loader.h"
 
-/// What plugins say of themselves, for people.
+/// Describes plugins and their components, for people.
 namespace kerf {
 
-/// One line per component.   [main]
+/// Returns one line for each component.   [main]
 [[nodiscard]] std::string list_of_components(const PluginRegistry& plugins);
 
-/// Every parameter, drive and signal of "PLUGIN", of "PLUGIN/COMPONENT", or of all when `wanted` is empty. Empty when
-/// there is no such thing; then `error` says what there is.   [main]
+/// Returns every parameter, drive and signal of "PLUGIN", of "PLUGIN/COMPONENT", or of all if `wanted` is empty.
+/// Returns nothing if there is no such component; then `error` lists the known ones.   [main]
 [[nodiscard]] std::optional<std::string> description_of(const PluginRegistry& plugins, const std::string& wanted,
                                                         std::string& error);
 

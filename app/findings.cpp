@@ -44,7 +44,7 @@ std::string json_of(const std::vector<Findings>& all) {
     return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-/// Workflow commands end at a line's end; their properties also at `,` and `:`.
+/// Escapes a text for a workflow command, which ends at a line end; its properties also end at `,` and `:`.
 std::string escaped(const std::string& text, bool is_property) {
     std::string safe;
     for (const char c : text) switch (c) {

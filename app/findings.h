@@ -6,17 +6,18 @@
 
 #include "text/source.h"
 
-/// What `kerf validate` found, in the form that was asked for.
+/// Prints the findings of `kerf validate` in one of three formats.
 namespace kerf {
 
-/// Of one procedure and its anatomy.
+/// The findings in one procedure and its anatomy.
 struct Findings {
     std::string file;
     Diagnostics diagnostics;
 };
 
-/// "text": errors with their lines and carets, and a word on every file without. "json": one document, schema 1.
-/// "github": workflow commands, which GitHub shows beside the lines.   [any] pure.
+/// Returns the findings as text.   [any] pure.
+/// @param format   "text": errors with their lines and carets, and a line for each file without errors. "json": one
+///                 document, schema 1. "github": workflow commands, which GitHub shows next to the lines.
 [[nodiscard]] std::string findings_text(const std::vector<Findings>& all, const std::string& format);
 
 }  // namespace kerf

@@ -20,7 +20,7 @@
 namespace kerf {
 namespace {
 
-constexpr int slab = 16;  // slices that are in memory at once
+constexpr int slab = 16;  // slices in memory at once
 constexpr int min_bin = -2048, max_bin = 4096;
 
 void add_line(std::string& text, const char* head, const std::string& line) {
@@ -38,33 +38,33 @@ bool ends_in(const std::string& name, const char* ending) {
 
 // ---- scans ----------------------------------------------------------------------------------------------------------
 
-/// How often each value is there, and what a file needs to know of them.
+/// A histogram of the voxels, and the range of their values.
 struct Values {
     std::vector<std::size_t> counts = std::vector<std::size_t>(max_bin - min_bin + 1, 0);
     std::size_t all = 0;
-    float least = HUGE_VALF, most = -HUGE_VALF;
+    float smallest = HUGE_VALF, largest = -HUGE_VALF;
     bool fits_short = true;
 
     void add(const std::vector<float>& values) {
         for (const float v : values) {
-            least = std::min(least, v);
-            most = std::max(most, v);
+            smallest = std::min(smallest, v);
+            largest = std::max(largest, v);
             fits_short = fits_short && v == std::round(v) && v >= -32768.0f && v <= 32767.0f;
             ++counts[static_cast<std::size_t>(
                 std::clamp(static_cast<int>(std::lround(std::clamp(v, -1e6f, 1e6f))), min_bin, max_bin) - min_bin)];
         }
         all += values.size();
     }
-    [[nodiscard]] int at_share(double share) const {
+    [[nodiscard]] int quantile(double fraction) const {
         std::size_t seen = 0;
         for (std::size_t bin = 0; bin < counts.size(); ++bin)
-            if ((seen += counts[bin]) >= static_cast<std::size_t>(share * static_cast<double>(all)))
+            if ((seen += counts[bin]) >= static_cast<std::size_t>(fraction * static_cast<double>(all)))
                 return static_cast<int>(bin) + min_bin;
         return max_bin;
     }
 };
 
-/// All voxels, some slices at a time. False if they cannot be read.
+/// Passes all voxels to `take`, some slices at a time. Returns false if they cannot be read.
 template <class Take>
 bool for_each_slab(const Scan& scan, Diagnostics& diagnostics, const Progress& progress, const Take& take) {
     const VoxelGrid& grid = scan.grid();
@@ -88,18 +88,18 @@ std::string extent_text(const VoxelGrid& grid) {
            from_to("z", box.low.z, box.high.z) + " mm (LPS)";
 }
 
-/// How the third axis of a grid runs in the patient.
+/// Names the plane of the slices.
 std::string direction_text(const VoxelGrid& grid) {
     const Vec3 d = normalized(grid.step(2));
     const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
-    const double most = std::max({x, y, z});
-    const std::string plane = most == z ? "axial" : most == y ? "coronal" : "sagittal";
-    const double off = std::acos(std::min(1.0, most)) * 180.0 / 3.14159265358979323846;
+    const double largest = std::max({x, y, z});
+    const std::string plane = largest == z ? "axial" : largest == y ? "coronal" : "sagittal";
+    const double off = std::acos(std::min(1.0, largest)) * 180.0 / 3.14159265358979323846;
     return plane + (off > 0.5 ? ", turned by " + rounded(off, 1) + " deg" : "");
 }
 
 void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
-    const Progress progress = [](double share, const std::string& what) { show_progress(share, what); };
+    const Progress progress = [](double fraction, const std::string& what) { show_progress(fraction, what); };
     const auto scan = open_scan(request.source, {request.series, request.acquisition, request.may_resample}, progress,
                                 outcome.diagnostics);
     if (!scan) return;
@@ -119,9 +119,9 @@ void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
     if (!is_read) return;
     if (scan->segments().empty())
         add_line(outcome.text, "",
-                 "Values " + rounded(values.least, 0) + " … " + rounded(values.most, 0) + "; 1 % under " +
-                     std::to_string(values.at_share(0.01)) + ", half under " + std::to_string(values.at_share(0.5)) +
-                     ", 1 % over " + std::to_string(values.at_share(0.99)) + ".");
+                 "Values " + rounded(values.smallest, 0) + " … " + rounded(values.largest, 0) + "; 1 % under " +
+                     std::to_string(values.quantile(0.01)) + ", half under " + std::to_string(values.quantile(0.5)) +
+                     ", 1 % over " + std::to_string(values.quantile(0.99)) + ".");
     if (request.out.empty()) return;
     NrrdWriter writer(request.out, grid, notice_line, values.fits_short);
     if (!for_each_slab(*scan, outcome.diagnostics, progress, [&](const std::vector<float>& some) { writer.add(some); }))
@@ -141,7 +141,7 @@ void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
     mesh.unit = request.unit == "cm" ? 1e-2 : request.unit == "m" ? 1.0 : request.unit == "um" ? 1e-6 : 1e-3;
     mesh.is_ras = request.frame == "RAS";
     mesh.names_frame = !request.frame.empty();
-    const StillWorking sign_of_life("looking at the surface");
+    const StillWorking sign_of_life("checking the surface");
     const auto bone = make_mesh_bone(anatomy, *surface, nullptr, outcome.diagnostics);
     if (!bone) return;
     bool is_first = true;

@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// Where the parts of this Kerf are: below one prefix, which may be moved as a whole.
+/// The files of this Kerf, below one prefix, which the user may move as a whole.
 struct Installation {
     std::filesystem::path prefix;
 
@@ -19,12 +19,12 @@ struct Installation {
     [[nodiscard]] std::string helper(const std::string& name) const {
         return (prefix / "libexec" / "kerf" / name).string();
     }
-    /// Plugins that procedures may name.
+    /// The folder of the plugins that procedures may name.
     [[nodiscard]] std::string plugins() const { return (prefix / "lib" / "kerf").string(); }
-    /// Laws as the papers print them, which only charts and the stability suite may use.
+    /// The folder of the laws as printed in papers, for charts and the stability suite only.
     [[nodiscard]] std::string printed_laws() const { return (prefix / "lib" / "kerf-bench").string(); }
     [[nodiscard]] std::string procedures() const { return (prefix / "share" / "kerf" / "procedures").string(); }
-    /// What calls the remeshing strategies of some plugins.
+    /// The program that calls the remeshing strategies of `plugins`.
     [[nodiscard]] StrategyHost strategies(const PluginRegistry& plugins) const {
         return {helper("kerf-remesh"), &plugins.catalog()};
     }

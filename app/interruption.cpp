@@ -7,7 +7,7 @@ namespace kerf {
 
 namespace {
 
-volatile std::sig_atomic_t is_noted = 0;  // a signal handler sees nothing but globals
+volatile std::sig_atomic_t is_noted = 0;  // a signal handler can only reach globals
 
 void note(int) { is_noted = 1; }
 

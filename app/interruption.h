@@ -6,9 +6,8 @@
 
 namespace kerf {
 
-/// While this lives, the first Ctrl-C (SIGINT, SIGTERM, SIGHUP) is only noted, so that a run can end in order. A second
-/// one ends the program as ever. A signal that was ignored before, as by `nohup`, stays ignored.   [main] one at a
-/// time
+/// While this lives, the first Ctrl-C (SIGINT, SIGTERM, SIGHUP) only sets a flag, so that a run can end in order. A
+/// second one ends the program. A signal that was ignored before, as by `nohup`, stays ignored.   [main] one at a time
 class Interruption {
 public:
     Interruption();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kerf-remesh: one remeshing strategy in a process of its own. `kerf` starts it; nothing else opens its modules.
+// kerf-remesh: runs one remeshing strategy in a process of its own. `kerf` starts it; no other program loads
+// strategies.
 #include <fcntl.h>
 
 #include <cstdio>

@@ -35,7 +35,7 @@ void write_plain(const char* text) {
     }
 }
 
-/// The exception that is being handled. False: it is not one of memory or of the system.
+/// Prints the exception that is being handled. Returns false for one that is not of memory or of the system.
 bool report_current_exception() {
     try {
         throw;
@@ -79,7 +79,7 @@ bool is_stack_large_enough() {
     rlimit limit{};
     if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= min_stack)
         return true;
-    // Up to the hard limit a process may raise its own.
+    // A process may raise its own limit up to the hard limit.
     limit.rlim_cur =
         limit.rlim_max == RLIM_INFINITY || limit.rlim_max > 8 * 1024 * 1024 ? 8 * 1024 * 1024 : limit.rlim_max;
     if (limit.rlim_cur >= min_stack && setrlimit(RLIMIT_STACK, &limit) == 0) return true;

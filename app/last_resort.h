@@ -5,17 +5,17 @@
 
 #include "app/exit_code.h"
 
-/// What is done where memory, threads or stack run out: a sentence and exit code 3, never a crash.
+/// Ends the program with a message and exit code 3 if memory, threads or stack run out.
 namespace kerf {
 
-/// Does `work`. An exception of it becomes a line on stderr and exit_fault.   [main]
+/// Runs `work` and returns its result. An exception becomes a line on stderr and exit_fault.   [main]
 [[nodiscard]] ExitCode run_guarded(const std::function<ExitCode()>& work);
 
-/// Ends the program in the same way where an exception cannot get to `run_guarded`: in a thread, or through a
-/// function that does not throw. What is no exception of memory or of the system still aborts.   [main, once]
+/// Installs a handler that ends the program in the same way if an exception cannot reach `run_guarded`: in a thread, or
+/// in a noexcept function. Exceptions other than those of memory and of the system still abort.   [main, once]
 void install_terminate_handler();
 
-/// Whether the stack is large enough; a line on stderr if not.   [main]
+/// Returns whether the stack is large enough. Raises its limit if possible; else prints a line to stderr.   [main]
 [[nodiscard]] bool is_stack_large_enough();
 
 }  // namespace kerf

@@ -16,7 +16,7 @@ void print_notes(const std::optional<Scene>& scene) {
 std::optional<Scene> make_bone(Documents documents, const std::string& file, Diagnostics& diagnostics,
                                ImportOptions options) {
     StillWorking sign_of_life("making the bone of " + file);
-    options.progress = [&](double share, const std::string& what) { sign_of_life.is_at(share, what); };
+    options.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
     return make_scene(std::move(documents), diagnostics, options);
 }
 

@@ -9,14 +9,15 @@
 
 namespace kerf {
 
-/// `make_scene`, which may take minutes, with signs of life on stderr. `file` is the procedure's.   [main]
+/// Makes the scene, which may take minutes, and shows progress on stderr.   [main]
+/// @param file   name of the procedure, for the progress
 [[nodiscard]] std::optional<Scene> make_bone(Documents documents, const std::string& file, Diagnostics& diagnostics,
                                              ImportOptions options = {});
 
-/// Prints what import did to stderr.   [main]
+/// Prints the notes of import to stderr.   [main]
 void print_notes(const std::optional<Scene>& scene);
 
-/// Returns the scene, or nothing; prints what was found, and what import did, to stderr.   [main]
+/// Prints the diagnostics and the notes of import to stderr. Returns `scene`.   [main]
 std::optional<Scene> with_findings(std::optional<Scene> scene, const Diagnostics& diagnostics);
 
 }  // namespace kerf

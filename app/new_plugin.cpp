@@ -14,11 +14,11 @@ namespace kerf {
 
 namespace {
 
-constexpr std::size_t longest_name = 40;
+constexpr std::size_t max_name_length = 40;
 
 bool is_name(const std::string& name) {
     const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
-    return !name.empty() && name.size() <= longest_name && name[0] >= 'a' && name[0] <= 'z' &&
+    return !name.empty() && name.size() <= max_name_length && name[0] >= 'a' && name[0] <= 'z' &&
            std::all_of(name.begin(), name.end(), fits);
 }
 
@@ -33,7 +33,7 @@ std::string type_name(const std::string& name) {
     return type;
 }
 
-/// Without the line that leads on to the next example.
+/// Removes the line that links to the next example.
 std::string without_next(const std::string& text) {
     const std::size_t at = text.rfind("\nNext: ");
     return at == std::string::npos ? text : text.substr(0, at + 1);
@@ -45,9 +45,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-/// An example that new plugins are made from.
+/// An example that is the template of new plugins.
 struct Example {
-    std::string folder, name;  ///< "02_round_burr"; as its files and its plugin are called
+    std::string folder;  ///< "02_round_burr"
+    std::string name;    ///< of its files and its plugin
     std::span<const NewPluginFile> files;
 };
 const Example tool_example{"02_round_burr", "round_burr", new_tool_files};

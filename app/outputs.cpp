@@ -18,7 +18,7 @@ std::string refusal_of_folder(const std::string& folder) {
         return "`--out` is `" + folder + "`, and the working folder no longer exists (" + error.message() +
                "). Change into another folder, or give one with its whole path.";
     while (!fs::exists(there, ignored) && there.has_relative_path()) there = there.parent_path();
-    const std::string cannot = "`--out` is `" + folder + "`, where nothing can be written: `" + there.string() + "` ";
+    const std::string cannot = "`--out` is `" + folder + "`, which cannot be written: `" + there.string() + "` ";
     if (!fs::is_directory(there, ignored)) return cannot + "is a file. Give another folder.";
     if (access(there.c_str(), W_OK | X_OK) != 0) return cannot + "may not be written. Give another folder.";
     return "";

@@ -3,18 +3,18 @@
 
 #include <string>
 
-/// Where results go.
+/// Files and folders for results.
 namespace kerf {
 
-/// Returns why nothing could be written into `folder`, which need not exist yet; empty if it could. Called before the
-/// minutes of work that go into it.   [main]
+/// Returns why no file can be written into `folder`, which need not exist yet; empty if one can. Call it before work
+/// that takes minutes.   [main]
 [[nodiscard]] std::string refusal_of_folder(const std::string& folder);
 
-/// The same of a page. What is no page is never written over.   [main]
+/// Returns why `file` cannot be written as a page; empty if it can. Only an .html file is ever overwritten.   [main]
 [[nodiscard]] std::string refusal_of_page(const std::string& file);
 
-/// Writes a page, and makes the folders that it needs; they go again if it cannot be written. Returns what went wrong,
-/// for people; empty if nothing did.   [main]
+/// Writes a page and makes its folders; removes new folders on failure. Returns an error message, empty on success.
+/// [main]
 [[nodiscard]] std::string write_page(const std::string& file, const std::string& page);
 
 }  // namespace kerf

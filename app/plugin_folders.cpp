@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 PluginFolders plugin_folders(std::string_view plugin_path, const std::string& own) {
     PluginFolders found;
-    const auto is_there = [&](const fs::path& folder) {
+    const auto is_listed = [&](const fs::path& folder) {
         return std::any_of(found.folders.begin(), found.folders.end(), [&](const std::string& f) {
             std::error_code error;
             return fs::equivalent(f, folder, error);
@@ -26,11 +26,11 @@ PluginFolders plugin_folders(std::string_view plugin_path, const std::string& ow
         const std::string folder(plugin_path.substr(0, end));
         plugin_path.remove_prefix(std::min(end + 1, plugin_path.size()));
         std::error_code error;
-        if (folder.empty() || is_there(folder)) continue;
+        if (folder.empty() || is_listed(folder)) continue;
         const bool is_folder = fs::is_directory(folder, error);
         if (is_folder && access(folder.c_str(), R_OK | X_OK) == 0) {
             found.folders.push_back(folder);
-            if (const fs::directory_iterator may_be_read(folder, error); error)
+            if (const fs::directory_iterator entries(folder, error); error)
                 found.complaints.push_back("KERF_PLUGIN_PATH names `" + folder + "`, which cannot be read (" +
                                            error.message() +
                                            "): no plugins come from there. Let this user read it, or take it out.");
@@ -43,7 +43,7 @@ PluginFolders plugin_folders(std::string_view plugin_path, const std::string& ow
                                        ": no plugins come from there. Correct it or take it out.");
         }
     }
-    if (!is_there(own)) found.folders.push_back(own);
+    if (!is_listed(own)) found.folders.push_back(own);
     return found;
 }
 

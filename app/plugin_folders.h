@@ -7,13 +7,13 @@
 
 namespace kerf {
 
-/// Where plugins are looked for, and what is wrong with what the user said of it.
+/// The folders that are searched for plugins, and the mistakes in KERF_PLUGIN_PATH.
 struct PluginFolders {
-    std::vector<std::string> folders;     ///< each once, in the order of the search
+    std::vector<std::string> folders;     ///< each once, in search order
     std::vector<std::string> complaints;  ///< for people
 };
 
-/// The folders of KERF_PLUGIN_PATH, separated by `:`, then `own`.   [main]
+/// Returns the folders of `plugin_path`, which `:` separates, then `own`.   [main]
 [[nodiscard]] PluginFolders plugin_folders(std::string_view plugin_path, const std::string& own);
 
 }  // namespace kerf

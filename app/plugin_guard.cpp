@@ -18,21 +18,21 @@ namespace kerf {
 
 namespace {
 
-// What is called here may run in a signal handler, on a thread whose plugin has just overwritten who knows what. It
-// therefore takes no lock, no memory and no stdio. The record is not written here either: SQLite is not safe in a
-// handler. The recorder's own thread does that, as it always does; the handler sets a flag and waits for the thread's
-// answer, at most 2 s, since a broken heap may stop that thread, too. Rows that were committed before are safe anyhow.
+// These functions may run in a signal handler, on a thread whose plugin has just overwritten any memory. They therefore
+// take no lock, no memory and no stdio. They do not write the record: SQLite is not safe in a handler. The recorder's
+// own thread writes it; the handler sets a flag and waits for that thread, at most 2 s, because a broken heap may stop
+// it too. Rows that were committed before are safe in any case.
 
 constexpr int exit_fault = 3;
-constexpr auto look_interval = std::chrono::milliseconds(100);
-constexpr int looks_until_hung = 50;  // 5 s, in looks: a program that was stopped and continued has not hung
+constexpr auto poll_interval = std::chrono::milliseconds(100);
+constexpr int polls_until_hung = 50;  // 5 s, counted in polls: a program that was stopped and continued has not hung
 constexpr std::size_t stack_size = 256 << 10;
 
 [[noreturn]] void leave(int status) noexcept {
     for (;;) syscall(SYS_exit_group, status);
 }
 
-/// A text in a fixed place; what does not fit is left out.
+/// Text in a fixed buffer; characters that do not fit are left out.
 template <std::size_t size>
 class FixedText {
 public:
@@ -80,8 +80,8 @@ const char* name_of_signal(int signal) noexcept {
 /// Pre: a call is in progress. `words` may be empty.
 [[noreturn]] void end_by(const char* what, const char* words) noexcept {
     static std::atomic<bool> is_ending{false};
-    while (is_ending.exchange(true)) pause();  // another thread is at it
-    alarm(10);                                 // whatever happens below, it ends
+    while (is_ending.exchange(true)) pause();  // another thread ends the program
+    alarm(10);                                 // the program ends even if a call below hangs
 
     const CallInProgress now = call_in_progress();
     const ComponentName name = name_of(now.component);
@@ -107,11 +107,11 @@ const char* name_of_signal(int signal) noexcept {
     leave(exit_fault);
 }
 
-/// Faults of this thread's plugin are handled, others left to whoever had them before.
+/// Handles faults of a plugin on this thread; leaves others to the previous handler.
 void on_signal(int signal) {
     if (is_calling_plugin()) end_by(name_of_signal(signal), "");
     std::signal(signal, SIG_DFL);
-    raise(signal);  // it comes when this handler returns
+    raise(signal);  // delivered when this handler returns
 }
 
 void on_exit() {
@@ -120,7 +120,7 @@ void on_exit() {
 
 void on_throw(const char* words) { end_by("threw an exception", words); }
 
-std::terminate_handler terminate_of_others = nullptr;
+std::terminate_handler previous_terminate = nullptr;
 
 void on_terminate() {
     if (is_calling_plugin()) {
@@ -133,7 +133,7 @@ void on_terminate() {
         }
         end_by("called std::terminate", "");
     }
-    if (terminate_of_others != nullptr) terminate_of_others();
+    if (previous_terminate != nullptr) previous_terminate();
     std::abort();
 }
 
@@ -152,7 +152,7 @@ PluginGuard::PluginGuard() : stack_(std::make_unique<std::byte[]>(stack_size)) {
     for (const int signal : signals) sigaddset(&action.sa_mask, signal);
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
     set_throw_handler(&on_throw);
-    terminate_of_others = terminate_before_ = std::set_terminate(&on_terminate);
+    previous_terminate = terminate_before_ = std::set_terminate(&on_terminate);
     watchdog_ = std::thread([this] { watch(); });
 }
 
@@ -171,23 +171,23 @@ PluginGuard::~PluginGuard() {
     sigaltstack(&none, nullptr);
 }
 
-/// The same call in each of so many looks has hung. Only calls into plugins have a number, so loading, import and
-/// Kerf's own work take as long as they need.
+/// A call that is the same in `polls_until_hung` polls has hung. Only calls into plugins have a number, so loading,
+/// import and Kerf's own work have no time limit.
 void PluginGuard::watch() {
     std::uint64_t seen = 0;
-    int looks = 0;
+    int polls = 0;
     std::unique_lock lock(mutex_);
-    while (!stop_.wait_for(lock, look_interval, [&] { return is_stopping_; })) {
+    while (!stop_.wait_for(lock, poll_interval, [&] { return is_stopping_; })) {
         const CallInProgress now = call_in_progress();
-        looks = now.call != PluginCall::none && now.count == seen ? looks + 1 : 0;
+        polls = now.call != PluginCall::none && now.count == seen ? polls + 1 : 0;
         seen = now.count;
-        if (looks >= looks_until_hung) end_by("did not come back within 5 s", "");
+        if (polls >= polls_until_hung) end_by("did not come back within 5 s", "");
     }
 }
 
 }  // namespace kerf
 
-// A plugin that calls one of these finds them here: it would end a run as if it had passed.
+// A plugin that calls one of these reaches Kerf's version; the system's would end a run as if it had passed.
 extern "C" void _exit(int status) {
     if (kerf::is_calling_plugin()) kerf::end_by("ended the program (`_exit`)", "");
     kerf::leave(status);

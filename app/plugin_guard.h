@@ -12,9 +12,9 @@
 
 namespace kerf {
 
-/// While this lives, a plugin that crashes, throws, aborts, exits or does not come back from one call within 5 s ends
-/// the program in order: the record of the run is written and closed, plugin, path and call are named on stderr, and
-/// the exit code is 3. Faults of Kerf's own code end as they would without it.   [main] one at a time
+/// While this lives, a plugin that crashes, throws, aborts, exits or does not return from a call within 5 s ends the
+/// program in order: the guard closes the record of the run, names plugin, path and call on stderr, and exits with 3.
+/// Faults of Kerf's own code end the program as without a guard.   [main] one at a time
 class PluginGuard {
 public:
     PluginGuard();
@@ -28,7 +28,7 @@ private:
     static constexpr std::array signals{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL};
     std::array<struct sigaction, signals.size()> before_{};
     std::terminate_handler terminate_before_;
-    std::unique_ptr<std::byte[]> stack_;  ///< of the handlers: a plugin may have used up its own
+    std::unique_ptr<std::byte[]> stack_;  ///< for the handlers: a plugin may have used up its own stack
     std::mutex mutex_;
     std::condition_variable stop_;
     bool is_stopping_ = false;

@@ -36,11 +36,11 @@ template <class T>
 [[nodiscard]] ExitCode with_plugins(const Installation& here,
                                     const std::function<ExitCode(const PluginRegistry&)>& run);
 
-/// Returns the folders of plugins, and prints what is wrong with KERF_PLUGIN_PATH.   [main]
+/// Returns the folders of plugins, and prints the mistakes in KERF_PLUGIN_PATH.   [main]
 [[nodiscard]] std::vector<std::string> plugin_folders_of(const Installation& here);
 
-/// Replaces this process by the program of a command, with the same arguments. Returns only if that is missing: prints
-/// how to get it.   [main]
+/// Replaces this process by libexec/kerf/kerf-COMMAND, with the same arguments. Returns only if the program cannot be
+/// started, and prints how to get it.   [main]
 [[nodiscard]] ExitCode become_program_of(const std::string& command, const Installation& here, char** argv);
 
 }  // namespace kerf

@@ -17,11 +17,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* clear_line = "\r\033[K";
-constexpr int seconds_per_line = 30;  // where lines stay
+constexpr int seconds_per_line = 30;  // in a log
 
 bool is_on_terminal() { return isatty(STDERR_FILENO) != 0; }
 
-/// Whether it is time for a line that stays.
+/// Whether a log gets the next line.
 bool is_line_due() {
     static Clock::time_point last = Clock::now();
     const auto now = Clock::now();
@@ -30,16 +30,16 @@ bool is_line_due() {
     return true;
 }
 
-std::string percent(double share) { return std::to_string(static_cast<int>(100.0 * share)) + " %"; }
+std::string percent(double fraction) { return std::to_string(static_cast<int>(100.0 * fraction)) + " %"; }
 
 }  // namespace
 
-void show_progress(double share, const std::string& what) {
+void show_progress(double fraction, const std::string& what) {
     if (is_on_terminal()) {
-        std::fprintf(stderr, "%s%3.0f %%  %s", clear_line, 100.0 * share, printable(what).c_str());
-        if (share >= 1.0) std::fputc('\n', stderr);
+        std::fprintf(stderr, "%s%3.0f %%  %s", clear_line, 100.0 * fraction, printable(what).c_str());
+        if (fraction >= 1.0) std::fputc('\n', stderr);
     } else if (is_line_due()) {
-        std::fprintf(stderr, "%s  %s\n", percent(share).c_str(), printable(what).c_str());
+        std::fprintf(stderr, "%s  %s\n", percent(fraction).c_str(), printable(what).c_str());
     }
 }
 
@@ -56,7 +56,7 @@ StillWorking::StillWorking(const std::string& what) : what_(printable(what)) {
     try {
         clock_ = std::thread([this, is_written_over] { show_until_over(is_written_over); });
     } catch (const std::system_error&) {
-        // The system gives no thread: the work goes on without a clock.
+        // The system gives no thread: the work continues without a clock.
     }
 }
 
@@ -68,18 +68,18 @@ void StillWorking::show_until_over(bool is_written_over) noexcept {
              seconds += step)
             std::fprintf(stderr, is_written_over ? "\r\033[K%s" : "%s\n", text(seconds).c_str());
     } catch (const std::exception&) {
-        // There is no memory for a line; the work itself will say so.
+        // There is no memory for a line; the work itself reports that.
     }
 }
 
-void StillWorking::is_at(double share, const std::string& part) {
+void StillWorking::is_at(double fraction, const std::string& part) {
     const std::lock_guard lock(mutex_);
-    share_ = share;
+    fraction_ = fraction;
     part_ = printable(part);
 }
 
 std::string StillWorking::text(int seconds) const {
-    return what_ + (part_.empty() ? "" : ": " + part_ + ", " + percent(share_)) + " … " + std::to_string(seconds) +
+    return what_ + (part_.empty() ? "" : ": " + part_ + ", " + percent(fraction_)) + " … " + std::to_string(seconds) +
            " s";
 }
 

@@ -6,18 +6,18 @@
 #include <string>
 #include <thread>
 
-/// Signs of life on stderr: on a terminal its present line, written over and over; elsewhere, as in a log, a line of
-/// its own after every half minute of work, and none for what is done sooner.
+/// Shows progress on stderr. A terminal gets one line, which is overwritten. A log gets a line after every half minute
+/// of work, and none for shorter work.
 namespace kerf {
 
-/// Percent and a few words.   [main]
-void show_progress(double share, const std::string& what);
+/// Shows the percentage and the work.   [main]
+/// @param fraction   done, 0 … 1 [–]
+void show_progress(double fraction, const std::string& what);
 
-/// What is being done; nothing clears it from a terminal but the next, or an empty one.   [main]
+/// Shows the work. The next call replaces it on a terminal; an empty one clears it.   [main]
 void show_work(const std::string& what);
 
-/// While this lives, stderr says what is being done and for how long: for work that is silent itself.
-/// [main]
+/// While this lives, stderr shows the work and its duration: for work that reports no progress itself.   [main]
 class StillWorking {
 public:
     explicit StillWorking(const std::string& what);
@@ -25,8 +25,9 @@ public:
     StillWorking(const StillWorking&) = delete;
     StillWorking& operator=(const StillWorking&) = delete;
 
-    /// Which part of it is under way, and how much of that part is done, 0 … 1. Cheap: the next sign of life tells it.
-    void is_at(double share, const std::string& part);
+    /// Notes the current part of the work. Cheap: the next line shows it.
+    /// @param fraction   of the part that is done, 0 … 1 [–]
+    void is_at(double fraction, const std::string& part);
 
 private:
     void show_until_over(bool is_written_over) noexcept;
@@ -36,8 +37,8 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_;
     bool is_over_ = false;
-    std::string part_;    ///< empty: nothing is known of parts
-    double share_ = 0.0;  ///< of it [–]
+    std::string part_;       ///< empty: unknown
+    double fraction_ = 0.0;  ///< of the part that is done [–]
     std::thread clock_;
 };
 

@@ -23,7 +23,7 @@ namespace kerf {
                                               const Environment& with, Diagnostics& diagnostics,
                                               const ImportOptions& import_options = {});
 
-/// The same, and prints what was found to stderr.   [main]
+/// As make_scene(), and prints the diagnostics to stderr.   [main]
 [[nodiscard]] std::optional<Scene> read_scene(const std::string& file, const DocumentOptions& options,
                                               const Environment& with);
 

@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The shipped procedure whose text a session holds; empty: none.
+/// Returns the shipped procedure whose text is in the session; empty: none.
 std::string shipped_procedure(const RemeshOptions& options, const Environment& with, const RecordedInputs& recorded) {
     std::vector<std::string> files;
     std::error_code error;
@@ -74,7 +74,7 @@ void print_table(const ExactSurface& made, double seconds) {
     print("  digest " + hex16(made.digest) + "\n");
 }
 
-/// The full id of a strategy that a user names; the other ids are in `error` if there is none, or more than one.
+/// Returns the full id of the strategy that the user names. If none or several match, `error` lists the ids.
 std::optional<std::string> full_id_of(const std::string& wanted, const ComponentCatalog& catalog, std::string& error) {
     std::vector<std::string> known, meant;
     for (const ComponentInfo& component : catalog) {
@@ -95,7 +95,7 @@ std::optional<std::string> full_id_of(const std::string& wanted, const Component
     return std::nullopt;
 }
 
-/// Makes the surface as soon as the session has been repeated, while its bone is there.
+/// Makes the surface when the session has been repeated, while its bone is still in memory.
 class Remesher final : public RunObserver {
 public:
     Remesher(const Scene& scene, const ExactStrategies& strategies, const Interruption& interruption)

@@ -5,8 +5,8 @@
 
 namespace kerf {
 
-/// `kerf remesh SESSION.db`: repeats a session, and makes the exact surface of what it left: bone-exact.stl, one file
-/// for each further piece, and remesh.json.   [main]
+/// `kerf remesh SESSION.db`: repeats a session and writes the exact surface of its bone: bone-exact.stl, a file for
+/// each further piece, and remesh.json.   [main]
 [[nodiscard]] ExitCode remesh_session(const RemeshOptions& options, const Environment& with);
 
 }  // namespace kerf

@@ -7,17 +7,18 @@
 #include "run/run_procedure.h"
 #include "session/read_session.h"
 
-/// Feeding a recorded session to a run.
+/// Feeds a recorded session to a run.
 namespace kerf {
 
 /// Returns why a session cannot be repeated with this procedure, for people; empty if it can.   [any] pure.
 [[nodiscard]] std::string refusal_of_replay(const RecordedInputs& recorded, const std::string& session,
                                             const Procedure& procedure);
 
-/// The message for a session that was recorded with other documents.   [any] pure.
+/// Returns the message for a session that was recorded with other documents.   [any] pure.
 [[nodiscard]] std::string refusal_of_other_text(const std::string& session);
 
-/// Lets a run repeat a session's inputs. Returns why it cannot, for people; empty if it can.   [any]
+/// Copies the inputs of a session to a request. Returns why a run cannot repeat them, for people; empty if it can.
+/// [any]
 [[nodiscard]] std::string repeat(const RecordedInputs& recorded, const std::string& session, RunRequest& request);
 
 }  // namespace kerf

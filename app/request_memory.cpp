@@ -15,13 +15,13 @@ namespace kerf {
 namespace {
 
 constexpr std::size_t unit = 16, page = 4096;
-constexpr std::size_t max_regions = 16;  // one, and those in which something was left
-constexpr std::uintptr_t first_place = 0x100000000000;
+constexpr std::size_t max_regions = 16;  // one, and those with blocks that were never freed
+constexpr std::uintptr_t first_address = 0x100000000000;
 
-/// Blocks up to a page are used again, the last freed one first; larger ones give their pages back and are not.
+/// Blocks up to a page are reused, the last freed one first. Larger ones return their pages and are not reused.
 struct Region {
     char *begin = nullptr, *next = nullptr, *end = nullptr;
-    std::size_t blocks = 0;  ///< that are not freed
+    std::size_t blocks = 0;  ///< not freed
     std::array<void*, page / unit + 1> free{};
 
     void* take(std::size_t size) noexcept {
@@ -63,10 +63,10 @@ struct Region {
 };
 
 Region regions[max_regions];
-thread_local Region* current = nullptr;  // null: between requests, on other threads, and where there is no room
+thread_local Region* current = nullptr;  // null: between requests, on other threads, and without a free region
 std::atomic_flag is_in_use = ATOMIC_FLAG_INIT;
 
-/// Other threads of a library may free what this one took.
+/// Other threads of a library may free memory of this one.
 struct Lock {
     Lock() noexcept {
         while (is_in_use.test_and_set(std::memory_order_acquire)) {
@@ -77,13 +77,13 @@ struct Lock {
     Lock& operator=(const Lock&) = delete;
 };
 
-/// As much as may be had: an address space can be limited.
-bool reserve(Region& region, std::uintptr_t place) noexcept {
+/// Reserves up to 64 GB; less if the address space is limited.
+bool reserve(Region& region, std::uintptr_t address) noexcept {
     for (std::size_t size = std::size_t{1} << 36; size >= std::size_t{1} << 26; size /= 4) {
-        void* const at = mmap(reinterpret_cast<void*>(place), size, PROT_READ | PROT_WRITE,
+        void* const at = mmap(reinterpret_cast<void*>(address), size, PROT_READ | PROT_WRITE,
                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED_NOREPLACE, -1, 0);
         if (at == MAP_FAILED) continue;
-        if (at != reinterpret_cast<void*>(place)) {  // an old kernel takes the address as a hint
+        if (at != reinterpret_cast<void*>(address)) {  // an old kernel takes the address as a hint
             munmap(at, size);
             return false;
         }
@@ -132,8 +132,8 @@ void release(void* bytes) noexcept {
 void begin_request_memory() noexcept {
     for (std::size_t n = 0; n < max_regions && current == nullptr; ++n) {
         Region& region = regions[n];
-        if (region.begin == nullptr && !reserve(region, first_place + (n << 37))) return;
-        if (region.blocks > 0) {  // something that a library made once: what is beyond it is not needed
+        if (region.begin == nullptr && !reserve(region, first_address + (n << 37))) return;
+        if (region.blocks > 0) {  // a library keeps a block: the rest of the region is returned
             region.trim();
             continue;
         }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// Memory whose addresses are a function of what was requested. Libraries order by address what is otherwise equal, so
-/// their results depend on where the heap had room. While a request is answered, `operator new` on the same thread
-/// takes memory from an empty region at a fixed address. Not so where the address space is too small for a region, and
-/// for what a request needs beyond it: then memory comes from the heap. Linked into `kerf-remesh` alone.
+/// Makes the addresses of memory a function of the requests. Some libraries order equal elements by address, so their
+/// results depend on the state of the heap. During a request, `operator new` on the same thread takes memory from an
+/// empty region at a fixed address. If the address space is too small for a region, or the region is full, memory comes
+/// from the heap. Linked into `kerf-remesh` alone.
 namespace kerf {
 
-/// From now on memory comes from an empty region.   [main]
+/// Lets memory come from an empty region from now on.   [main]
 void begin_request_memory() noexcept;
-/// From now on it comes from the heap again. The region is used again once all that came from it is freed.   [main]
+/// Lets memory come from the heap again. The region is reused when all its blocks are freed.   [main]
 void end_request_memory() noexcept;
 
 }  // namespace kerf

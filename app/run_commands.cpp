@@ -45,17 +45,7 @@ std::string text_of(const ExactRow& exact) {
     return text;
 }
 
-std::string text_of(const ClockRow& clock) {
-    std::string text = formatted(
-        "  clock: %llu ticks, %llu late, %llu pauses; compute median %.0f us, 99.9 %% within %.0f us, worst %.2f ms\n",
-        static_cast<unsigned long long>(clock.ticks), static_cast<unsigned long long>(clock.late_ticks),
-        static_cast<unsigned long long>(clock.pauses), 1e6 * clock.compute.median, 1e6 * clock.compute.p999,
-        1e3 * clock.compute.worst);
-    for (const std::string& refusal : clock.refusals) text += "    " + refusal + "\n";
-    return text;
-}
-
-/// Two digits behind the point, or two that count.
+/// Two decimals, or two significant digits.
 std::string text_of(const MetricRow& m) {
     double value = m.value / m.per_unit;
     if (std::abs(value) < 5e-7) value = 0.0;
@@ -67,7 +57,7 @@ std::string text_of(const MetricRow& m) {
 void print_summary(const RunSummary& s) {
     print(std::string("verdict: ") + to_text(s.verdict) + "\n");
     for (const auto& reason : s.reasons) print("  " + reason + "\n");
-    // A measure that no limit of its step is on stands in summary.json; here, before and after.
+    // A measure without a limit of its step is only in summary.json.
     const auto is_shown = [](const MetricRow& m) {
         return m.status != "info" || m.id.find(".measure.") == std::string::npos;
     };
@@ -83,7 +73,7 @@ void print_summary(const RunSummary& s) {
     print_metrics(true);
 }
 
-/// Shows the progress of a run, and ends it at the first Ctrl-C.
+/// Shows the progress of a run, and ends the run at the first Ctrl-C.
 class ShownRun final : public RunObserver {
 public:
     explicit ShownRun(const Interruption& interruption) : interruption_(interruption) {}
@@ -138,25 +128,25 @@ ExitCode rehearse_file(const std::string& file, const DocumentOptions& options, 
 
 // ---- run ---------------------------------------------------------------------------------------------------------
 
-/// Says whether a replay ended as its recording did, and whether the recording is as it was written.
+/// Prints whether a replay ended as its recording did, and whether the recording is unchanged.
 ExitCode compare(const RecordedInputs& recorded, const RunSummary& replayed) {
     ExitCode code = exit_pass;
-    const auto say = [&](const char* what, ExitCode comes_to) {
+    const auto report = [&](const char* what, ExitCode result) {
         print(std::string("  replay: ") + what + "\n");
-        code = std::max(code, comes_to);
+        code = std::max(code, result);
     };
     if (recorded.hash.empty())
-        say("nothing to compare with: the recording ends without a result", exit_not_passed);
+        report("nothing to compare with: the recording ends without a result", exit_not_passed);
     else if (recorded.hash == hex16(replayed.hash))
-        say("the same bits", exit_pass);
+        report("the same bits", exit_pass);
     else
-        say("NOT the same bits", exit_fault);
+        report("NOT the same bits", exit_fault);
     if (recorded.rows == RecordCheck::changed)
-        say("the recording was CHANGED after its run wrote it: its rows do not give its checksum", exit_fault);
+        report("the recording was CHANGED after its run wrote it: its rows do not give its checksum", exit_fault);
     if (recorded.rows == RecordCheck::unknown && recorded.is_old)
-        say("the rows of the recording were not checked: this old session has no checksum", exit_pass);
+        report("the rows of the recording were not checked: this old session has no checksum", exit_pass);
     else if (recorded.rows == RecordCheck::unknown && !recorded.hash.empty())
-        say("the rows of the recording were not checked: it is incomplete", exit_not_passed);
+        report("the rows of the recording were not checked: it is incomplete", exit_not_passed);
     return code;
 }
 
@@ -181,9 +171,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         return exit_bad_input;
     }
 
-    if (options.is_live && !options.replay.empty())
-        return complain("a replay has no clock. Leave out `--live` or `--replay`.", exit_bad_input);
-    // Before the bone is made, which may take minutes: can it be run at all?
+    // Checked before the bone is made, which may take minutes.
     std::string rehearsal = options.hand;
     std::optional<RecordedInputs> recorded;
     if (!options.replay.empty()) {
@@ -201,12 +189,12 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     // Started while this process has one thread and little memory.
     ExactStrategies strategies(with.here.strategies(with.plugins));
     if (const std::string error = strategies.start(documents->procedure); !error.empty()) {
-        Diagnostics missing;  // apart from the others: the run does without it
+        Diagnostics missing;  // printed at once: the run continues without it
         report_strategy(documents->procedure, strategies.instrument_without(), error, missing);
         print_error(to_text(missing));
     }
     for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
-    const Interruption interruption;  // a second one ends the program at once
+    const Interruption interruption;  // a second Ctrl-C ends the program at once
     auto made = make_bone(std::move(*documents), file, diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
     if (!scene) return exit_bad_input;

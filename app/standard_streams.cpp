@@ -21,7 +21,7 @@ void write_to(std::FILE* stream, std::string_view text) {
     std::fwrite(safe.data(), 1, safe.size(), stream);
 }
 
-int first_error = 0;  // of stdout; the stream itself remembers only that there was one
+int first_error = 0;  // of stdout; the stream itself does not keep its code
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void print(std::string_view text) {
 }
 
 void print_error(std::string_view text) {
-    std::fflush(stdout);  // so that both are in order where they go to one place
+    std::fflush(stdout);  // keeps the order if both streams go to one file
     if (std::ferror(stdout) != 0 && first_error == 0) first_error = errno;
     write_to(stderr, text);
 }
@@ -57,7 +57,7 @@ std::string formatted(const char* format, ...) {
 void occupy_closed_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
-        // The lowest free number is this one. The wrong direction: reading or writing it fails.
+        // The lowest free descriptor is this one. It is opened in the wrong direction, so that using it fails.
         (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
 }
@@ -68,8 +68,7 @@ ExitCode close_stdout(ExitCode code) {
     if (std::fclose(stdout) == 0 && !has_failed) return code;
     if (first_error == 0) first_error = errno;
     const char* why = first_error == EBADF ? "it is closed" : first_error != 0 ? std::strerror(first_error) : "unknown";
-    std::fprintf(stderr,
-                 "kerf: stdout could not be written: %s. What was printed is incomplete; print it to another place.\n",
+    std::fprintf(stderr, "kerf: stdout could not be written: %s. The output is incomplete. Write it to another file.\n",
                  why);
     return exit_fault;
 }

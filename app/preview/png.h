@@ -17,10 +17,10 @@ struct Picture {
         : width(columns), height(rows), rgb(3 * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
 };
 
-/// The bytes of a PNG file, without any text or time in it.   [any]
+/// Returns the bytes of a PNG file, without text or time.   [any]
 [[nodiscard]] std::string png_of(const Picture& picture);
 
-/// The same for an <img> or <image>: `data:image/png;base64,…`.   [any]
+/// Returns the picture as a link for <img> or <image>: `data:image/png;base64,…`.   [any]
 [[nodiscard]] std::string png_link(const Picture& picture);
 
 }  // namespace kerf

@@ -46,7 +46,8 @@ bool is_in(const View& view, Vec3 p) {
     return x > 4 && y > 12 && x < view.columns - 4 && y < view.rows - 4;
 }
 
-/// Landmarks where they are, with their tolerance as a circle. `reach` [m]: those farther from the plane are left out.
+/// Draws landmarks, with their tolerance as a circle.
+/// @param reach   largest distance of a landmark from the plane of the view [m]
 std::string landmarks(const View& view, const Scene& scene, double reach) {
     std::string marks;
     const auto is_near = [&](Vec3 p) { return std::abs(dot(p - view.centre, view.away())) <= reach && is_in(view, p); };
@@ -70,7 +71,7 @@ std::string landmarks(const View& view, const Scene& scene, double reach) {
     return marks;
 }
 
-/// 10 mm in the lower left corner.
+/// Draws a scale of 10 mm in the lower left corner.
 std::string scale(const View& view) {
     const double y = view.rows - 12.0, length = 10e-3 / view.pixel();
     return "<path d=\"M12 " + px(y) + "h" + px(length) + "M12 " + px(y - 4) + "v8M" + px(12 + length) + " " +
@@ -87,7 +88,7 @@ std::string figure(const View& view, const Picture& picture, const std::string& 
            "</figcaption></figure>\n";
 }
 
-/// Where a step wants its tool in the end.
+/// Returns the pose of the tool at the goal of a step.
 Pose goal_pose(const Scene& scene, std::size_t step) {
     double depth = 0.0;
     for (const Goal& goal : scene.procedure.steps[step].goals)
@@ -95,11 +96,11 @@ Pose goal_pose(const Scene& scene, std::size_t step) {
     return scene.frames[step].pose_at({.depth = depth});
 }
 
-/// The outline of the tool as the plane of the view cuts it.
+/// Draws the outline of the tool in the plane of the view.
 std::string tool_outline(const View& view, const ToolOutline& outline, const Pose& tool) {
     const Vec3 along = tool * Vec3{0, 0, 1} - tool * Vec3{};
     Vec3 across = cross(along, view.away());
-    if (length(across) < 0.1 && outline.cutting.is_prism()) {  // seen along its axis: what it sweeps
+    if (length(across) < 0.1 && outline.cutting.is_prism()) {  // seen along its axis: the swept rectangle
         const Vec3 aside = outline.cutting.largest_radius() * rotate(tool.rotation, {1, 0, 0});
         const Vec3 up = 0.5 * outline.cutting.thickness() * rotate(tool.rotation, {0, 1, 0});
         std::string corners;
@@ -129,7 +130,7 @@ std::string tool_outline(const View& view, const ToolOutline& outline, const Pos
     return "<polygon points=\"" + there + back + "\" fill=\"none\" stroke=\"#5fb0ff\" stroke-width=\"2\"/>";
 }
 
-/// What all outside views show: the region, or the bone.
+/// Returns the box that all outside views show: the region, or the bone.
 Box shown_box(const Scene& scene) {
     const Body& bone = planned_bone(scene);
     if (bone.region.is_bounded()) return {bone.region.low, bone.region.high};
@@ -200,14 +201,14 @@ std::string step_views(const Scene& scene, std::size_t step) {
            rounded(depth * 1e3, 1) + " mm deep</h2><div class=\"views\">" + figures + "</div></section>\n";
 }
 
-std::string told(const Scene& scene) {
+std::string notes_section(const Scene& scene) {
     std::string items, text = anatomy_text(scene);
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = text.find('\n', at);
         items += "<li>" + html_escaped(text.substr(at, end - at)) + "</li>";
         at = end + 1;
     }
-    return "<section><h2>What import did, and where things lie</h2><ul>" + items + "</ul></section>\n";
+    return "<section><h2>Import and positions</h2><ul>" + items + "</ul></section>\n";
 }
 
 std::string key(const Scene& scene) {
@@ -219,7 +220,7 @@ std::string key(const Scene& scene) {
            entry("#0a7d4b", "point, with its tolerance") + entry("#1f6f9f", "axis") +
            (scene.fragment ? entry("#cc8c40", "fragment, where it lies now") : "") +
            (scene.implants.empty() ? "" : entry("#737880", "implant, where it is planned")) +
-           "</p><p class=\"soft\">What bone hides is shown through it, paler.</p>";
+           "</p><p class=\"soft\">Parts behind bone are paler.</p>";
 }
 
 }  // namespace
@@ -235,7 +236,7 @@ std::string preview_page(const Scene& scene) {
                        key(scene);
     page += outside_views(scene, tools);
     for (std::size_t step = 0; step < scene.procedure.steps.size(); ++step) page += step_views(scene, step);
-    return page + told(scene) + "<footer>" + std::string(notice_line) + ".</footer></main></body></html>\n";
+    return page + notes_section(scene) + "<footer>" + std::string(notice_line) + ".</footer></main></body></html>\n";
 }
 
 }  // namespace kerf

@@ -7,9 +7,9 @@
 
 namespace kerf {
 
-/// One page that shows a scene before anything is cut: from outside, and cut along and across each step's axis with the
-/// tool at its goal; landmarks with their tolerance, and what import did. Nothing in it is fetched, and nothing tells
-/// whose bone it is.   [main]
+/// Returns a page that shows a scene before it is cut: from outside, and in sections along and across each step's axis
+/// with the tool at its goal; landmarks with their tolerance, and the notes of import. The page loads no other file and
+/// contains no personal data.   [main]
 [[nodiscard]] std::string preview_page(const Scene& scene);
 
 }  // namespace kerf

@@ -23,7 +23,7 @@ constexpr Colour background{0.97, 0.975, 0.98}, zone_colour{0.86, 0.20, 0.16}, t
 constexpr std::array<Colour, 4> tissues{
     {{0.93, 0.89, 0.80}, {0.85, 0.60, 0.45}, {0.70, 0.72, 0.50}, {0.60, 0.60, 0.75}}};
 
-Colour mixed(Colour a, Colour b, double share) { return a + share * (b - a); }
+Colour mixed(Colour a, Colour b, double weight) { return a + weight * (b - a); }
 
 void set(Picture& picture, int x, int y, Colour colour) {
     const std::size_t at =
@@ -42,7 +42,7 @@ Colour tissue_at(const Body& body, Vec3 p) {
     return colour;
 }
 
-/// Where a straight way through the box of what is known begins and ends [m along it]; `end` under `begin`: it misses.
+/// The part of a straight line that lies in a box [m along the line]; `end` < `begin`: none.
 struct Stretch {
     double begin = 0.0, end = -1.0;
 };
@@ -63,7 +63,7 @@ Stretch within(const Box& box, Vec3 from, Vec3 along) {
     return stretch;
 }
 
-/// What is known of a body: its region, or else its grid.
+/// Returns the box with samples of a body: its region, or else its grid.
 Box known_box(const Body& body) {
     const Grid& grid = body.grid();
     const Vec3 low = grid.sample_position(0, 0, 0);
@@ -76,13 +76,13 @@ Box known_box(const Body& body) {
 
 double depth_at(const Body& body, Vec3 p) { return body.surface.at(locate(body, p)); }
 
-/// The first place [m along the way] where a distance is negative; none: `stretch.end`.
+/// Returns the first position [m along the line] at which `distance` is negative; `stretch.end` if there is none.
 template <class DistanceAt>
 double first_inside(const Stretch& stretch, double min_step, const DistanceAt& distance) {
-    for (double way = stretch.begin; way < stretch.end;) {
-        const double d = distance(way);
-        if (d < 0.0) return way;
-        way += std::max(0.9 * d, min_step);
+    for (double at = stretch.begin; at < stretch.end;) {
+        const double d = distance(at);
+        if (d < 0.0) return at;
+        at += std::max(0.9 * d, min_step);
     }
     return stretch.end;
 }
@@ -98,21 +98,21 @@ Colour shaded(Colour colour, Vec3 normal, Vec3 away) {
 }
 
 double zones_distance(const Scene& scene, Vec3 p) {
-    double least = 1e9;
-    for (const Zone& zone : scene.anatomy.zones) least = std::min(least, distance_to_any(zone.solids, p));
-    return least;
+    double nearest = 1e9;
+    for (const Zone& zone : scene.anatomy.zones) nearest = std::min(nearest, distance_to_any(zone.solids, p));
+    return nearest;
 }
 
-/// A body of the scene that is not the bone of the plan, at its pose.
-struct Aside {
+/// A body of the scene other than the bone of the plan.
+struct OtherBody {
     const Body* body;
     Pose body_from_world;
     Colour colour;
 };
 
-/// A fragment where it lies now, and implants where they are planned.
-std::vector<Aside> things_aside(const Scene& scene) {
-    std::vector<Aside> things;
+/// Returns the fragment at its present pose, and implants at their planned poses.
+std::vector<OtherBody> other_bodies(const Scene& scene) {
+    std::vector<OtherBody> things;
     if (scene.fragment) things.push_back({&*scene.fragment, inverse(scene.world_from_fragment), fragment_colour});
     for (std::size_t i = 0; i < scene.planned.size(); ++i)
         if (scene.planned[i]) things.push_back({&scene.implants[i], inverse(*scene.planned[i]), metal_colour});
@@ -129,42 +129,42 @@ Picture from_outside(const View& view, const Scene& scene, const std::vector<Pos
     const double h = body.grid().spacing;
     const Vec3 away = view.away();
     const Box box = known_box(body);
-    const std::vector<Aside> aside = things_aside(scene);
+    const std::vector<OtherBody> others = other_bodies(scene);
     for (int y = 0; y < view.rows; ++y)
         for (int x = 0; x < view.columns; ++x) {
-            const Vec3 from = view.place(x + 0.5, y + 0.5);
+            const Vec3 from = view.point(x + 0.5, y + 0.5);
             const Stretch in_box = within(box, from, away);
             const double bone =
-                first_inside(in_box, 0.25 * h, [&](double way) { return depth_at(body, from + way * away); });
+                first_inside(in_box, 0.25 * h, [&](double s) { return depth_at(body, from + s * away); });
             const bool is_bone = in_box.end > in_box.begin && bone < in_box.end;
             Colour colour = background;
             if (is_bone) {
                 const Vec3 at = from + bone * away;
-                // On a face of the region one looks into the bone.
+                // A face of the region shows the inside of the bone.
                 const bool is_face = bone - in_box.begin < 0.5 * h && depth_at(body, at) < -0.25 * h;
                 colour = is_face ? 0.92 * tissue_at(body, at + 0.5 * h * away)
                                  : shaded(tissues[0], slope(body, at, h), away);
             }
-            const auto lay_over = [&](double way, double end, Colour over) {
-                if (way < end) colour = mixed(colour, over, !is_bone || way < bone ? 0.75 : 0.30);
+            const auto lay_over = [&](double at, double end, Colour over) {
+                if (at < end) colour = mixed(colour, over, !is_bone || at < bone ? 0.75 : 0.30);
             };
-            for (const Aside& thing : aside) {
-                const Vec3 start = thing.body_from_world * from,
-                           way_there = rotate(thing.body_from_world.rotation, away);
-                const Stretch near = within(known_box(*thing.body), start, way_there);
-                const auto distance = [&](double way) { return depth_at(*thing.body, start + way * way_there); };
-                lay_over(first_inside(near, 0.25 * thing.body->grid().spacing, distance), near.end, thing.colour);
+            for (const OtherBody& other : others) {
+                const Vec3 start = other.body_from_world * from,
+                           direction = rotate(other.body_from_world.rotation, away);
+                const Stretch near = within(known_box(*other.body), start, direction);
+                const auto distance = [&](double s) { return depth_at(*other.body, start + s * direction); };
+                lay_over(first_inside(near, 0.25 * other.body->grid().spacing, distance), near.end, other.colour);
             }
             const Stretch around{-0.25, 0.25};
-            const auto zone = [&](double way) { return zones_distance(scene, from + way * away); };
+            const auto zone = [&](double s) { return zones_distance(scene, from + s * away); };
             if (!scene.anatomy.zones.empty()) lay_over(first_inside(around, 0.5 * h, zone), around.end, zone_colour);
             for (std::size_t step = 0; step < tools.size(); ++step) {
                 const Pose tool_from_world = inverse(tools[step]);
-                const auto distance = [&](double way) {
-                    return scene.tool(step).outline.whole.distance(tool_from_world * (from + way * away));
+                const auto distance = [&](double s) {
+                    return scene.tool(step).outline.whole.distance(tool_from_world * (from + s * away));
                 };
-                const double way = first_inside(around, 0.25 * h, distance);
-                lay_over(way, around.end, tool_colour);
+                const double at = first_inside(around, 0.25 * h, distance);
+                lay_over(at, around.end, tool_colour);
             }
             set(picture, x, y, colour);
         }
@@ -177,7 +177,7 @@ Picture cut_through(const View& view, const Scene& scene) {
     const auto& scan = scene.import.scan_value;
     for (int y = 0; y < view.rows; ++y)
         for (int x = 0; x < view.columns; ++x) {
-            const Vec3 p = view.place(x + 0.5, y + 0.5);
+            const Vec3 p = view.point(x + 0.5, y + 0.5);
             Colour colour = air;
             const double value = scan ? scan(p) : 0.0;
             if (scan && std::isfinite(value)) {

@@ -16,14 +16,14 @@
 namespace kerf {
 namespace {
 
-/// The strategies whose surfaces are compared; none if one of them cannot be started.
+/// Starts the strategies whose surfaces are compared. Returns none if one of them cannot be started.
 std::map<std::string, std::unique_ptr<RemeshChild>> start_strategies(const StrategyHost& host) {
     std::map<std::string, std::unique_ptr<RemeshChild>> started;
     for (const std::string id : chart::surface_strategies) {
         std::string error;
         auto child = start_strategy(host, id, {}, error);
         if (child == nullptr) {
-            print_error("kerf: " + error + " The chart goes without surfaces.\n");
+            print_error("kerf: " + error + " The chart has no surfaces.\n");
             return {};
         }
         started.emplace(id, std::move(child));
@@ -37,8 +37,7 @@ ExitCode draw_chart(const ChartOptions& options, const PluginRegistry& plugins, 
     PluginRegistry printed;
     scan_printed_laws(printed, here);
     if (printed.plugins().empty())
-        print_error("kerf: the papers as printed are not in " + here.printed_laws() +
-                    ": the chart goes without them.\n");
+        print_error("kerf: the papers as printed are not in " + here.printed_laws() + ": the chart leaves them out.\n");
     print(std::string(notice_line) + ".\n");
     chart::Request request{.scene = options.scene, .is_quick = options.is_quick};
     request.progress = [](const std::string& what) { print_error(what + "\n"); };

@@ -30,7 +30,7 @@ const ComponentInfo& info_of(const PluginRegistry& plugins, const Instrument& in
     });
 }
 
-/// As deep as the step's own goal; without one as rehearsals that should pass go in it.
+/// Returns the depth of the step's goal; without one, the depth that passing rehearsals reach [m].
 double depth_of(std::size_t s, const Procedure& procedure) {
     const Step& step = procedure.steps[s];
     double depth = 0.0;
@@ -70,7 +70,7 @@ std::string surface_text(const std::vector<StrategyCost>& costs, double accuracy
            " % of the volume: `remeshing: " + chosen->strategy + "`; `farthest` is the largest distance at its edges\n";
 }
 
-/// Those that suit a tool, the one that the procedure names first, the most accurate last.
+/// Returns the strategies that suit a tool: that of the procedure first, the most accurate last.
 std::vector<std::string> strategies_for(const Instrument& instrument, const ComponentInfo& tool) {
     std::vector<std::string> all = tool.strategies;
     if (!instrument.remeshing.empty() && std::find(all.begin(), all.end(), instrument.remeshing) == all.end())
@@ -90,7 +90,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
     const Procedure& procedure = scene.procedure;
     PlanOutcome outcome;
     outcome.is_kept = true;
-    MadeFolders made;  // before the minute's work that goes into it
+    MadeFolders made;  // made before work that takes minutes
     if (!folder.empty() && !(outcome.error = made.make(folder)).empty()) return outcome;
     std::string text;
     const auto add = [&](const std::string& more) {
@@ -103,11 +103,11 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         const Step& step = procedure.steps[s];
         const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
                                              [&](const Instrument& i) { return i.id == step.instrument; });
-        if (!step.cuts()) continue;  // nothing there depends on how finely bone is resolved
+        if (!step.cuts()) continue;  // the step does not depend on the spacing
         const double depth = depth_of(s, procedure);
         if (depth <= 0.0) {
-            outcome.error = procedure.file + ": step `" + step.id +
-                            "` says nowhere how deep it goes. Give it a goal `{depth: {at_least: 30 mm}}`.";
+            outcome.error =
+                procedure.file + ": step `" + step.id + "` has no depth. Give it a goal `{depth: {at_least: 30 mm}}`.";
             return outcome;
         }
         plan::Task task;

@@ -7,13 +7,13 @@
 #include "run/exact/exact_strategies.h"
 #include "run/scene.h"
 
-/// `kerf plan`: the least that each step of a procedure needs.
+/// `kerf plan`: finds the coarsest settings that each step of a procedure allows.
 namespace kerf {
 
 struct PlanOutcome {
-    bool is_planned = false;  ///< all steps; not where the planned path or the bone will not do
-    bool is_kept = false;     ///< every step keeps the accuracy and the budget
-    std::string error;        ///< of a plan: it could not be written
+    bool is_planned = false;  ///< all steps; false if the planned path or the bone does not suit
+    bool is_kept = false;     ///< each step keeps the accuracy and the budget
+    std::string error;        ///< why there is no plan, or why it could not be written
 };
 
 /// Plans every step of `scene`; with `folder` not empty, writes plan.txt and plan.csv there as well.   [main]

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// Loads the laws as the papers print them, which only `stability` and `chart` show.   [main]
+/// Loads the laws as printed in papers, which only `stability` and `chart` use.   [main]
 inline void scan_printed_laws(PluginRegistry& laws, const Installation& here) {
     laws.scan({here.printed_laws()});
     for (const auto& refusal : laws.refusals()) print_error(refusal + "\n");

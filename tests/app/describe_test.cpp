@@ -16,7 +16,7 @@ std::string description(const std::string& wanted) {
     return description_of(test::plugins(), wanted, error).value_or("");
 }
 
-TEST(Describe, TellsEveryValueOfEveryComponentWithUnitDefaultRangeHelpAndSource) {
+TEST(Describe, PrintsEveryValueOfEveryComponent) {
     const std::string text = description("");
     ASSERT_FALSE(test::plugins().catalog().empty());
     for (const ComponentInfo& component : test::plugins().catalog()) {
@@ -40,7 +40,7 @@ TEST(Describe, TellsEveryValueOfEveryComponentWithUnitDefaultRangeHelpAndSource)
     EXPECT_NE(text.find("not for diagnosis"), std::string::npos);
 }
 
-TEST(Describe, OneComponentAndNoOther) {
+TEST(Describe, PrintsOneComponent) {
     const std::string text = description("kerf.drilling/twist_drill");
     EXPECT_NE(text.find("    diameter            3.2 mm          from 0.5 mm to 20 mm\n"), std::string::npos) << text;
     EXPECT_NE(text.find("    spindle_speed       1000 rpm        from -3000 rpm to 3000 rpm\n"), std::string::npos)
@@ -48,13 +48,13 @@ TEST(Describe, OneComponentAndNoOther) {
     EXPECT_EQ(text.find("drill_cutting"), std::string::npos);
 }
 
-TEST(Describe, AWrongNameIsAnsweredWithTheOneThatWasMeant) {
+TEST(Describe, SuggestsTheClosestName) {
     std::string error;
     EXPECT_FALSE(description_of(test::plugins(), "kerf.driling", error));
     EXPECT_EQ(error, "there is no plugin or component `kerf.driling`. Write `kerf.drilling`.");
 }
 
-TEST(Describe, WithoutPluginsThereIsCoreAlone) {
+TEST(Describe, PrintsCoreWithoutPlugins) {
     std::string error;
     const auto text = description_of(PluginRegistry(), "", error);
     ASSERT_TRUE(text) << error;

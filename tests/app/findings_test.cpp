@@ -18,18 +18,18 @@ std::vector<Findings> two_files() {
     return {{"a,b.yaml", {d}}, {"good.yaml", {}}};
 }
 
-TEST(Findings, AsTextNameEveryFile) {
+TEST(Findings, NameEveryFileInText) {
     EXPECT_EQ(findings_text(two_files(), "text"),
               "E0412 a,b.yaml:14:22: drill.diameter is 65 mm: 100 % wrong. Write `6.5 mm`.\ngood.yaml: no errors\n");
 }
 
-TEST(Findings, AsWorkflowCommandsEscapeWhatWouldEndThem) {
+TEST(Findings, EscapeWorkflowCommands) {
     EXPECT_EQ(findings_text(two_files(), "github"),
               "::error file=a%2Cb.yaml,line=14,col=22,title=E0412::drill.diameter is 65 mm: 100 %25 wrong. Write `6.5 "
               "mm`.\n");
 }
 
-TEST(Findings, AsJsonHoldEveryPart) {
+TEST(Findings, HaveEveryPartInJson) {
     const auto document = nlohmann::json::parse(findings_text(two_files(), "json"));
     EXPECT_EQ(document["schema"], 1);
     ASSERT_EQ(document["files"].size(), 2u);
@@ -43,7 +43,7 @@ TEST(Findings, AsJsonHoldEveryPart) {
     EXPECT_EQ(document["files"][1]["has_errors"], false);
 }
 
-TEST(Findings, TellTheReasonInItsOwnPlace) {
+TEST(Findings, HaveThePositionOfTheReason) {
     std::vector<Findings> files = two_files();
     Reason& reason = files[0].diagnostics[0].reason.emplace();
     reason.place = {"base.yaml", 3, 7, 2};

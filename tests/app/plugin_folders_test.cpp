@@ -16,20 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(PluginFolders, AreThoseOfThePathAndThenItsOwn) {
+TEST(PluginFolders, ListThePathThenTheOwnFolder) {
     const test::TemporaryFolder a, b, own;
     const PluginFolders found = plugin_folders(a.path() + "::" + b.path() + ":", own.path());
     EXPECT_EQ(found.folders, (std::vector<std::string>{a.path(), b.path(), own.path()}));
     EXPECT_TRUE(found.complaints.empty());
 }
 
-TEST(PluginFolders, OneNamedTwiceIsSearchedOnce) {
+TEST(PluginFolders, ListEachFolderOnce) {
     const test::TemporaryFolder a;
     const PluginFolders found = plugin_folders(a.path() + ":" + a.path() + "/.:" + a.path(), a.path());
     EXPECT_EQ(found.folders, std::vector<std::string>{a.path()});
 }
 
-TEST(PluginFolders, OneThatDoesNotExistIsSaidOnce) {
+TEST(PluginFolders, ReportAMissingFolderOnce) {
     const test::TemporaryFolder own;
     const PluginFolders found = plugin_folders("/nowhere:/nowhere", own.path());
     EXPECT_EQ(found.folders, std::vector<std::string>{own.path()});
@@ -37,7 +37,7 @@ TEST(PluginFolders, OneThatDoesNotExistIsSaidOnce) {
                                                          "no plugins come from there. Correct it or take it out."});
 }
 
-TEST(PluginFolders, SaysThatAFolderMayNotBeRead) {
+TEST(PluginFolders, ReportAnUnreadableFolder) {
     const test::TemporaryFolder folder;
     fs::create_directory(folder / "locked");
     fs::permissions(folder / "locked", fs::perms(0));

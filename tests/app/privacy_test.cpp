@@ -171,7 +171,7 @@ struct Privacy : testing::Test {
     }
 };
 
-TEST_F(Privacy, NoNameOfASeriesIsInAnyFileThatIsMadeOfIt) {
+TEST_F(Privacy, CopiesNoPersonalDataOfASeries) {
     // Given sixty names in a series: in elements, private ones, sequences, UIDs, and the names of folders and files
     ASSERT_GE(planted.strings.size(), 60u);
     ASSERT_FALSE(hits_in(series, planted).empty());
@@ -206,7 +206,7 @@ TEST_F(Privacy, NoNameOfASeriesIsInAnyFileThatIsMadeOfIt) {
     }
 }
 
-TEST_F(Privacy, TellsWhichElementsOfASliceSaySomethingAndNotWhat) {
+TEST_F(Privacy, NamesElementsAndMasksValues) {
     const std::string file = fs::directory_iterator(series)->path().string();
     const PrivacyReport report = privacy_report(file);
     const std::string text = privacy_text("slice", report, false), shown = privacy_text("slice", report, true);
@@ -224,7 +224,7 @@ TEST_F(Privacy, TellsWhichElementsOfASliceSaySomethingAndNotWhat) {
     EXPECT_EQ(run("privacy " + (folder / "hole.yaml"), folder / "log"), 0) << test::contents_of(folder / "log");
 }
 
-TEST(PrivacyReport, SeesWhatOthersLeaveInFiles) {
+TEST(PrivacyReport, FindsPathsNamesAndDates) {
     const TemporaryFolder folder;
     const std::pair<const char*, const char*> leftovers[]{{"seen at /home/jane/scans/1", "a path"},
                                                           {"C:\\Users\\jane\\x", "a path"},
@@ -290,7 +290,7 @@ bool has(const std::vector<std::string>& all, const std::string& one) {
     return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-TEST(PrivacyReport, LooksIntoSequencesHoweverDeepAndHoweverTheyEnd) {
+TEST(PrivacyReport, SearchesNestedSequences) {
     const TemporaryFolder folder;
     for (const bool has_length : {true, false}) {
         const std::string who = element(0x0010, 0x0010, "PN", "Doe^Jane"),
@@ -310,7 +310,7 @@ TEST(PrivacyReport, LooksIntoSequencesHoweverDeepAndHoweverTheyEnd) {
     }
 }
 
-TEST(PrivacyReport, ASequenceThatIsDamagedIsSaidAndTheRestIsSeen) {
+TEST(PrivacyReport, ReportsADamagedSequence) {
     const TemporaryFolder folder;
     std::string deep = sequence(0x0008, 0x1140, element(0x0010, 0x0010, "PN", "Doe^Jane"), true);
     deep.replace(deep.find("PN") + 2, 2, "\xff\x7f");  // longer than the file
@@ -347,7 +347,7 @@ std::string voxels_with(const std::string& word) {
     return bytes.replace(1'500'000, framed.size(), framed);
 }
 
-TEST(PrivacyReport, LooksAmongVoxelsPackedOrNot) {
+TEST(PrivacyReport, SearchesVoxelsCompressedOrNot) {
     const TemporaryFolder folder;
     const std::string nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 100 100 150\nencoding: ",
                       meta = "ObjectType = Image\nNDims = 3\nCompressedData = ";
@@ -373,7 +373,7 @@ TEST(PrivacyReport, LooksAmongVoxelsPackedOrNot) {
     }
 }
 
-TEST(PrivacyReport, TheCornersOfTrianglesAreNobodysName) {
+TEST(PrivacyReport, IgnoresCornersOfTriangles) {
     // Given voxels of two bytes whose high bytes are a letter each, and a caret where the low one happens to be one
     const TemporaryFolder folder;
     std::string voxels;
@@ -393,7 +393,7 @@ TEST(PrivacyReport, TheCornersOfTrianglesAreNobodysName) {
     EXPECT_EQ(privacy_report(file).findings.size(), 1u);
 }
 
-TEST(PrivacyReport, SaysWhichVoxelsWereNotSeen) {
+TEST(PrivacyReport, ReportsUncheckedVoxels) {
     const TemporaryFolder folder;
     const std::string nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 1 1 1\nencoding: ";
     std::string cut = gzipped(voxels_with(""));
@@ -406,7 +406,7 @@ TEST(PrivacyReport, SaysWhichVoxelsWereNotSeen) {
     EXPECT_NE(privacy_text("b", privacy_report(folder / "b.nrrd"), false).find("but not by gzip"), std::string::npos);
 }
 
-TEST(PrivacyReport, UnpacksWhatAPageHoldsAsBase64) {
+TEST(PrivacyReport, SearchesBase64InPages) {
     const TemporaryFolder folder;
     std::string bytes(600, '\x01');
     for (std::size_t shift = 0; shift < 3; ++shift) {
@@ -427,7 +427,7 @@ void change_session(const std::string& path, const std::string& sql) {
     sqlite3_close(database);
 }
 
-TEST(PrivacyReport, PassesASessionsOwnStartAndNumber) {
+TEST(PrivacyReport, AllowsTheStartAndNumberOfASession) {
     const TemporaryFolder folder;
     const std::string path = folder / "session.db";
     SessionHeader header;
@@ -449,7 +449,7 @@ TEST(PrivacyReport, PassesASessionsOwnStartAndNumber) {
     }
 }
 
-TEST(PrivacyReport, ReadsNothingIntoTheNumbersOfASession) {
+TEST(PrivacyReport, IgnoresNumbersOfASession) {
     // Given a session with a megabyte of numbers that look like noise
     const TemporaryFolder folder;
     const std::string path = folder / "session.db";

@@ -139,8 +139,8 @@ TEST(Stdout, ThatIsFullIsAnErrorOfEveryCommand) {
     for (const std::string& command : commands) {
         const Ended ended = kerf(command + " > /dev/full");
         EXPECT_EQ(ended.exit_code, 3) << command;
-        EXPECT_EQ(ended.err, "kerf: stdout could not be written: No space left on device. What was printed is "
-                             "incomplete; print it to another place.\n")
+        EXPECT_EQ(ended.err, "kerf: stdout could not be written: No space left on device. The output is "
+                             "incomplete. Write it to another file.\n")
             << command;
     }
 }

@@ -141,7 +141,7 @@ TEST(Program, WhereNothingCanBeWrittenIsSaidBeforeTheWorkAndNoOtherFileIsWritten
             const Ended ended = kerf(command + " --out " + out);
             EXPECT_EQ(ended.exit_code, 2) << command;
             EXPECT_EQ(ended.out, "") << command;
-            EXPECT_EQ(ended.err, "kerf: `--out` is `" + out + "`, where nothing can be written: `" + file +
+            EXPECT_EQ(ended.err, "kerf: `--out` is `" + out + "`, which cannot be written: `" + file +
                                      "` is a file. Give another folder.\n");
         }
     const Ended preview = kerf("preview " + pedicle_screw + " --out " + file);
