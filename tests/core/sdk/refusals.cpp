@@ -74,7 +74,7 @@ struct Press {
             effect(&Press::stiffness, {.id = "contact", .help = "It touches.", .off = 1_N_per_mm}));
 #endif
     }
-#if MISTAKE == 8  // events are described in another order
+#if MISTAKE == 8  // events are missing or not in the order of their enumeration
 #endif
 #if MISTAKE == 10  // `off` of a feature has another dimension
 #endif
