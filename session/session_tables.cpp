@@ -115,6 +115,7 @@ std::vector<std::string> signal_column_names(const std::vector<SignalColumn>& si
     return names;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table, one row for each column
 std::vector<Table> session_tables(const std::vector<SignalColumn>& signals, double force_scale) {
     const Columns key_value{{"key", "TEXT", "", "", "", "what is stated"},
                             {"value", "TEXT", "", "", "",

@@ -21,6 +21,7 @@ struct DrillBit {
     double runout, helix_angle, run_up, inertia, mass, yield_strength;
     double spindle_speed;  ///< commanded
 
+    // NOLINTNEXTLINE(readability-function-size): a table, one row for each parameter
     static constexpr auto common() {
         using namespace literals;
         return group(

@@ -25,6 +25,7 @@ struct DrillParameters {
                 .chisel = {chisel_edge, edge_depth, chisel_chip}};
     }
 
+    // NOLINTNEXTLINE(readability-function-size): a table, one row for each parameter
     static constexpr auto about() {
         using namespace literals;
         constexpr const char* femur_fit = "calibrated: human femur cortex, 3.2 mm, 2 mm/s, least squares over 1000, "

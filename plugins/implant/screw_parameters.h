@@ -13,6 +13,7 @@ struct ScrewParameters {
         seat_stiffness;
     double yield_share, yield_slip, strip_slip, flute_relief, tapped_relief;
 
+    // NOLINTNEXTLINE(readability-function-size): a table, one row for each parameter
     static constexpr auto about() {
         using namespace literals;
         return group(

@@ -17,6 +17,7 @@ struct ReciprocatingBlade {
     double motor_torque, run_up, inertia;
     double stroke_rate;  ///< commanded
 
+    // NOLINTNEXTLINE(readability-function-size): a table, one row for each parameter
     static constexpr auto about() {
         using namespace literals;
         return describe(
