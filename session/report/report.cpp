@@ -14,6 +14,7 @@
 #include "session/content_hash.h"
 #include "session/recorder.h"
 #include "session/report/report_data.h"
+#include "session/report/report_overview.h"
 #include "session/report/report_page.h"
 #include "session/report/report_steps.h"
 #include "text/plain_numbers.h"

@@ -3,149 +3,21 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/plugin/unit.h"
+#include "session/report/metric_cells.h"
 #include "session/report/report_data.h"
 
 namespace kerf {
 namespace {
 
-// ---- names -------------------------------------------------------------------------------------------------------
-
-constexpr std::array<std::pair<std::string_view, std::string_view>, 33> names{{
-    {"axis-in-bone", "Planned axis in bone"},
-    {"bone.balance", "Balance of volumes"},
-    {"bone.crumb-volume", "Volume of crumbs"},
-    {"bone.grooves", "Grooves of threads"},
-    {"breach", "Breach"},
-    {"depth", "Depth"},
-    {"depth-in-air", "Depth gained in air"},
-    {"duration", "Duration"},
-    {"end-offset", "Offset at the end"},
-    {"entry", "Contact with bone"},
-    {"entry-offset", "Offset at the entry"},
-    {"excess-removal", "Bone removed beyond the plan"},
-    {"flatness", "Unevenness of the cut"},
-    {"gertzbein-robbins", "Breach of the thread, Gertzbein–Robbins"},
-    {"haptics.port-energy", "Energy balance of the device"},
-    {"heary", "Breach of the thread, Heary"},
-    {"held", "Piece held"},
-    {"hole-angle", "Angle to the planned axis"},
-    {"lateral-force", "Force across the shaft"},
-    {"moved", "Piece moved"},
-    {"narrowest-offset", "Offset at the narrowest bone"},
-    {"offset", "Largest offset of the tip"},
-    {"plane-angle", "Angle to the planned plane"},
-    {"plane-offset", "Offset from the planned plane"},
-    {"plunge", "Plunge past a far face"},
-    {"plunge.hand", "Plunge of the hand"},
-    {"removed", "Bone removed in the step"},
-    {"removed-volume", "Bone removed"},
-    {"separated", "Bone apart"},
-    {"speed", "Speed of the tip"},
-    {"thrust", "Thrust"},
-    {"time-in-air", "Time in air"},
-    {"torque", "Torque"},
-}};
-
-std::string words_of(std::string_view id) {
-    std::string words(id);
-    for (char& c : words)
-        if (c == '-' || c == '_' || c == '.') c = ' ';
-    return words;
-}
-
-std::string capitalised(std::string words) {
-    if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    return words;
-}
-
-/// Returns the name for people of a metric or quantity, from its id without the step.
-std::string name_of(std::string_view id) {
-    for (const auto& [known, name] : names)
-        if (known == id) return std::string(name);
-    const auto behind = [&](std::string_view prefix) { return words_of(id.substr(prefix.size())); };
-    if (id.starts_with("clearance.")) return "Clearance to " + behind("clearance.");
-    if (id.starts_with("breach-")) return "Breach of " + std::string(id.substr(7, id.size() - 9)) + "\u00a0mm";
-    if (id.starts_with("measure.")) return capitalised(behind("measure."));
-    if (id.starts_with("breach.")) return "Breach, " + behind("breach.");
-    if (id.starts_with("gertzbein-robbins.")) return "Breach of the thread, " + behind("gertzbein-robbins.");
-    return capitalised(id.starts_with("left.")     ? behind("left.") + " at the release"
-                       : id.starts_with("signal.") ? behind("signal.")
-                                                   : words_of(id));
-}
-
-/// Returns the id of a metric without its step.
-std::string_view short_id(const MetricRow& metric) {
-    const std::string_view id = metric.id;
-    const bool has_step =
-        id.size() > metric.scope.size() && id.starts_with(metric.scope) && id[metric.scope.size()] == '.';
-    return has_step ? id.substr(metric.scope.size() + 1) : id;
-}
-
-// ---- cells -------------------------------------------------------------------------------------------------------
-
-std::string with_unit(const std::string& number, const std::string& unit) {
-    if (unit.empty()) return number;
-    const std::string shown = html_escaped(unit_for_people(unit));
-    return number + (shown == "°" ? "" : "\u00a0") + shown;
-}
-
-/// @param bounds   in the metric's unit
-std::string value_html(const MetricRow& metric, std::span<const double> bounds = {}, bool with_uncertainty = true) {
-    const bool is_uncertain = metric.uncertainty > 0.0;
-    const double uncertainty = is_uncertain ? metric.uncertainty / metric.per_unit : -1.0;
-    std::string number = sensible_number(metric.value / metric.per_unit, uncertainty, bounds);
-    if (is_uncertain && with_uncertainty) number += " ± " + sensible_number(uncertainty, uncertainty);
-    return with_unit(number, metric.unit);
-}
-
-/// Returns the first cell of a row: name for people, id for programs, and explanation.
-std::string what_html(const std::string& name, std::string_view id, const std::string& help) {
-    return "<th scope=\"row\">" + html_escaped(name) + " <code>" + html_escaped(id) + "</code>" +
-           (help.empty() ? "" : "<p class=\"soft small\">" + html_escaped(help) + "</p>") + "</th>";
-}
-
-struct Result {
-    const char* css;
-    const char* text;
-    bool is_failed = false;
-};
-constexpr Result reached{"ok", "✓ reached"}, missed{"broken", "✗ not reached", true}, kept{"ok", "✓ kept"},
+constexpr RowResult reached{"ok", "✓ reached"}, missed{"broken", "✗ not reached", true}, kept{"ok", "✓ kept"},
     broken{"broken", "✗ broken", true}, unmeasured{"soft", "– not measured"};
-
-/// @param what       result of what_html
-/// @param measured   safe HTML, as is `bound`
-std::string row_html(const std::string& what, const std::string& measured, const std::string& bound, Result result) {
-    return std::string("<tr") + (result.is_failed ? " class=\"failed\"" : "") + ">" + what +
-           "<td class=\"number\" data-label=\"Measured\">" + (measured.empty() ? "–" : measured) + "</td><td>" + bound +
-           "</td><td class=\"" + result.css + "\">" + result.text + "</td></tr>\n";
-}
-
-std::string metric_row_html(const MetricRow& metric) {
-    std::string name = name_of(short_id(metric));
-    if (metric.occurrences > 1)
-        name += ", " + std::to_string(metric.occurrence) + " of " + std::to_string(metric.occurrences);
-    const std::string what = what_html(name, metric.id, metric.help);
-    if (metric.status == "broken") return row_html(what, value_html(metric), "", broken);
-    if (metric.status == "ok") return row_html(what, value_html(metric), "", {"ok", "✓ ok"});
-    const std::string status = metric.status == "info" ? "" : html_escaped(metric.status);
-    return row_html(what, value_html(metric), "", {"soft", status.c_str()});
-}
-
-std::string table_html(const std::string& rows) {
-    return "<table class=\"stack\"><thead><tr><th scope=\"col\">Quantity</th><th scope=\"col\" class=\"number\">"
-           "Measured</th><th scope=\"col\">Goal or limit</th><th scope=\"col\">Result</th></tr></thead><tbody>\n" +
-           rows + "</tbody></table>\n";
-}
 
 // ---- goals and limits --------------------------------------------------------------------------------------------
 
@@ -260,7 +132,7 @@ private:
     }
 
     std::string demand_row(const char* sort, const RecordedDemand& demand, const MetricRow* metric,
-                           const std::string& measured, const std::string& help, Result result) {
+                           const std::string& measured, const std::string& help, RowResult result) {
         const std::string id = metric != nullptr ? std::string(short_id(*metric)) : ids_of(demand).front();
         const std::string unit = metric != nullptr ? metric->unit : demand.unit;
         const double per_unit = metric != nullptr ? metric->per_unit : parse_unit(unit).value_or(Unit{}).factor;
@@ -359,180 +231,7 @@ std::string step_html(std::size_t index, const RunSummary& summary, const DrawnR
     return html + StepTable(step, demands != procedure.steps.end() ? *demands : none, summary, run).html();
 }
 
-// ---- holes and screws --------------------------------------------------------------------------------------------
-
-struct Column {
-    std::string title;
-    std::string id;  ///< of the metric, without its step
-    bool is_grade = false;
-    bool is_in_turns = false;
-};
-
-const MetricRow* find_metric(const RunSummary& summary, const std::string& step, std::string_view id) {
-    const auto found = std::find_if(summary.metrics.begin(), summary.metrics.end(), [&](const MetricRow& metric) {
-        return metric.scope == step && short_id(metric) == id;
-    });
-    return found != summary.metrics.end() ? &*found : nullptr;
-}
-
-bool has_metric(const RunSummary& summary, const std::string& step, std::string_view prefix) {
-    return std::any_of(summary.metrics.begin(), summary.metrics.end(), [&](const MetricRow& metric) {
-        return metric.scope == step && short_id(metric).starts_with(prefix);
-    });
-}
-
-bool is_screw(const RunSummary& summary, const std::string& step) {
-    return has_metric(summary, step, "gertzbein-robbins") || has_metric(summary, step, "left.");
-}
-
-bool is_hole(const RunSummary& summary, const std::string& step) {
-    if (is_screw(summary, step)) return false;
-    for (const char* id : {"hole-angle", "entry-offset", "end-offset", "excess-removal"})
-        if (find_metric(summary, step, id) != nullptr) return true;
-    return false;
-}
-
-/// Returns the name with hyphens, as in metrics. Limits have underscores.
-std::string hyphened(std::string name) {
-    std::replace(name.begin(), name.end(), '_', '-');
-    return name;
-}
-
-bool has_broken(const StepRow& step, std::string_view metric) {
-    return std::any_of(step.broken_limits.begin(), step.broken_limits.end(),
-                       [&](const std::string& limit) { return hyphened(limit) == metric; });
-}
-
-/// @param is_engaged   the thread is in bone; else its turns are unknown
-std::string cell_html(const Column& column, const StepRow& step, const MetricRow* metric, bool is_engaged) {
-    if (metric == nullptr || (column.is_in_turns && !is_engaged)) return "<td class=\"none\">–</td>";
-    std::string text;
-    if (column.is_grade) {
-        constexpr std::string_view word = "grade ";
-        text = html_escaped(metric->status.starts_with(word) ? metric->status.substr(word.size()) : metric->status);
-    } else if (column.is_in_turns) {
-        constexpr double turn = 6.283185307179586;  // [rad]
-        text = sensible_number(metric->value / turn);
-    } else {
-        MetricRow rounded = *metric;  // hundredths are enough here: the steps below have all digits
-        if (metric->uncertainty > 0.0) rounded.uncertainty = std::max(metric->uncertainty, 0.05 * metric->per_unit);
-        if (metric->uncertainty <= 0.0)
-            rounded.value = std::round(metric->value / metric->per_unit * 100.0) / 100.0 * metric->per_unit;
-        text = value_html(rounded, {}, false);
-    }
-    const bool is_broken = !column.is_grade && (metric->status == "broken" || has_broken(step, column.id));
-    return "<td data-label=\"" + html_escaped(column.title) + "\"" + (is_broken ? " class=\"broken\"" : "") + ">" +
-           (is_broken ? "✗\u00a0" : "") + text + "</td>";
-}
-
-std::string outcome_html(const StepRow& step) {
-    if (step.broken_limits.empty())
-        return step.done ? "<td class=\"ok\">✓ done</td>" : "<td class=\"broken\">✗ not done</td>";
-    std::string limits;
-    for (const std::string& limit : step.broken_limits)
-        limits += (limits.empty() ? "" : ", ") + html_escaped(name_of(hyphened(limit)));
-    return "<td class=\"broken\">✗ " + limits + "</td>";
-}
-
-/// Returns a table with one row for each of `steps`. Leaves out columns without values.
-std::string overview_html(const RunSummary& summary, const char* title, const char* first,
-                          const std::vector<const StepRow*>& steps, const std::vector<Column>& columns) {
-    if (steps.empty()) return {};
-    std::string head = std::string("<th scope=\"col\">") + first + "</th><th scope=\"col\">Result</th>";
-    std::vector<std::string> rows;
-    for (const StepRow* step : steps)
-        rows.push_back("<th scope=\"row\">" + html_escaped(step->title.empty() ? step->id : step->title) + "</th>" +
-                       outcome_html(*step));
-    for (const Column& column : columns) {
-        std::vector<const MetricRow*> metrics;
-        for (const StepRow* step : steps) metrics.push_back(find_metric(summary, step->id, column.id));
-        if (std::all_of(metrics.begin(), metrics.end(), [](const MetricRow* metric) { return metric == nullptr; }))
-            continue;
-        head += "<th scope=\"col\">" + html_escaped(column.title) + "</th>";
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const MetricRow* engaged = find_metric(summary, steps[i]->id, "left.engaged");
-            rows[i] += cell_html(column, *steps[i], metrics[i], engaged == nullptr || engaged->value > 0.0);
-        }
-    }
-    std::string html = std::string("<h3>") + title +
-                       "</h3><div class=\"wide\"><table class=\"stack overview\"><thead><tr>" + head +
-                       "</tr></thead><tbody>\n";
-    for (const std::string& row : rows) html += "<tr>" + row + "</tr>\n";
-    return html + "</tbody></table></div>\n";
-}
-
-/// Adds columns for metrics whose ids come from the procedure: zones and diameters.
-void add_named_columns(const RunSummary& summary, const std::vector<const StepRow*>& steps, std::string_view prefix,
-                       std::vector<Column>& columns) {
-    for (const StepRow* step : steps)
-        for (const MetricRow& metric : summary.metrics) {
-            const std::string id(short_id(metric));
-            const bool is_known =
-                std::any_of(columns.begin(), columns.end(), [&](const Column& column) { return column.id == id; });
-            if (metric.scope == step->id && id.starts_with(prefix) && !is_known) columns.push_back({name_of(id), id});
-        }
-}
-
 }  // namespace
-
-std::string holes_html(const RunSummary& summary) {
-    std::vector<const StepRow*> holes, screws;
-    for (const StepRow& step : summary.steps) {
-        if (is_screw(summary, step.id)) screws.push_back(&step);
-        if (is_hole(summary, step.id)) holes.push_back(&step);
-    }
-    std::vector<Column> of_holes{{"Depth", "depth"},
-                                 {"Angle", "hole-angle"},
-                                 {"Offset at entry", "entry-offset"},
-                                 {"Offset at narrowest", "narrowest-offset"},
-                                 {"Offset at end", "end-offset"},
-                                 {"Removed beyond the plan", "excess-removal"},
-                                 {"Breach", "breach"}};
-    add_named_columns(summary, holes, "breach-", of_holes);
-    add_named_columns(summary, holes, "clearance.", of_holes);
-    std::vector<Column> of_screws{{.title = "Gertzbein–Robbins", .id = "gertzbein-robbins", .is_grade = true},
-                                  {.title = "Heary", .id = "heary", .is_grade = true},
-                                  {"Depth", "depth"},
-                                  {"Angle", "hole-angle"},
-                                  {"Offset at entry", "entry-offset"},
-                                  {"Offset at end", "end-offset"},
-                                  {"Breach", "gertzbein-robbins"},
-                                  {"Peak torque", "torque"},
-                                  {.title = "Turns at the release", .id = "left.turned", .is_in_turns = true},
-                                  {"Pull-out force, estimated", "left.pull-out"}};
-    const bool has_peak = std::any_of(screws.begin(), screws.end(), [&](const StepRow* step) {
-        return find_metric(summary, step->id, "torque") != nullptr;
-    });
-    if (!has_peak) of_screws.push_back({"Torque at the release", "left.torque"});
-    add_named_columns(summary, screws, "clearance.", of_screws);
-    const std::string html = overview_html(summary, "Holes", "Hole", holes, of_holes) +
-                             overview_html(summary, "Screws and implants", "Implant", screws, of_screws);
-    return html.empty() ? html : "<section><h2>Holes and screws</h2>\n" + html + "</section>\n";
-}
-
-std::string measures_html(const RunSummary& summary) {
-    constexpr std::string_view first = "measure.", before = ".before";
-    std::string rows;
-    for (const MetricRow& metric : summary.metrics) {
-        const std::string_view id = metric.id;
-        if (!id.starts_with(first) || !id.ends_with(before)) continue;
-        const std::string measure(id.substr(first.size(), id.size() - first.size() - before.size()));
-        const MetricRow* after = find_metric(summary, metric.scope, "measure." + measure + ".after");
-        const bool is_broken = after != nullptr && after->status == "broken";
-        rows += std::string("<tr") + (is_broken ? " class=\"failed\"" : "") + ">" +
-                what_html(capitalised(words_of(measure)), measure, metric.help) +
-                "<td class=\"number\" data-label=\"Before\">" + value_html(metric) +
-                "</td><td class=\"number\" data-label=\"In the end\">" + (after ? value_html(*after) : "–") +
-                "</td><td class=\"" + (is_broken ? "broken\">✗ broken" : "ok\">") +
-                (!is_broken && after != nullptr && after->status == "ok" ? "✓ ok" : "") + "</td></tr>\n";
-    }
-    return rows.empty() ? rows
-                        : "<section><h2>Measures of the bone</h2>\n<table class=\"stack\"><thead><tr><th "
-                          "scope=\"col\">Measure</th><th scope=\"col\" class=\"number\">Before the first cut</th><th "
-                          "scope=\"col\" class=\"number\">In the end</th><th scope=\"col\">Result</th></tr></thead>"
-                          "<tbody>\n" +
-                              rows + "</tbody></table></section>\n";
-}
 
 std::string steps_html(const RunSummary& summary, const DrawnRun& run, const RecordedProcedure& procedure) {
     std::string html;

@@ -7,17 +7,11 @@
 #include "session/report/drawn_run.h"
 #include "session/report/recorded_procedure.h"
 
-/// The tables of report.html.
+/// The tables of single steps in report.html, as HTML.
 namespace kerf {
 
-/// Returns one row per hole and one per screw or implant as HTML. Empty without any.   [any]
-[[nodiscard]] std::string holes_html(const RunSummary& summary);
-
-/// Returns one row per measure of the bone, before the first cut and at the end, as HTML. Empty without any.   [any]
-[[nodiscard]] std::string measures_html(const RunSummary& summary);
-
-/// Returns the steps as HTML: goals and limits with the measured values, failed ones first, then the other metrics of
-/// the step. Metrics without a step come last.   [any]
+/// The steps: goals and limits with what was measured, failing ones first, then the other metrics of the step. At last
+/// the metrics of no step.   [any]
 [[nodiscard]] std::string steps_html(const RunSummary& summary, const DrawnRun& run,
                                      const RecordedProcedure& procedure);
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "core/field/spsc_ring.h"
+#include "session/block_writer.h"
+#include "session/recorder.h"
+#include "session/session_tables.h"
+#include "session/sqlite_database.h"
+#include "session/summary.h"
+
+/// The inside of a recorder: recorder.cpp has its face, recorder_file.cpp begins and ends the file, recorder_writer.cpp
+/// has the threads that write it.
+namespace kerf {
+
+/// An event without the heap.
+struct EventSlot {
+    std::uint64_t tick = 0;
+    double time = 0.0;
+    char id[64]{};
+    char detail[256]{};
+};
+
+[[nodiscard]] inline std::int64_t integer(std::uint64_t value) noexcept { return static_cast<std::int64_t>(value); }
+inline SqliteStatement& operator<<(SqliteStatement& row, std::int32_t value) { return row << std::int64_t{value}; }
+
+struct Recorder::Impl {
+    static constexpr std::size_t ring_rows = 8192;  ///< 8 s at 1 kHz
+    static constexpr std::size_t event_rows = 1024;
+
+    Impl() : ticks(ring_rows), cuts(ring_rows), events(event_rows) {}
+
+    // From the loop to the writer.
+    SpscRing<TickRow> ticks;
+    SpscRing<CutRow> cuts;
+    SpscRing<EventSlot> events;
+    std::atomic<std::uint64_t> lost_ticks{0}, lost_cuts{0}, lost_events{0};
+
+    // The file. The writer's while it runs, the caller's before and after.
+    std::string path;
+    std::vector<Table> tables;
+    std::size_t signal_count = 0;
+    SqliteDatabase database;
+    SqliteStatement begin, commit, insert_tick, insert_cut, insert_event;
+    std::optional<BlockWriter> tick_blocks, cut_blocks;
+
+    std::thread writer, checkpointer;
+    std::mutex mutex;  ///< of `wake` alone; the loop never takes it
+    std::condition_variable wake;
+    std::atomic<bool> is_stopping{false};
+    std::atomic<bool> is_failed{false};
+    std::atomic<bool> has_writer_ended{false};               ///< before it was told to
+    std::atomic<bool> is_fold_due{false}, is_folded{false};  ///< from the writer to the checkpointer, and back
+
+    // Where the program cannot go on (save_what_is_open).
+    static inline std::atomic<Impl*> open{nullptr};  ///< the record under way
+    std::atomic<bool> is_abandoned{false}, is_saved{false};
+    const char *last_event = "", *last_detail = "";
+    std::uint64_t last_tick = 0;  ///< written
+    double last_time = 0.0;
+    bool is_closed = false;
+    std::string error;        ///< the first, once closed
+    std::string plain_error;  ///< why some rows of a session that is complete are not compressed
+    std::string fold_error;   ///< why the -wal is still next to a session that is complete
+
+    // recorder_file.cpp
+    void create(const SessionHeader& header);
+    void open_to_write();
+    void write_results(const RunSummary& summary, const DrawnSurface& bone_after);
+    void finalize();
+    void close(const char* state);
+
+    // recorder_writer.cpp
+    void start();
+    void stop();
+
+private:
+    void set(const char* table, std::string_view key, std::string_view value);
+    void compress_rest();
+    bool write_state(const char* state);
+
+    void write_until_stopped();
+    void close_abandoned();
+    void checkpoint_until_stopped();
+    bool write_batch();
+    void write_tick(const TickRow& row);
+    void fold_when_long();
+};
+
+}  // namespace kerf
