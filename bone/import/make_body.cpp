@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -257,6 +258,89 @@ void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportRepor
     }
 }
 
+/// The distances of a bone that is made of a scan, a surface or a phantom. Borders refer to it, so it stays where it
+/// is.
+class BoneDistances {
+public:
+    /// All must live longer. The region may change. At most one of `ct` and `mesh` is given.
+    BoneDistances(const Anatomy& anatomy, const CtBone* ct, const MeshBone* mesh, double spacing,
+                  const Region& region) {
+        if (mesh) {
+            surface_tree_.emplace(mesh->surface);
+            for (const SurfaceMesh& one : mesh->rooms) room_trees_.emplace_back(one);
+        }
+        const PhantomSource& phantom = anatomy.phantom;
+        has_rooms_ = !room_trees_.empty() || is_taken_away_last(phantom);
+        if (ct)
+            source_ = std::make_unique<FunctionDistance>(
+                [ct, spacing](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); });
+        else if (mesh)
+            source_ = std::make_unique<MeshDistances>(*surface_tree_);
+        else if (has_rooms_)
+            source_ =
+                std::make_unique<FunctionDistance>([&phantom](Vec3 p) { return distance_to_parts(phantom, false, p); });
+        else
+            source_ = std::make_unique<FunctionDistance>([&phantom](Vec3 p) { return distance_to(phantom, p); });
+        if (!room_trees_.empty())
+            source_of_rooms_ =
+                std::make_unique<NearestSurface>(std::vector<MeshDistances>(room_trees_.begin(), room_trees_.end()));
+        else
+            source_of_rooms_ =
+                std::make_unique<FunctionDistance>([&phantom](Vec3 p) { return distance_to_parts(phantom, true, p); });
+        // Beyond the region that was read, bone continues as it is at the region's face.
+        outer_.emplace(*source_, region);
+        rooms_.emplace(*source_of_rooms_, region);
+        without_rooms_.emplace(*outer_, *rooms_);
+        DistanceSource& face =
+            mesh ? *outer_ : bone();  // a surface's shell lies under its outside, not around the canal
+        for (const Tissue& tissue : anatomy.tissues)
+            if (&tissue != &anatomy.tissues.back()) tissue_borders_.emplace_back(face, tissue);
+    }
+    BoneDistances(const BoneDistances&) = delete;
+    BoneDistances& operator=(const BoneDistances&) = delete;
+
+    [[nodiscard]] bool has_rooms() const noexcept { return has_rooms_; }
+    [[nodiscard]] DistanceSource& outer() noexcept { return *outer_; }
+    [[nodiscard]] DistanceSource& rooms() noexcept { return *rooms_; }
+    [[nodiscard]] DistanceSource& bone() noexcept {
+        return has_rooms_ ? static_cast<DistanceSource&>(*without_rooms_) : *outer_;
+    }
+    /// `tissue` is an index; the last tissue has no border of its own.
+    [[nodiscard]] DistanceSource& border(std::size_t tissue) noexcept { return tissue_borders_[tissue]; }
+
+    /// Of the bone, its rooms and its tissues.
+    [[nodiscard]] std::vector<Distance> borders() {
+        std::vector<Distance> all{as_function(bone())};
+        if (has_rooms_) all.push_back(as_function(*rooms_));
+        for (TissueBorder& border : tissue_borders_) all.push_back(as_function(border));
+        return all;
+    }
+
+private:
+    std::optional<TriangleTree> surface_tree_;
+    std::vector<TriangleTree> room_trees_;
+    bool has_rooms_ = false;
+    std::unique_ptr<DistanceSource> source_, source_of_rooms_;
+    std::optional<InRegion> outer_, rooms_;
+    std::optional<WithoutRooms> without_rooms_;
+    std::vector<TissueBorder> tissue_borders_;
+};
+
+/// Sets the density of the last tissue by the scan's grey values.
+void set_scan_density(const CtBone& ct, const DensityLine& line, const Body& body, Material& material) {
+    material.density = std::max(line.floor, line.at_zero + line.per_unit * ct.mean_value);
+    if (!ct.density) return;
+    const double elsewhere = material.density;
+    material.densities = DensityField::build(
+        body.grid(), [&](std::size_t brick) { return may_hold_base(body, brick); },
+        [&](Vec3 p) { return ct.density->sample_trilinear(body.region.nearest(p), elsewhere); });
+    if (!material.densities.is_empty()) material.density = material.densities.largest();
+}
+
+constexpr const char* sheet_note =
+    "Between the outside and a room in it the bone is thinner than three voxels: each side has a field of its own. "
+    "Under one voxel, volumes and the exported surface lose it.";
+
 }  // namespace
 
 std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostics& diagnostics, ImportReport* report,
@@ -278,96 +362,51 @@ std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostic
         return std::nullopt;
     }
     if (mesh && !check_thin_walls(mesh->walls, spacing, anatomy, diagnostics)) return std::nullopt;
-    const double margin = 6.0 * spacing;
-    const Vec3 around{margin, margin, margin};
 
     Body body;
     body.id = anatomy.id;
-    if (ct || (mesh && mesh->is_part)) body.region = {bounds.low, bounds.high};
-    std::optional<TriangleTree> surface_tree;
-    std::vector<TriangleTree> cavity_trees;
-    if (mesh) surface_tree.emplace(mesh->surface);
-    if (mesh)
-        for (const SurfaceMesh& one : mesh->inner_surfaces) cavity_trees.emplace_back(one);
-    const bool has_cavities = !cavity_trees.empty() || subtracts_last(anatomy.phantom);
-    std::unique_ptr<DistanceSource> source, source_of_cavities;
-    if (ct)
-        source =
-            std::make_unique<FunctionDistance>([&](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); });
-    else if (mesh)
-        source = std::make_unique<MeshDistances>(*surface_tree);
-    else if (has_cavities)
-        source =
-            std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to_parts(anatomy.phantom, false, p); });
-    else
-        source = std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to(anatomy.phantom, p); });
-    if (!cavity_trees.empty())
-        source_of_cavities =
-            std::make_unique<NearestSurface>(std::vector<MeshDistances>(cavity_trees.begin(), cavity_trees.end()));
-    else
-        source_of_cavities =
-            std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); });
-    // Beyond the imported region, bone continues as it is at the region's face.
-    InRegion outer(*source, body.region), cavity(*source_of_cavities, body.region);
-    WithoutCavities without_cavities(outer, cavity);
-    DistanceSource& bone = has_cavities ? static_cast<DistanceSource&>(without_cavities) : outer;
-    DistanceSource& face = mesh ? outer : bone;  // the shell of a mesh lies under its outside, not around the canal
-    std::vector<TissueBorder> tissue_borders;
-    for (const Tissue& tissue : anatomy.tissues)
-        if (&tissue != &anatomy.tissues.back()) tissue_borders.emplace_back(face, tissue);
+    const bool is_part = ct || (mesh && mesh->is_part);
+    if (is_part) body.region = {bounds.low, bounds.high};
+    BoneDistances distances(anatomy, ct ? &*ct : nullptr, mesh ? &*mesh : nullptr, spacing, body.region);
+    const bool has_densities = ct && anatomy.ct->density;
+    if (!check_memory(bounds, spacing, distances.borders(), has_densities, anatomy, diagnostics)) return std::nullopt;
 
-    std::vector<Distance> borders{as_function(bone)};
-    if (has_cavities) borders.push_back(as_function(cavity));
-    for (TissueBorder& border : tissue_borders) borders.push_back(as_function(border));
-    if (!check_memory(bounds, spacing, borders, ct && anatomy.ct->density, anatomy, diagnostics)) return std::nullopt;
-
+    const double margin = 6.0 * spacing;
+    const Vec3 around{margin, margin, margin};
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
-    if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
-    const auto with_report = [&](DistanceSource& distance, const std::string& what) {
-        return ProgressSource(distance, grid, options.progress, what);
+    if (is_part) body.region = region_on(grid, bounds);
+    const auto reporting = [&](DistanceSource& distance, const std::string& what) {
+        return Told(distance, grid, options.progress, what);
     };
     const std::string walls = "how thick its walls are", surface = "distances to its surface";
-    ProgressSource outer_for_walls = with_report(outer, walls);
-    const bool has_sheet = has_cavities && has_thin_wall(grid, outer_for_walls, cavity);
-    DistanceSource& outside = has_sheet ? outer : bone;
+    Told outer_for_walls = reporting(distances.outer(), walls);
+    const bool has_sheet = distances.has_rooms() && has_thin_wall(grid, outer_for_walls, distances.rooms());
+    DistanceSource& outside = has_sheet ? distances.outer() : distances.bone();
     if (!ct && !mesh) {
-        ProgressSource with_progress = with_report(outside, walls);
-        const double most = (min_wall_voxels + 1.0) * spacing;
-        if (!check_thin_walls(phantom_walls(grid, as_function(with_progress), most), spacing, anatomy, diagnostics))
+        Told outside_for_walls = reporting(outside, walls);
+        const double most = (least_wall_voxels + 1.0) * spacing;
+        if (!check_thin_walls(phantom_walls(grid, as_function(outside_for_walls), most), spacing, anatomy, diagnostics))
             return std::nullopt;
     }
     const auto field_of = [&](DistanceSource& distance, const std::string& what) {
-        ProgressSource with_progress = with_report(distance, what);
-        return LevelSet::build(grid, with_progress);
+        Told source = reporting(distance, what);
+        return LevelSet::build(grid, source);
     };
     body.surface = field_of(outside, surface);
-    if (has_sheet) body.hollow = field_of(cavity, surface);
+    if (has_sheet) body.hollow = field_of(distances.rooms(), surface);
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
-        if (is_base && ct && anatomy.ct->density) {
-            const DensityLine& line = *anatomy.ct->density;
-            material.density = std::max(line.floor, line.at_zero + line.per_unit * ct->mean_value);
-            if (ct->density) {
-                const double elsewhere = material.density;
-                material.densities = DensityField::build(
-                    grid, [&](std::size_t brick) { return may_hold_base(body, brick); },
-                    [&](Vec3 p) { return ct->density->sample_trilinear(body.region.nearest(p), elsewhere); });
-                if (!material.densities.is_empty()) material.density = material.densities.largest();
-            }
-        }
+        if (is_base && has_densities) set_scan_density(*ct, *anatomy.ct->density, body, material);
         if (!is_base)
             material.border =
-                field_of(tissue_borders[body.materials.size()], "distances to the border of " + tissue.id);
+                field_of(distances.border(body.materials.size()), "distances to the border of " + tissue.id);
         body.materials.push_back(std::move(material));
     }
     check_landmarks(anatomy, body, diagnostics);
     if (report) {
         *report = std::move(made);
-        if (has_sheet)
-            report->notes.push_back(
-                "Between the outside and a room in it the bone is thinner than three voxels: each side has a "
-                "field of its own. Under one voxel, volumes and the exported surface lose it.");
+        if (has_sheet) report->notes.emplace_back(sheet_note);
         note_tissues_and_axes(anatomy, body, *report);
     }
     return body;

@@ -187,6 +187,154 @@ std::size_t index_of(const Element& element, std::string_view name) noexcept {
         std::find_if(all.begin(), all.end(), [&](const Property& p) { return p.name == name; }) - all.begin());
 }
 
+/// Where an element's row has the coordinates of a vertex, or the list of corners; `none` where it has not.
+struct Columns {
+    explicit Columns(const Element& element) noexcept
+        : is_vertex(element.name == "vertex"),
+          is_face(element.name == "face"),
+          axes{index_of(element, "x"), index_of(element, "y"), index_of(element, "z")},
+          list(std::min(index_of(element, "vertex_indices"), index_of(element, "vertex_index"))),
+          none(element.properties.size()) {}
+
+    bool is_vertex, is_face;
+    std::array<std::size_t, 3> axes;
+    std::size_t list, none;
+};
+
+/// Reads the rows behind a header into a mesh. Functions return false after setting `error_`.
+class RowReader {
+public:
+    RowReader(const Header& header, SurfaceError& error)
+        : header_(header), error_(error), file_(header.claims), values_(header.form, header.data) {
+        file_.has_topology = true;
+        for (const Element& element : header.elements)
+            if (element.name == "vertex") vertices_ = element.count;
+    }
+
+    std::optional<SurfaceFile> read() {
+        for (const Element& element : header_.elements)
+            if (!read_element(element)) return std::nullopt;
+        if (file_.mesh.triangles.empty()) {
+            refuse({"E0647", "the file has no face.",
+                    "Export the surface again; point clouds and strips of triangles are not read."});
+            return std::nullopt;
+        }
+        return std::move(file_);
+    }
+
+private:
+    bool refuse(SurfaceError error) {
+        error_ = std::move(error);
+        return false;
+    }
+    bool refuse_truncated(const Element& element) {
+        return refuse({"E0644",
+                       "the file ends, or has something that is no number, before the " +
+                           std::to_string(element.count) + " rows of `" + element.name + "` that it promises.",
+                       "Copy or export it again."});
+    }
+
+    bool read_element(const Element& element) {
+        if (element.name == "tristrips" && element.count > 0)
+            return refuse(malformed("the file has strips of triangles, which are not read."));
+        if (element.properties.empty()) return true;
+        if (element.count > header_.data.size() / least_size(element, header_.form)) return refuse_truncated(element);
+        const Columns columns(element);
+        if (!check_columns(element, columns)) return false;
+        if (columns.is_vertex) {
+            file_.holds_floats = element.properties[columns.axes[0]].type == Number::float32;
+            file_.mesh.vertices.reserve(element.count);
+        }
+        row_.assign(columns.none, 0.0);
+        for (std::uint64_t r = 0; r < element.count; ++r) {
+            if (!read_row(element, columns, r)) return false;
+            if (columns.is_vertex && !add_vertex(columns, r)) return false;
+            if (columns.is_face && !add_face(r)) return false;
+        }
+        return true;
+    }
+
+    bool check_columns(const Element& element, const Columns& columns) {
+        if (columns.is_vertex) {
+            const auto is_missing = [&](std::size_t axis) {
+                return axis == columns.none || element.properties[axis].count_type;
+            };
+            if (std::any_of(columns.axes.begin(), columns.axes.end(), is_missing))
+                return refuse(malformed("the vertices have no x, y and z."));
+            if (element.count > 3 * most_faces)
+                return refuse(
+                    {"E0642", "the file has more than 150 million vertices.", "Export the surface with fewer faces."});
+        }
+        if (columns.is_face && (columns.list == columns.none || !element.properties[columns.list].count_type))
+            return refuse(malformed("the faces have no list `vertex_indices`."));
+        return true;
+    }
+
+    /// Reads row `r` into `row_`, and the corners of a face into `corners_`.
+    bool read_row(const Element& element, const Columns& columns, std::uint64_t r) {
+        corners_.clear();
+        for (std::size_t p = 0; p < columns.none; ++p) {
+            const Property& property = element.properties[p];
+            const std::optional<double> value = values_.next(property.count_type.value_or(property.type));
+            if (!value) return refuse_truncated(element);
+            row_[p] = *value;
+            if (property.count_type && !read_list(element, property, *value, columns.is_face && p == columns.list, r))
+                return false;
+        }
+        return true;
+    }
+
+    bool read_list(const Element& element, const Property& property, double size, bool is_polygon, std::uint64_t r) {
+        if (!(size >= 0.0 && size <= 4294967295.0) || size != std::floor(size) ||
+            (is_polygon && size > static_cast<double>(most_corners)))
+            return refuse(malformed(
+                "row " + std::to_string(r + 1) + " of `" + element.name + "` has a list of " +
+                (is_polygon ? "more than " + std::to_string(most_corners) + " corners" : "an impossible length") +
+                "."));
+        const auto length = static_cast<std::uint64_t>(size);
+        for (std::uint64_t i = 0; i < length; ++i) {
+            const std::optional<double> item = values_.next(property.type);
+            if (!item) return refuse_truncated(element);
+            if (!is_polygon) continue;
+            if (!(*item >= 0.0 && *item < static_cast<double>(vertices_)) || *item != std::floor(*item))
+                return refuse({"E0646",
+                               "face " + std::to_string(r + 1) + " names a vertex that is none of the " +
+                                   std::to_string(vertices_) + ".",
+                               "Export the surface again."});
+            corners_.push_back(static_cast<std::uint32_t>(*item));
+        }
+        return true;
+    }
+
+    bool add_vertex(const Columns& columns, std::uint64_t r) {
+        const Vec3 at{row_[columns.axes[0]], row_[columns.axes[1]], row_[columns.axes[2]]};
+        if (!is_finite(at))
+            return refuse({"E0645", "vertex " + std::to_string(r + 1) + " has a coordinate that is no finite number.",
+                           "Export the surface again."});
+        file_.mesh.vertices.push_back(at);
+        return true;
+    }
+
+    bool add_face(std::uint64_t r) {
+        if (file_.mesh.vertices.size() != vertices_) return refuse(malformed("the faces come before the vertices."));
+        if (corners_.size() < 3)
+            return refuse(malformed("face " + std::to_string(r + 1) + " has fewer than three corners."));
+        if (file_.mesh.triangles.size() + corners_.size() > most_faces)
+            return refuse(
+                {"E0642", "the file has more than 50 million faces.", "Export the surface with fewer faces."});
+        add_polygon(file_.mesh, corners_);
+        return true;
+    }
+
+    const Header& header_;
+    SurfaceError& error_;
+    SurfaceFile file_;
+    Values values_;
+    std::uint64_t vertices_ = 0;  ///< that the header promises
+    std::vector<std::uint32_t> corners_;
+    std::vector<double> row_;
+};
+
 }  // namespace
 
 std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error) {
@@ -194,115 +342,7 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
     if (!text) return std::nullopt;
     const std::optional<Header> header = read_header(*text, error);
     if (!header) return std::nullopt;
-
-    SurfaceFile file = header->claims;
-    file.has_topology = true;
-    Values values(header->form, header->data);
-    std::vector<std::uint32_t> corners;
-    std::vector<double> row;
-    std::uint64_t vertices = 0;
-    for (const Element& element : header->elements)
-        if (element.name == "vertex") vertices = element.count;
-    const auto truncated = [&](const Element& element) {
-        error = {"E0644",
-                 "the file ends, or has something that is no number, before the " + std::to_string(element.count) +
-                     " rows of `" + element.name + "` that it promises.",
-                 "Copy or export it again."};
-        return std::nullopt;
-    };
-
-    for (const Element& element : header->elements) {
-        if (element.name == "tristrips" && element.count > 0) {
-            error = malformed("the file has strips of triangles, which are not read.");
-            return std::nullopt;
-        }
-        if (element.properties.empty()) continue;
-        if (element.count > header->data.size() / min_size(element, header->form)) return truncated(element);
-        const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
-        const std::array<std::size_t, 3> axes{index_of(element, "x"), index_of(element, "y"), index_of(element, "z")};
-        const std::size_t list = std::min(index_of(element, "vertex_indices"), index_of(element, "vertex_index"));
-        const std::size_t none = element.properties.size();
-        if (is_vertex) {
-            if (std::any_of(axes.begin(), axes.end(),
-                            [&](std::size_t a) { return a == none || element.properties[a].count_type; })) {
-                error = malformed("the vertices have no x, y and z.");
-                return std::nullopt;
-            }
-            if (element.count > 3 * max_faces) {
-                error = {"E0642", "the file has more than 150 million vertices.",
-                         "Export the surface with fewer faces."};
-                return std::nullopt;
-            }
-            file.has_floats = element.properties[axes[0]].type == Number::float32;
-            file.mesh.vertices.reserve(element.count);
-        }
-        if (is_face && (list == none || !element.properties[list].count_type)) {
-            error = malformed("the faces have no list `vertex_indices`.");
-            return std::nullopt;
-        }
-        row.assign(none, 0.0);
-        for (std::uint64_t r = 0; r < element.count; ++r) {
-            corners.clear();
-            for (std::size_t p = 0; p < none; ++p) {
-                const Property& property = element.properties[p];
-                const std::optional<double> value = values.next(property.count_type.value_or(property.type));
-                if (!value) return truncated(element);
-                row[p] = *value;
-                if (!property.count_type) continue;
-                const bool is_polygon = is_face && p == list;
-                if (!(*value >= 0.0 && *value <= 4294967295.0) || *value != std::floor(*value) ||
-                    (is_polygon && *value > static_cast<double>(max_corners))) {
-                    error = malformed("row " + std::to_string(r + 1) + " of `" + element.name + "` has a list of " +
-                                      (is_polygon ? "more than " + std::to_string(max_corners) + " corners"
-                                                  : "an impossible length") +
-                                      ".");
-                    return std::nullopt;
-                }
-                for (double i = 0.0; i < *value; i += 1.0) {
-                    const std::optional<double> item = values.next(property.type);
-                    if (!item) return truncated(element);
-                    if (!is_polygon) continue;
-                    if (!(*item >= 0.0 && *item < static_cast<double>(vertices)) || *item != std::floor(*item)) {
-                        error = {"E0646",
-                                 "face " + std::to_string(r + 1) + " names a vertex that is none of the " +
-                                     std::to_string(vertices) + ".",
-                                 "Export the surface again."};
-                        return std::nullopt;
-                    }
-                    corners.push_back(static_cast<std::uint32_t>(*item));
-                }
-            }
-            if (is_vertex) {
-                const Vec3 at{row[axes[0]], row[axes[1]], row[axes[2]]};
-                if (!is_finite(at)) {
-                    error = {"E0645", "vertex " + std::to_string(r + 1) + " has a coordinate that is no finite number.",
-                             "Export the surface again."};
-                    return std::nullopt;
-                }
-                file.mesh.vertices.push_back(at);
-            }
-            if (!is_face) continue;
-            if (file.mesh.vertices.size() != vertices) {
-                error = malformed("the faces come before the vertices.");
-                return std::nullopt;
-            }
-            if (corners.size() < 3) {
-                error = malformed("face " + std::to_string(r + 1) + " has fewer than three corners.");
-                return std::nullopt;
-            }
-            if (file.mesh.triangles.size() + corners.size() > max_faces) {
-                error = {"E0642", "the file has more than 50 million faces.", "Export the surface with fewer faces."};
-                return std::nullopt;
-            }
-            add_polygon(file.mesh, corners);
-        }
-    }
-    if (file.mesh.triangles.empty()) {
-        error = {"E0647", "the file has no face.",
-                 "Export the surface again; point clouds and strips of triangles are not read."};
-        return std::nullopt;
-    }
-    return file;
+    return RowReader(*header, error).read();
 }
 
 }  // namespace kerf
