@@ -19,6 +19,8 @@ constexpr std::array<std::uint8_t, 10 * slot_layer> faces_of_slot = [] {
     return faces;
 }();
 
+constexpr std::uint32_t none = 0;
+
 }  // namespace
 
 PatchWeld::PatchWeld(const Grid& grid, std::size_t vertices, std::size_t triangles)
@@ -34,13 +36,23 @@ PatchWeld::PatchWeld(const Grid& grid, std::size_t vertices, std::size_t triangl
 }
 
 void PatchWeld::add(std::size_t brick, const PatchView& patch) {
+    const Numbered numbered = number(brick, patch);
+    append(patch, numbered.fresh);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        first_shared_[brick][axis] = static_cast<std::uint32_t>(shared_.size());
+        const std::uint32_t* begin = upper_[axis].data();
+        shared_.insert(shared_.end(), begin, numbered.upper_end[axis]);
+    }
+    shared_.push_back(none);  // so that who reads one too many reads something
+}
+
+PatchWeld::Numbered PatchWeld::number(std::size_t brick, const PatchView& patch) {
     const std::size_t row = static_cast<std::size_t>(grid_.bricks[0]),
                       layer = row * static_cast<std::size_t>(grid_.bricks[1]);
     const std::array<bool, 3> has_lower{brick % row != 0, brick % layer >= row, brick >= layer};
     const std::array<std::size_t, 3> below{1, row, layer};
 
-    // Vertices on a lower face are numbered already, in the order in which they appear here too.
-    static constexpr std::uint32_t none = 0;
+    // Vertices on a lower face have numbers already, in the order in which they come here too.
     std::array<const std::uint32_t*, 3> known;
     unsigned lower_faces = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -87,12 +99,16 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
             upper[axis] += faces >> (3 + axis) & 1;
         }
     }
+    return {fresh, {upper[0], upper[1], upper[2]}};
+}
 
-    // Assembled in small buffers that stay in cache, and then appended in one step.
+void PatchWeld::append(const PatchView& patch, std::size_t fresh) {
+    // Put together here, where it is near, and then taken over in one go.
     vertices_.resize(fresh);
     normals_.resize(fresh);
     tissue_.resize(fresh);
-    for (std::uint32_t n = 0; n < fresh; ++n) {
+    const std::uint32_t *fresh_list = fresh_.data(), *numbers = number_.data();
+    for (std::size_t n = 0; n < fresh; ++n) {
         const SurfaceVertex& vertex = patch.vertices[fresh_list[n]];
         vertices_[n] = {vertex.position[0], vertex.position[1], vertex.position[2]};
         normals_[n] = {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
@@ -103,17 +119,11 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
         const auto& [a, b, c] = patch.triangles[t];
         triangles_[t] = {numbers[a], numbers[b], numbers[c]};
     }
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(mesh_.vertices, vertices_);
-    append(mesh_.normals, normals_);
-    append(mesh_.tissue, tissue_);
-    append(mesh_.triangles, triangles_);
-
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        first_shared_[brick][axis] = static_cast<std::uint32_t>(shared_.size());
-        shared_.insert(shared_.end(), upper_[axis].data(), upper[axis]);
-    }
-    shared_.push_back(none);  // so that reading one past the end is valid
+    const auto add_to = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    add_to(mesh_.vertices, vertices_);
+    add_to(mesh_.normals, normals_);
+    add_to(mesh_.tissue, tissue_);
+    add_to(mesh_.triangles, triangles_);
 }
 
 }  // namespace kerf

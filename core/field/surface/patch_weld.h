@@ -24,6 +24,15 @@ public:
     [[nodiscard]] Mesh mesh() && { return static_cast<Mesh&&>(mesh_); }
 
 private:
+    struct Numbered {
+        std::uint32_t fresh;                            ///< vertices that the mesh did not have
+        std::array<const std::uint32_t*, 3> upper_end;  ///< end of each list of `upper_`
+    };
+    /// Fills `number_`, `fresh_` and `upper_` for a patch.
+    Numbered number(std::size_t brick, const PatchView& patch);
+    /// Adds the first `fresh` vertices of `fresh_`, and the patch's triangles, to the mesh.
+    void append(const PatchView& patch, std::size_t fresh);
+
     Grid grid_;
     Mesh mesh_;
     /// Numbers of vertices that a brick has in common with its neighbours at +x, +y, +z, in the order of the patch.
