@@ -17,6 +17,7 @@ void inherit(Owners& owners, std::size_t from, const std::vector<std::size_t>& b
              const PresentBone& bone) {
     if (bodies.size() < 2) return;
     std::vector<Mesh> parts;
+    parts.reserve(bodies.size());
     for (const std::size_t body : bodies) parts.push_back(bone_surface(*bone.piece(body).bone, bone.cut(body), 2));
     const auto nearest_to = [&](const auto& distance) {
         std::size_t nearest = 0;

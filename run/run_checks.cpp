@@ -35,6 +35,7 @@ void check_device(const Procedure& procedure, const Document& document, Report& 
     int count = 0;
     const DeviceRecord* known = all_devices(count);
     std::vector<std::string> ids;
+    ids.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) ids.emplace_back(known[i].id);
     const Node* haptics = document.root.find("haptics");
     const Node* device = haptics != nullptr ? haptics->find("device") : nullptr;

@@ -153,6 +153,7 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
     std::map<std::uint32_t, std::vector<std::uint32_t>> parts_of;  // by the first root: roots of all parts
     for (const auto& places : split_components_) {
         std::vector<std::uint32_t> roots;
+        roots.reserve(places.size());
         for (const auto& [brick, component] : places) roots.push_back(parent_[node(brick, component)]);
         std::sort(roots.begin(), roots.end());
         roots.erase(std::unique(roots.begin(), roots.end()), roots.end());

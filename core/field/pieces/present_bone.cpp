@@ -115,12 +115,12 @@ std::optional<Separation> PresentBone::apply_to(std::uint16_t body, const CutRec
         piece.changed.add(b);
     }
     if (!piece.finder) return {};
-    std::vector<LoosePart> loose = piece.finder->update(piece.cut, changed);
+    const std::vector<LoosePart> loose = piece.finder->update(piece.cut, changed);
     if (loose.empty()) return {};
-    return part(body, record, std::move(loose));
+    return part(body, record, loose);
 }
 
-Separation PresentBone::part(std::uint16_t body, const CutRecord& record, std::vector<LoosePart> loose) {
+Separation PresentBone::part(std::uint16_t body, const CutRecord& record, const std::vector<LoosePart>& loose) {
     PresentPiece& parent = *pieces_[body];
     const Grid& g = parent.bone->grid();
     const double voxel = g.spacing * g.spacing * g.spacing;

@@ -127,7 +127,7 @@ private:
     [[nodiscard]] std::optional<Separation> apply_to(std::uint16_t body, const CutRecord& record,
                                                      const ToolSolid& solid);
     void count_removed();
-    [[nodiscard]] Separation part(std::uint16_t body, const CutRecord& record, std::vector<LoosePart> loose);
+    [[nodiscard]] Separation part(std::uint16_t body, const CutRecord& record, const std::vector<LoosePart>& loose);
 
     std::vector<std::unique_ptr<PresentPiece>> pieces_;
     bool finds_pieces_ = false;

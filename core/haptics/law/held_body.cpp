@@ -46,6 +46,7 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t maximum
         for (const Vec3& p : vertices) cubes.try_emplace({cube(p.x), cube(p.y), cube(p.z)}, p);
         if (cubes.size() > maximum) continue;
         std::vector<Vec3> points;
+        points.reserve(cubes.size());
         for (const auto& [at, p] : cubes) points.push_back(p);
         return points;
     }
