@@ -34,7 +34,7 @@ void Recorder::Impl::set(const char* table, std::string_view key, std::string_vi
 }
 
 void Recorder::Impl::create(const SessionHeader& header) {
-    signal_count = std::min<std::size_t>(header.signals.size(), most_signal_columns);
+    signal_count = std::min<std::size_t>(header.signals.size(), max_signal_columns);
     tables = session_tables(header.signals, header.conditions.force_scale);
 
     database.run(

@@ -267,10 +267,10 @@ public:
                   const Region& region) {
         if (mesh) {
             surface_tree_.emplace(mesh->surface);
-            for (const SurfaceMesh& one : mesh->rooms) room_trees_.emplace_back(one);
+            for (const SurfaceMesh& one : mesh->inner_surfaces) room_trees_.emplace_back(one);
         }
         const PhantomSource& phantom = anatomy.phantom;
-        has_rooms_ = !room_trees_.empty() || is_taken_away_last(phantom);
+        has_rooms_ = !room_trees_.empty() || subtracts_last(phantom);
         if (ct)
             source_ = std::make_unique<FunctionDistance>(
                 [ct, spacing](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); });
@@ -299,9 +299,9 @@ public:
     BoneDistances(const BoneDistances&) = delete;
     BoneDistances& operator=(const BoneDistances&) = delete;
 
-    [[nodiscard]] bool has_rooms() const noexcept { return has_rooms_; }
+    [[nodiscard]] bool has_cavities() const noexcept { return has_rooms_; }
     [[nodiscard]] DistanceSource& outer() noexcept { return *outer_; }
-    [[nodiscard]] DistanceSource& rooms() noexcept { return *rooms_; }
+    [[nodiscard]] DistanceSource& inner_surfaces() noexcept { return *rooms_; }
     [[nodiscard]] DistanceSource& bone() noexcept {
         return has_rooms_ ? static_cast<DistanceSource&>(*without_rooms_) : *outer_;
     }
@@ -322,7 +322,7 @@ private:
     bool has_rooms_ = false;
     std::unique_ptr<DistanceSource> source_, source_of_rooms_;
     std::optional<InRegion> outer_, rooms_;
-    std::optional<WithoutRooms> without_rooms_;
+    std::optional<WithoutCavities> without_rooms_;
     std::vector<TissueBorder> tissue_borders_;
 };
 
@@ -376,24 +376,24 @@ std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostic
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
     if (is_part) body.region = region_on(grid, bounds);
     const auto reporting = [&](DistanceSource& distance, const std::string& what) {
-        return Told(distance, grid, options.progress, what);
+        return ProgressSource(distance, grid, options.progress, what);
     };
     const std::string walls = "how thick its walls are", surface = "distances to its surface";
-    Told outer_for_walls = reporting(distances.outer(), walls);
-    const bool has_sheet = distances.has_rooms() && has_thin_wall(grid, outer_for_walls, distances.rooms());
+    ProgressSource outer_for_walls = reporting(distances.outer(), walls);
+    const bool has_sheet = distances.has_cavities() && has_thin_wall(grid, outer_for_walls, distances.inner_surfaces());
     DistanceSource& outside = has_sheet ? distances.outer() : distances.bone();
     if (!ct && !mesh) {
-        Told outside_for_walls = reporting(outside, walls);
-        const double most = (least_wall_voxels + 1.0) * spacing;
+        ProgressSource outside_for_walls = reporting(outside, walls);
+        const double most = (min_wall_voxels + 1.0) * spacing;
         if (!check_thin_walls(phantom_walls(grid, as_function(outside_for_walls), most), spacing, anatomy, diagnostics))
             return std::nullopt;
     }
     const auto field_of = [&](DistanceSource& distance, const std::string& what) {
-        Told source = reporting(distance, what);
+        ProgressSource source = reporting(distance, what);
         return LevelSet::build(grid, source);
     };
     body.surface = field_of(outside, surface);
-    if (has_sheet) body.hollow = field_of(distances.rooms(), surface);
+    if (has_sheet) body.hollow = field_of(distances.inner_surfaces(), surface);
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();

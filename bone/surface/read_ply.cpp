@@ -238,11 +238,11 @@ private:
         if (element.name == "tristrips" && element.count > 0)
             return refuse(malformed("the file has strips of triangles, which are not read."));
         if (element.properties.empty()) return true;
-        if (element.count > header_.data.size() / least_size(element, header_.form)) return refuse_truncated(element);
+        if (element.count > header_.data.size() / min_size(element, header_.form)) return refuse_truncated(element);
         const Columns columns(element);
         if (!check_columns(element, columns)) return false;
         if (columns.is_vertex) {
-            file_.holds_floats = element.properties[columns.axes[0]].type == Number::float32;
+            file_.has_floats = element.properties[columns.axes[0]].type == Number::float32;
             file_.mesh.vertices.reserve(element.count);
         }
         row_.assign(columns.none, 0.0);
@@ -261,7 +261,7 @@ private:
             };
             if (std::any_of(columns.axes.begin(), columns.axes.end(), is_missing))
                 return refuse(malformed("the vertices have no x, y and z."));
-            if (element.count > 3 * most_faces)
+            if (element.count > 3 * max_faces)
                 return refuse(
                     {"E0642", "the file has more than 150 million vertices.", "Export the surface with fewer faces."});
         }
@@ -286,11 +286,10 @@ private:
 
     bool read_list(const Element& element, const Property& property, double size, bool is_polygon, std::uint64_t r) {
         if (!(size >= 0.0 && size <= 4294967295.0) || size != std::floor(size) ||
-            (is_polygon && size > static_cast<double>(most_corners)))
+            (is_polygon && size > static_cast<double>(max_corners)))
             return refuse(malformed(
                 "row " + std::to_string(r + 1) + " of `" + element.name + "` has a list of " +
-                (is_polygon ? "more than " + std::to_string(most_corners) + " corners" : "an impossible length") +
-                "."));
+                (is_polygon ? "more than " + std::to_string(max_corners) + " corners" : "an impossible length") + "."));
         const auto length = static_cast<std::uint64_t>(size);
         for (std::uint64_t i = 0; i < length; ++i) {
             const std::optional<double> item = values_.next(property.type);
@@ -319,7 +318,7 @@ private:
         if (file_.mesh.vertices.size() != vertices_) return refuse(malformed("the faces come before the vertices."));
         if (corners_.size() < 3)
             return refuse(malformed("face " + std::to_string(r + 1) + " has fewer than three corners."));
-        if (file_.mesh.triangles.size() + corners_.size() > most_faces)
+        if (file_.mesh.triangles.size() + corners_.size() > max_faces)
             return refuse(
                 {"E0642", "the file has more than 50 million faces.", "Export the surface with fewer faces."});
         add_polygon(file_.mesh, corners_);

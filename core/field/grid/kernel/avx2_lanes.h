@@ -19,9 +19,9 @@ constexpr int brick_bits = 3, stored = 9;  // of core/field/grid/grid.h: 8 sampl
 
 inline Four all(double v) noexcept { return _mm256_set1_pd(v); }
 /// a < b ? a : b, as the instruction has it for NaN too.
-inline Four least(Four a, Four b) noexcept { return _mm256_min_pd(a, b); }
+inline Four min_of(Four a, Four b) noexcept { return _mm256_min_pd(a, b); }
 /// a > b ? a : b.
-inline Four most(Four a, Four b) noexcept { return _mm256_max_pd(a, b); }
+inline Four max_of(Four a, Four b) noexcept { return _mm256_max_pd(a, b); }
 inline Four less(Four a, Four b) noexcept { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
 inline Four not_less(Four a, Four b) noexcept { return _mm256_cmp_pd(a, b, _CMP_GE_OQ); }
 
@@ -75,8 +75,8 @@ using EightInts = __m256i;
 constexpr std::size_t wide = 8;
 
 inline Eight eight(float v) noexcept { return _mm256_set1_ps(v); }
-inline Eight least(Eight a, Eight b) noexcept { return _mm256_min_ps(a, b); }
-inline Eight most(Eight a, Eight b) noexcept { return _mm256_max_ps(a, b); }
+inline Eight min_of(Eight a, Eight b) noexcept { return _mm256_min_ps(a, b); }
+inline Eight max_of(Eight a, Eight b) noexcept { return _mm256_max_ps(a, b); }
 inline Eight less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
 inline Eight not_less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_GE_OQ); }
 inline Eight same(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }

@@ -17,7 +17,7 @@ namespace {
 
 /// Squared distance to the flat disc of a rim.
 inline Four to_cap2(Four r, Four z, const kerf_profile_point& rim) noexcept {
-    const Four dr = most(r - all(rim.radius), _mm256_setzero_pd()), dz = z - all(rim.z);
+    const Four dr = max_of(r - all(rim.radius), _mm256_setzero_pd()), dz = z - all(rim.z);
     return dr * dr + dz * dz;
 }
 
@@ -43,12 +43,12 @@ inline Four squared_distance(const OutlineShape& outline, Four r, Four z) noexce
         const Four along_r = all(s.along_r), along_z = all(s.along_z);
         const Four dr = r - all(a.radius), dz = z - all(a.z);
         const Four along = (dr * along_r + dz * along_z) * all(s.inverse_length2);
-        const Four t = least(all(1.0), most(_mm256_setzero_pd(), along));
+        const Four t = min_of(all(1.0), max_of(_mm256_setzero_pd(), along));
         const Four off_r = dr - t * along_r, off_z = dz - t * along_z;
-        nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
+        nearest2 = min_of(off_r * off_r + off_z * off_z, nearest2);
     }
-    if (front.radius > 0.0) nearest2 = least(to_cap2(r, z, front), nearest2);
-    return least(to_cap2(r, z, back), nearest2);
+    if (front.radius > 0.0) nearest2 = min_of(to_cap2(r, z, front), nearest2);
+    return min_of(to_cap2(r, z, back), nearest2);
 }
 
 inline Four magnitude(Four a) noexcept { return _mm256_andnot_pd(all(-0.0), a); }
@@ -64,8 +64,8 @@ inline Four to_face(const OutlineSegment& s, Four r, Four z) noexcept {
 }
 /// To the plane of the nearest face; no less than the depth in a convex solid.
 inline Four depth_of_planes(const OutlineShape& outline, Four r, Four z) noexcept {
-    Four depth = least(z - all(outline.point[outline.count - 1].z), all(outline.point[0].z) - z);
-    for (std::size_t n = 0; n + 1 < outline.count; ++n) depth = least(to_face(outline.segment[n], r, z), depth);
+    Four depth = min_of(z - all(outline.point[outline.count - 1].z), all(outline.point[0].z) - z);
+    for (std::size_t n = 0; n + 1 < outline.count; ++n) depth = min_of(to_face(outline.segment[n], r, z), depth);
     return depth;
 }
 /// The depth in a convex solid from that: the same inside and beside the face, less beyond its edges.
@@ -96,9 +96,9 @@ inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
         _mm256_and_pd(less(z, all(outline.point[0].z)), less(all(outline.point[outline.count - 1].z), z));
     const Four is_inside = _mm256_and_pd(is_between, less(r, wall_at(outline, z)));
     const Four depth = with_sign(_mm256_sqrt_pd(squared_distance(outline, r, z)), is_inside);
-    Four deep = outline.bore > 0.0 ? least(r - all(outline.bore), depth) : depth;
+    Four deep = outline.bore > 0.0 ? min_of(r - all(outline.bore), depth) : depth;
     for (std::size_t n = 0; n < outline.gaps; ++n)
-        deep = least(magnitude(z - all(outline.gap[n].middle)) - all(outline.gap[n].half), deep);
+        deep = min_of(magnitude(z - all(outline.gap[n].middle)) - all(outline.gap[n].half), deep);
     return deep;
 }
 
@@ -107,7 +107,7 @@ inline Four prism_depth(const OutlineShape& outline, Four x, Four y, Four z) noe
     const Four zero = _mm256_setzero_pd(), r = magnitude(x), side = magnitude(y) - all(outline.half_thickness);
     const Four flat = convex_depth(outline, r, z, depth_of_planes(outline, r, z));
     const Four off = _mm256_and_pd(less(flat, zero), flat), beside = _mm256_and_pd(less(zero, side), side);
-    const Four outside = minus(_mm256_sqrt_pd(off * off + beside * beside)), within = least(flat, minus(side));
+    const Four outside = minus(_mm256_sqrt_pd(off * off + beside * beside)), within = min_of(flat, minus(side));
     return _mm256_blendv_pd(within, outside, _mm256_or_pd(less(flat, zero), less(zero, side)));
 }
 
@@ -178,21 +178,21 @@ inline Eight squared_distance(const SingleOutline& o, Eight r, Eight z) noexcept
         const OutlineFace& f = o.face[n];
         const Eight along_r = eight(f.along_r), along_z = eight(f.along_z), dr = r - eight(f.radius),
                     dz = z - eight(f.z);
-        const Eight t = least(eight(1.0f), most(zero, (dr * along_r + dz * along_z) * eight(f.inverse_length2)));
+        const Eight t = min_of(eight(1.0f), max_of(zero, (dr * along_r + dz * along_z) * eight(f.inverse_length2)));
         const Eight off_r = dr - t * along_r, off_z = dz - t * along_z;
-        nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
+        nearest2 = min_of(off_r * off_r + off_z * off_z, nearest2);
     }
     const auto to_cap2 = [&](float radius, float at) {
-        const Eight dr = most(r - eight(radius), zero), dz = z - eight(at);
+        const Eight dr = max_of(r - eight(radius), zero), dz = z - eight(at);
         return dr * dr + dz * dz;
     };
-    if (o.front_radius > 0.0f) nearest2 = least(to_cap2(o.front_radius, o.front_z), nearest2);
-    return least(to_cap2(o.back_radius, o.back_z), nearest2);
+    if (o.front_radius > 0.0f) nearest2 = min_of(to_cap2(o.front_radius, o.front_z), nearest2);
+    return min_of(to_cap2(o.back_radius, o.back_z), nearest2);
 }
 inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
     if (o.is_convex) {
-        Eight depth = least(z - eight(o.back_z), eight(o.front_z) - z);
-        for (std::size_t n = 0; n < o.count; ++n) depth = least(to_face(o.face[n], r, z), depth);
+        Eight depth = min_of(z - eight(o.back_z), eight(o.front_z) - z);
+        for (std::size_t n = 0; n < o.count; ++n) depth = min_of(to_face(o.face[n], r, z), depth);
         return depth;
     }
     Eight wall = eight(o.back_radius);
@@ -204,9 +204,9 @@ inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
     const Eight is_between = _mm256_and_ps(less(z, eight(o.front_z)), less(eight(o.back_z), z));
     const Eight distance = _mm256_sqrt_ps(squared_distance(o, r, z));
     const Eight depth = _mm256_blendv_ps(minus(distance), distance, _mm256_and_ps(is_between, less(r, wall)));
-    Eight deep = o.bore > 0.0f ? least(r - eight(o.bore), depth) : depth;
+    Eight deep = o.bore > 0.0f ? min_of(r - eight(o.bore), depth) : depth;
     for (std::size_t n = 0; n < o.gaps; ++n)
-        deep = least(magnitude(z - eight(o.gap[n].middle)) - eight(o.gap[n].half), deep);
+        deep = min_of(magnitude(z - eight(o.gap[n].middle)) - eight(o.gap[n].half), deep);
     return deep;
 }
 /// The depth in a convex solid from that.
@@ -223,7 +223,7 @@ inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) n
     }
     const Eight is_beyond = _mm256_andnot_ps(is_beside, is_outside);
     if (!any(is_beyond)) return depth;
-    return _mm256_blendv_ps(depth, least(minus(_mm256_sqrt_ps(squared_distance(o, r, z))), depth), is_beyond);
+    return _mm256_blendv_ps(depth, min_of(minus(_mm256_sqrt_ps(squared_distance(o, r, z))), depth), is_beyond);
 }
 
 struct EightPoints {
@@ -235,15 +235,15 @@ inline Eight radius_of(const SingleOutline& o, const EightPoints& p) noexcept {
 /// The same for either solid: `r` as `radius_of` has it, `y` across a prism.
 inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight y, Eight z) noexcept {
     const Eight flat = depth_at_most(o, r, z);
-    return o.half_thickness > 0.0f ? least(eight(o.half_thickness) - magnitude(y), flat) : flat;
+    return o.half_thickness > 0.0f ? min_of(eight(o.half_thickness) - magnitude(y), flat) : flat;
 }
 inline Eight depth_from(const SingleOutline& o, Eight r, Eight y, Eight z, Eight depth) noexcept {
     if (!(o.half_thickness > 0.0f)) return depth_from(o, r, z, depth);
     const Eight zero = _mm256_setzero_ps(), is_outside = less(depth, zero);
     if (!any(is_outside)) return depth;
     const Eight flat = depth_from(o, r, z, depth_at_most(o, r, z));
-    const Eight off = least(flat, zero), beside = most(magnitude(y) - eight(o.half_thickness), zero);
-    return _mm256_blendv_ps(depth, least(minus(_mm256_sqrt_ps(off * off + beside * beside)), depth), is_outside);
+    const Eight off = min_of(flat, zero), beside = max_of(magnitude(y) - eight(o.half_thickness), zero);
+    return _mm256_blendv_ps(depth, min_of(minus(_mm256_sqrt_ps(off * off + beside * beside)), depth), is_outside);
 }
 inline EightPoints moved(const SingleFrame& f, const EightPoints& p) noexcept {
     const auto along = [&](int n) {
@@ -259,9 +259,9 @@ inline EightPoints turned_back(const SingleFrame& f, const EightPoints& d) noexc
     return {along(0), along(1), along(2)};
 }
 
-inline EightPoints way_in(const SingleOutline& o, const EightPoints& p, Eight r) noexcept {
+inline EightPoints inward_direction(const SingleOutline& o, const EightPoints& p, Eight r) noexcept {
     const Eight to_back = p.z - eight(o.back_z), to_front = eight(o.front_z) - p.z;
-    Eight depth = least(to_back, to_front), in_r = _mm256_setzero_ps();
+    Eight depth = min_of(to_back, to_front), in_r = _mm256_setzero_ps();
     Eight in_z = _mm256_blendv_ps(eight(1.0f), eight(-1.0f), less(to_front, to_back));
     for (std::size_t n = 0; n < o.count; ++n) {
         const Eight here = to_face(o.face[n], r, p.z), is_less = less(here, depth);
@@ -318,7 +318,7 @@ void avx2::deepest(const SingleOutline& outline, const SingleFrame* solid_from_p
                 depth = depth_from(outline, r, p.y, p.z, depth);
             is_deeper = less(best, depth);
             if (!any(is_deeper)) continue;
-            const EightPoints way_here = turned_back(frame, way_in(outline, p, r));
+            const EightPoints way_here = turned_back(frame, inward_direction(outline, p, r));
             best = _mm256_blendv_ps(best, depth, is_deeper);
             which = _mm256_blendv_ps(which, _mm256_castsi256_ps(all_ints(static_cast<std::int32_t>(n))), is_deeper);
             way = {_mm256_blendv_ps(way.x, way_here.x, is_deeper), _mm256_blendv_ps(way.y, way_here.y, is_deeper),
@@ -337,7 +337,7 @@ namespace {
 /// To the nearest quantum, of two the even one, kept within ± 32767.
 inline EightInts quantised(Eight depth, Eight per_quantum) noexcept {
     const Eight q = depth * per_quantum;
-    return _mm256_cvtps_epi32(most(least(q, eight(32767.0f)), eight(-32767.0f)));
+    return _mm256_cvtps_epi32(max_of(min_of(q, eight(32767.0f)), eight(-32767.0f)));
 }
 
 // The 27 samples of a cell's layer lie one after the other: in four steps, of which the last goes over five once more.
@@ -401,14 +401,14 @@ struct CellSteps {
     /// The least that a sample is above its value; 0 if one rises.
     [[gnu::always_inline]] std::int16_t spare(float band, float per_quantum) const noexcept {
         const EightInts full = all_ints(32767), end_of_band = all_ints(static_cast<std::int32_t>(-band * per_quantum));
-        EightInts least_spare = full;
+        EightInts min_spare = full;
         for (int n = 0; n < count; ++n) {
             const EightInts here = _mm256_sub_epi32(_mm256_max_epi32(before[n], end_of_band), value[n]);
-            least_spare =
-                _mm256_min_epi32(least_spare, _mm256_blendv_epi8(here, full, _mm256_cmpeq_epi32(before[n], full)));
+            min_spare =
+                _mm256_min_epi32(min_spare, _mm256_blendv_epi8(here, full, _mm256_cmpeq_epi32(before[n], full)));
         }
         std::int32_t each[wide];
-        _mm256_storeu_si256(reinterpret_cast<__m256i*>(each), least_spare);
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(each), min_spare);
         std::int32_t least = 32767;
         for (const std::int32_t one : each) least = one < least ? one : least;
         return static_cast<std::int16_t>(least < 0 ? 0 : least);
@@ -417,7 +417,7 @@ struct CellSteps {
     /// Stores what rises, and the range of the samples then. Returns whether one rises.
     [[gnu::always_inline]] bool store(Eight farthest, std::int16_t* samples, std::int16_t& lowest,
                                       std::int16_t& highest) const noexcept {
-        __m128i least_value = _mm_set1_epi16(32767), most_value = _mm_set1_epi16(-32767);
+        __m128i min_value = _mm_set1_epi16(32767), max_value = _mm_set1_epi16(-32767);
         Eight is_raised = _mm256_setzero_ps();
         for (int n = 0; n < count; ++n) {
             const Eight rises_here = rises(n, farthest);
@@ -425,12 +425,12 @@ struct CellSteps {
             const EightInts raised = _mm256_blendv_epi8(before[n], value[n], _mm256_castps_si256(rises_here));
             const __m128i after = _mm_packs_epi32(_mm256_castsi256_si128(raised), _mm256_extracti128_si256(raised, 1));
             _mm_storeu_si128(at(samples, n), after);
-            least_value = _mm_min_epi16(least_value, after);
-            most_value = _mm_max_epi16(most_value, after);
+            min_value = _mm_min_epi16(min_value, after);
+            max_value = _mm_max_epi16(max_value, after);
         }
         std::int16_t each[2][wide];
-        _mm_storeu_si128(reinterpret_cast<__m128i*>(each[0]), least_value);
-        _mm_storeu_si128(reinterpret_cast<__m128i*>(each[1]), most_value);
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(each[0]), min_value);
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(each[1]), max_value);
         lowest = each[0][0];
         highest = each[1][0];
         for (std::size_t lane = 1; lane < wide; ++lane) {

@@ -270,7 +270,7 @@ SinglePoint turned_back(const SingleFrame& f, SinglePoint d) noexcept {
 }
 
 /// The way in from a point inside, in the frame of the solid.
-SinglePoint way_in(const SingleOutline& o, SinglePoint p, float r) noexcept {
+SinglePoint inward_direction(const SingleOutline& o, SinglePoint p, float r) noexcept {
     float depth = smaller(p.z - o.back_z, o.front_z - p.z), in_r = 0.0f,
           in_z = o.front_z - p.z < p.z - o.back_z ? -1.0f : 1.0f;
     for (std::size_t n = 0; n < o.count; ++n) {
@@ -315,7 +315,7 @@ void portable::deepest(const SingleOutline& outline, const SingleFrame* solid_fr
             if (!(depth > walls.depth[i])) continue;
             depth = depth_from(outline, p, r, depth);
             if (!(depth > walls.depth[i])) continue;
-            const SinglePoint way = turned_back(frame, way_in(outline, p, r));
+            const SinglePoint way = turned_back(frame, inward_direction(outline, p, r));
             walls.depth[i] = depth;
             walls.which[i] = static_cast<std::int32_t>(n);
             walls.x[i] = way.x;
@@ -338,7 +338,7 @@ bool portable::raise(const SingleOutline& outline, const SampleCell& cell, float
                      std::int16_t* samples, std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept {
     const auto& at = cell.along;
     bool is_raised = false;
-    std::int32_t least = 32767, most = -32767, least_spare = 32767;
+    std::int32_t least = 32767, most = -32767, min_spare = 32767;
     const auto end_of_band = static_cast<std::int32_t>(-band * per_quantum);
     for (int z = 0; z < 3; ++z)
         for (int y = 0; y < 3; ++y)
@@ -353,8 +353,8 @@ bool portable::raise(const SingleOutline& outline, const SampleCell& cell, float
                 std::int16_t& sample = samples[(z * stored_edge + y) * stored_edge + x];
                 const float at_most = depth_at_most(outline, p, r);
                 if (sample < 32767)
-                    least_spare = std::min(
-                        least_spare, std::max<std::int32_t>(sample, end_of_band) - quantised(at_most, per_quantum));
+                    min_spare = std::min(min_spare,
+                                         std::max<std::int32_t>(sample, end_of_band) - quantised(at_most, per_quantum));
                 if (at_most >= -band && quantised(at_most, per_quantum) > sample) {
                     const float depth = depth_from(outline, p, r, at_most);
                     const std::int32_t value = quantised(depth, per_quantum);
@@ -367,7 +367,7 @@ bool portable::raise(const SingleOutline& outline, const SampleCell& cell, float
                 most = std::max<std::int32_t>(most, sample);
             }
     if (spare != nullptr)
-        *spare = is_raised ? std::int16_t{0} : static_cast<std::int16_t>(std::clamp(least_spare, 0, 32767));
+        *spare = is_raised ? std::int16_t{0} : static_cast<std::int16_t>(std::clamp(min_spare, 0, 32767));
     if (!is_raised) return false;
     lowest = static_cast<std::int16_t>(least);
     highest = static_cast<std::int16_t>(most);
