@@ -14,7 +14,7 @@ namespace {
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 
 std::string position_text(const Body& body, Vec3 at) {
-    const PlaceOnBone place = place_on_bone(body, at);
+    const PointOnBone place = locate_on_bone(body, at);
     if (!place.is_in_region) return "outside the region, not checked";
     const bool is_far = std::abs(place.distance) >= 0.99 * place.known;
     return std::string(is_far ? "more than " : "") + millimetres(std::abs(place.distance)) +
