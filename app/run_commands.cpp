@@ -45,6 +45,16 @@ std::string text_of(const ExactRow& exact) {
     return text;
 }
 
+std::string text_of(const ClockRow& clock) {
+    std::string text = formatted(
+        "  clock: %llu ticks, %llu late, %llu pauses; compute median %.0f us, 99.9 %% within %.0f us, worst %.2f ms\n",
+        static_cast<unsigned long long>(clock.ticks), static_cast<unsigned long long>(clock.late_ticks),
+        static_cast<unsigned long long>(clock.pauses), 1e6 * clock.compute.median, 1e6 * clock.compute.p999,
+        1e3 * clock.compute.worst);
+    for (const std::string& refusal : clock.refusals) text += "    " + refusal + "\n";
+    return text;
+}
+
 /// Two decimals, or two significant digits.
 std::string text_of(const MetricRow& m) {
     double value = m.value / m.per_unit;
@@ -171,6 +181,8 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         return exit_bad_input;
     }
 
+    if (options.is_live && !options.replay.empty())
+        return complain("a replay has no clock. Leave out `--live` or `--replay`.", exit_bad_input);
     // Checked before the bone is made, which may take minutes.
     std::string rehearsal = options.hand;
     std::optional<RecordedInputs> recorded;
