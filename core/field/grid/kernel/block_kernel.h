@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "kerf/abi.h"
 
@@ -230,6 +232,10 @@ struct BlockKernel {
     void (*crossings)(const std::int16_t* samples, const std::uint16_t* places, std::size_t count, int axis,
                       const SampleFrame& frame, SurfaceVertex* vertices) noexcept;
 };
+
+/// The type of the functions that implement a stage: `KernelStage<&BlockKernel::depths> depths;` declares one.
+template <auto stage>
+using KernelStage = std::remove_pointer_t<std::remove_reference_t<decltype(std::declval<BlockKernel&>().*stage)>>;
 
 /// Returns the kernel for any machine.
 [[nodiscard]] const BlockKernel& portable_kernel() noexcept;
