@@ -134,19 +134,18 @@ Run::~Run() = default;
 
 // ---- a tick -------------------------------------------------------------------------------------------------------
 
-bool Run::step() {
+bool Run::step_after(std::uint32_t missed) {
+    if (missed > 0) move_hand(missed);
     take_tool_of_step();
     take_hand_inputs(hand_inputs_.take(simulation_.ticks(), hand_.leg(), hand_.is_regripping()));
-    return tick(is_replay() ? recorded_reading() : DeviceSample{hand_.reported()});
+    return tick(is_replay() ? recorded_reading() : DeviceSample{hand_.reported(), missed});
 }
 
-bool Run::step_after(std::uint32_t missed) {
-    simulated_hand::SensedTool felt_before = sensed_tool();
-    felt_before.has_event = false;  // the hand felt it when the last tick ended
-    for (std::uint32_t i = 0; i < std::min(missed, max_moved_periods); ++i) hand_.step(result_.command, felt_before);
-    take_tool_of_step();
-    take_hand_inputs(hand_inputs_.take(simulation_.ticks(), hand_.leg(), hand_.is_regripping()));
-    return tick({hand_.reported(), missed});
+/// Lets the simulated hand move during missed periods, under the last command.
+void Run::move_hand(std::uint32_t periods) {
+    simulated_hand::SensedTool sensed = sensed_tool();
+    sensed.has_event = false;  // the hand felt the event when the last tick ended
+    for (std::uint32_t i = 0; i < std::min(periods, max_moved_periods); ++i) hand_.step(result_.command, sensed);
 }
 
 bool Run::step(const DeviceSample& sample) {

@@ -36,7 +36,7 @@ public:
     Run& operator=(const Run&) = delete;
 
     /// Runs one tick with the simulated hand, or with the recorded one. Returns whether the run continues.
-    bool step();
+    bool step() { return step_after(0); }
     /// Runs one tick of a rehearsal on a clock that has missed this number of periods since the last tick. The
     /// simulated hand moves on during them, under the last command. Pre: not a replay.
     bool step_after(std::uint32_t missed);
@@ -78,6 +78,7 @@ private:
     [[nodiscard]] DeviceSample recorded_reading();
     [[nodiscard]] simulated_hand::SensedTool sensed_tool() const;
     [[nodiscard]] bool tick(const DeviceSample& reported);
+    void move_hand(std::uint32_t periods);
     void take_tool_of_step();
     void take_hand_inputs(const std::vector<HandInput>& inputs);
     void observe(const Pose& handle, double now);

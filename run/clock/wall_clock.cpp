@@ -6,13 +6,14 @@
 #include <cmath>
 #include <ctime>
 
+#include "core/haptics/loop/hand_motion.h"
+
 namespace kerf {
 
 namespace {
 
 constexpr std::int64_t second = 1'000'000'000;  // [ns]
 constexpr std::int64_t spin = 150'000;          // [ns] at the end of a wait; a wake-up of a busy core is that late
-constexpr std::uint32_t pause = 3;              // missed periods after which the loop fades the force
 
 std::int64_t now_of(clockid_t clock) noexcept {
     timespec time{};
@@ -45,7 +46,7 @@ std::uint32_t WallClock::wait() noexcept {
     if (missed > 0) ++times_.late;
     times_.missed += static_cast<std::uint64_t>(missed);
     const auto count = static_cast<std::uint32_t>(std::min<std::int64_t>(missed, UINT32_MAX));
-    if (count >= pause) ++times_.pauses;
+    if (count >= HandMotion::missed_ticks_of_pause) ++times_.pauses;
     begun_ = now_of(CLOCK_THREAD_CPUTIME_ID);
     return count;
 }

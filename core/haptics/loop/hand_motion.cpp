@@ -12,8 +12,7 @@ namespace kerf {
 namespace {
 
 constexpr double filter_hz = 50.0;
-constexpr std::uint32_t too_many_missed = 3;  // ticks
-constexpr double leap = 20e-3;                // [m] maximum motion of a hand between two ticks
+constexpr double leap = 20e-3;  // [m] maximum motion of a hand between two ticks
 
 bool is_pose(const Pose& p) noexcept {
     constexpr double max_distance = 10.0;  // [m]
@@ -27,7 +26,7 @@ bool is_pose(const Pose& p) noexcept {
 bool HandMotion::take(const DeviceSample& sample, double dt) noexcept {
     const Pose& handle = sample.world_from_handle;
     const bool is_there = is_pose(handle);
-    const bool has_leapt = is_there && (was_missing_ || sample.missed >= too_many_missed ||
+    const bool has_leapt = is_there && (was_missing_ || sample.missed >= missed_ticks_of_pause ||
                                         length(handle.position - pose_.position) > leap);
     was_missing_ = !is_there;
     if (!is_there || has_leapt) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "kerf/device.hpp"
 
 /// Pose and rate of the hand from encoder counts.
@@ -9,6 +11,9 @@ namespace kerf {
 /// Checks the poses that a device reports and estimates the hand's rate.
 class HandMotion {
 public:
+    /// Missed ticks from which on the hand's motion is unknown and the force fades.
+    static constexpr std::uint32_t missed_ticks_of_pause = 3;
+
     explicit HandMotion(const Pose& start) : pose_(start) {}
 
     /// Takes one tick's pose. Ignores an invalid pose. Returns false for an invalid pose, for the first pose after one,
