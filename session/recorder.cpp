@@ -20,7 +20,7 @@
 namespace kerf {
 namespace {
 
-/// As much as fits, not ending within a UTF-8 character.
+/// Copies as much as fits, without cutting a UTF-8 character.
 template <std::size_t N>
 void copy_text(char (&to)[N], const std::string& from) noexcept {
     std::size_t count = std::min(from.size(), N - 1);
@@ -30,7 +30,7 @@ void copy_text(char (&to)[N], const std::string& from) noexcept {
     to[count] = '\0';
 }
 
-/// What SQLite says of a disk, with what to do.
+/// Returns an error of SQLite for people, with advice.
 std::string for_people(const std::string& error) {
     const bool is_full = error.find("disk is full") != std::string::npos;
     return is_full ? "the disk is full. Free some space, or give a folder on another disk." : error + ".";

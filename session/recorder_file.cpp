@@ -37,9 +37,8 @@ void Recorder::Impl::create(const SessionHeader& header) {
     signal_count = std::min<std::size_t>(header.signals.size(), max_signal_columns);
     tables = session_tables(header.signals, header.conditions.force_scale);
 
-    database.run(
-        "PRAGMA auto_vacuum=INCREMENTAL");       // before the first table: pages of rows now compressed are given back
-    database.run("PRAGMA journal_mode=MEMORY");  // nobody reads it before it is whole: nothing needs undoing
+    database.run("PRAGMA auto_vacuum=INCREMENTAL");  // before the first table: pages of compressed rows are freed
+    database.run("PRAGMA journal_mode=MEMORY");      // not readable before it is complete: no rollback needed
     database.run("PRAGMA application_id=" + std::to_string(session_application_id));
     database.run("PRAGMA user_version=" + std::to_string(session_schema_version));
     database.run("BEGIN");
@@ -93,7 +92,7 @@ void Recorder::Impl::open_to_write() {
     database.run("PRAGMA journal_mode=WAL");
     database.run("PRAGMA synchronous=NORMAL");
     database.run("PRAGMA wal_autocheckpoint=0");
-    database.run("PRAGMA secure_delete=OFF");  // plain rows are in a block when they are deleted: no need to zero them
+    database.run("PRAGMA secure_delete=OFF");  // plain rows remain in a block when deleted: no need to overwrite them
 
     begin.prepare(database, "BEGIN");
     commit.prepare(database, "COMMIT");
@@ -160,7 +159,7 @@ void Recorder::Impl::finalize() {
     if (cut_blocks) cut_blocks->finalize();
 }
 
-/// All rows are in the file: where the disk is full, those that are left stay plain.
+/// Compresses the remaining rows. All are in the file; on a full disk they stay plain.
 void Recorder::Impl::compress_rest() {
     if (!database.is_good()) return;
     for (BlockWriter* blocks : {&*tick_blocks, &*cut_blocks}) {
@@ -169,7 +168,7 @@ void Recorder::Impl::compress_rest() {
     }
 }
 
-/// How the session ended, and the checksum of all that it holds, in one transaction.
+/// Writes the final state and the checksum of the whole session in one transaction.
 bool Recorder::Impl::write_state(const char* state) {
     database.run("BEGIN");
     SqliteStatement(database, std::string("UPDATE session SET value='") + state + "' WHERE key='state'").run();
@@ -183,12 +182,12 @@ bool Recorder::Impl::write_state(const char* state) {
     return database.run("COMMIT");
 }
 
-/// Says how the session ended, folds the -wal in and closes.
+/// Writes the final state, merges the -wal file and closes.
 void Recorder::Impl::close(const char* state) {
-    // Where the program cannot go on, nothing is done that can wait.
+    // A program that cannot continue skips all work that is not needed.
     if (!is_abandoned.load(std::memory_order_acquire)) compress_rest();
     finalize();
-    // A transaction that did not fit may leave room for these few bytes.
+    // A transaction that did not fit may leave space for these few bytes.
     if (!database.is_good()) {
         error = database.recover();
         state = "incomplete";

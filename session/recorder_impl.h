@@ -23,7 +23,7 @@
 /// has the threads that write it.
 namespace kerf {
 
-/// An event without the heap.
+/// An event without heap memory.
 struct EventSlot {
     std::uint64_t tick = 0;
     double time = 0.0;
@@ -46,7 +46,7 @@ struct Recorder::Impl {
     SpscRing<EventSlot> events;
     std::atomic<std::uint64_t> lost_ticks{0}, lost_cuts{0}, lost_events{0};
 
-    // The file. The writer's while it runs, the caller's before and after.
+    // The file. The writer uses it while it runs, the caller before and after.
     std::string path;
     std::vector<Table> tables;
     std::size_t signal_count = 0;
@@ -55,23 +55,23 @@ struct Recorder::Impl {
     std::optional<BlockWriter> tick_blocks, cut_blocks;
 
     std::thread writer, checkpointer;
-    std::mutex mutex;  ///< of `wake` alone; the loop never takes it
+    std::mutex mutex;  ///< of `wake` alone; the loop never locks it
     std::condition_variable wake;
     std::atomic<bool> is_stopping{false};
     std::atomic<bool> is_failed{false};
-    std::atomic<bool> has_writer_ended{false};               ///< before it was told to
+    std::atomic<bool> has_writer_ended{false};               ///< before it was stopped
     std::atomic<bool> is_fold_due{false}, is_folded{false};  ///< from the writer to the checkpointer, and back
 
-    // Where the program cannot go on (save_what_is_open).
-    static inline std::atomic<Impl*> open{nullptr};  ///< the record under way
+    // For a program that cannot continue (save_what_is_open).
+    static inline std::atomic<Impl*> open{nullptr};  ///< the record that is being written
     std::atomic<bool> is_abandoned{false}, is_saved{false};
     const char *last_event = "", *last_detail = "";
-    std::uint64_t last_tick = 0;  ///< written
+    std::uint64_t last_tick = 0;  ///< last written
     double last_time = 0.0;
     bool is_closed = false;
-    std::string error;        ///< the first, once closed
-    std::string plain_error;  ///< why some rows of a session that is complete are not compressed
-    std::string fold_error;   ///< why the -wal is still next to a session that is complete
+    std::string error;        ///< the first error, once closed
+    std::string plain_error;  ///< the reason for plain rows in a complete session
+    std::string fold_error;   ///< the reason why the -wal file remains next to a complete session
 
     // recorder_file.cpp
     void create(const SessionHeader& header);

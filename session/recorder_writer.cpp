@@ -20,10 +20,10 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr std::size_t batch_rows = 250;
-constexpr auto batch_time = milliseconds(100);  // with one commit's time on top well under the promised 0.25 s
+constexpr auto batch_time = milliseconds(100);  // with the time of a commit, well below the promised 0.25 s
 constexpr auto poll_time = milliseconds(10);
-// Folding the -wal into the file waits for the disk. It has a thread of its own, so that a commit never does. What
-// comes meanwhile is little, so the writer folds it in by itself: only then can the -wal begin anew.
+// Merging the -wal file into the session waits for the disk. It has its own thread, so that a commit never waits. The
+// writer merges the few rows that arrive meanwhile itself: only then can the -wal file restart.
 constexpr auto checkpoint_time = milliseconds(5000);
 constexpr std::uintmax_t checkpoint_bytes = 8 << 20;
 
@@ -40,7 +40,7 @@ Row& operator<<(Row& row, const Vec6& wrench) {
     return row;
 }
 
-/// The columns of `ticks`, from left to right.
+/// Appends the columns of `ticks`, from left to right.
 template <class Row>
 void put(Row& row, const TickRow& tick, std::size_t signal_count) {
     row << integer(tick.tick) << tick.time << std::int64_t{tick.step} << tick.device_from_handle << tick.world_from_tool
@@ -50,7 +50,7 @@ void put(Row& row, const TickRow& tick, std::size_t signal_count) {
     for (std::size_t i = 0; i < signal_count; ++i) row << tick.signals[i];
 }
 
-/// The columns of `cuts`.
+/// Appends the columns of `cuts`.
 template <class Row>
 void put(Row& row, const CutRow& cut) {
     row << integer(cut.sequence) << integer(cut.tick) << std::int64_t{cut.body} << std::int64_t{cut.solid} << cut.from
@@ -68,8 +68,8 @@ void Recorder::Impl::write_tick(const TickRow& row) {
     last_time = row.time;
 }
 
-/// One transaction with up to 250 rows of each kind, none beyond a full block. After a disk error it only empties the
-/// queues: the loop runs on.
+/// Writes up to 250 rows of each kind in one transaction, none beyond a full block. After a disk error it only empties
+/// the queues, because the loop continues.
 bool Recorder::Impl::write_batch() {
     std::uint64_t tick_count = 0, cut_count = 0, event_count = 0;
     begin.run();
@@ -114,7 +114,7 @@ void Recorder::Impl::write_until_stopped() {
     auto last_commit = Clock::now();
     while (true) {
         const bool was_stopping =
-            is_stopping.load(std::memory_order_acquire);  // before looking: then nothing is missed
+            is_stopping.load(std::memory_order_acquire);  // read before the queues, so that no row is missed
         const std::size_t most = std::max({ticks.size(), cuts.size(), events.size()});
         if (most == 0 && was_stopping) return;
 
@@ -130,7 +130,7 @@ void Recorder::Impl::write_until_stopped() {
     }
 }
 
-/// Keeps the -wal short. Its failure costs nothing: the -wal is complete.
+/// Keeps the -wal file short. A failure does no harm: the -wal file is complete.
 void Recorder::Impl::fold_when_long() {
     if (is_folded.exchange(false, std::memory_order_acquire)) {
         database.try_run("PRAGMA wal_checkpoint(TRUNCATE)");
@@ -165,7 +165,7 @@ void Recorder::Impl::start() {
         try {
             write_until_stopped();
             if (is_abandoned.load(std::memory_order_acquire)) close_abandoned();
-        } catch (const std::exception&) {  // there is no memory left
+        } catch (const std::exception&) {  // out of memory
             has_writer_ended.store(true, std::memory_order_release);
             is_failed.store(true, std::memory_order_release);
         }
@@ -174,7 +174,7 @@ void Recorder::Impl::start() {
         try {
             checkpoint_until_stopped();
         } catch (const std::exception&) {
-            // The -wal grows, and is complete.
+            // The -wal file grows, but is complete.
         }
     };
     try {
@@ -187,7 +187,7 @@ void Recorder::Impl::start() {
     open.store(this);
 }
 
-/// On the writer's thread: the one that would do so cannot any more.
+/// Runs on the writer's thread, because the main thread cannot continue.
 void Recorder::Impl::close_abandoned() {
     wake.notify_all();
     checkpointer.join();

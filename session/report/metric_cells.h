@@ -38,8 +38,8 @@ struct RowResult {
 };
 
 /// Returns a row of `table_html`.   [any]
-/// @param what       of what_html
-/// @param measured   safe HTML, as `bound`
+/// @param what       result of what_html
+/// @param measured   safe HTML, as is `bound`
 [[nodiscard]] std::string row_html(const std::string& what, const std::string& measured, const std::string& bound,
                                    RowResult result);
 

@@ -44,7 +44,7 @@ bool is_hole(const RunSummary& summary, const std::string& step) {
     return false;
 }
 
-/// Limits are called by words with underscores, metrics by words with hyphens.
+/// Returns the name with hyphens, as in metrics. Limits have underscores.
 std::string hyphened(std::string name) {
     std::replace(name.begin(), name.end(), '_', '-');
     return name;
@@ -55,7 +55,7 @@ bool has_broken(const StepRow& step, std::string_view metric) {
                        [&](const std::string& limit) { return hyphened(limit) == metric; });
 }
 
-/// @param is_engaged   bone holds the thread; else nothing is known of its turns
+/// @param is_engaged   the thread is in bone; else its turns are unknown
 std::string cell_html(const Column& column, const StepRow& step, const MetricRow* metric, bool is_engaged) {
     if (metric == nullptr || (column.is_in_turns && !is_engaged)) return "<td class=\"none\">–</td>";
     std::string text;
@@ -86,7 +86,7 @@ std::string outcome_html(const StepRow& step) {
     return "<td class=\"broken\">✗ " + limits + "</td>";
 }
 
-/// A row for each of `steps`; a column without any value is left out.
+/// Returns a table with one row for each of `steps`. Leaves out columns without values.
 std::string overview_html(const RunSummary& summary, const char* title, const char* first,
                           const std::vector<const StepRow*>& steps, const std::vector<Column>& columns) {
     if (steps.empty()) return {};
@@ -113,7 +113,7 @@ std::string overview_html(const RunSummary& summary, const char* title, const ch
     return html + "</tbody></table></div>\n";
 }
 
-/// Columns for metrics whose ids a procedure makes: zones and diameters.
+/// Adds columns for metrics whose ids come from the procedure: zones and diameters.
 void add_named_columns(const RunSummary& summary, const std::vector<const StepRow*>& steps, std::string_view prefix,
                        std::vector<Column>& columns) {
     for (const StepRow* step : steps)

@@ -10,8 +10,8 @@
 /// The tables of single steps in report.html, as HTML.
 namespace kerf {
 
-/// The steps: goals and limits with what was measured, failing ones first, then the other metrics of the step. At last
-/// the metrics of no step.   [any]
+/// Returns the steps as HTML: goals and limits with the measured values, failed ones first, then the other metrics of
+/// the step. Metrics without a step come last.   [any]
 [[nodiscard]] std::string steps_html(const RunSummary& summary, const DrawnRun& run,
                                      const RecordedProcedure& procedure);
 

@@ -43,7 +43,7 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
         const std::uint32_t* begin = upper_[axis].data();
         shared_.insert(shared_.end(), begin, numbered.upper_end[axis]);
     }
-    shared_.push_back(none);  // so that who reads one too many reads something
+    shared_.push_back(none);  // so that reading one past the end is valid
 }
 
 PatchWeld::Numbered PatchWeld::number(std::size_t brick, const PatchView& patch) {
@@ -52,7 +52,7 @@ PatchWeld::Numbered PatchWeld::number(std::size_t brick, const PatchView& patch)
     const std::array<bool, 3> has_lower{brick % row != 0, brick % layer >= row, brick >= layer};
     const std::array<std::size_t, 3> below{1, row, layer};
 
-    // Vertices on a lower face have numbers already, in the order in which they come here too.
+    // Vertices on a lower face are numbered already, in the order in which they appear here too.
     std::array<const std::uint32_t*, 3> known;
     unsigned lower_faces = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -103,7 +103,7 @@ PatchWeld::Numbered PatchWeld::number(std::size_t brick, const PatchView& patch)
 }
 
 void PatchWeld::append(const PatchView& patch, std::size_t fresh) {
-    // Put together here, where it is near, and then taken over in one go.
+    // Assembled in small buffers that stay in cache, and then appended in one step.
     vertices_.resize(fresh);
     normals_.resize(fresh);
     tissue_.resize(fresh);

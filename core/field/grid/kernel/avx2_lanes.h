@@ -18,7 +18,7 @@ constexpr std::size_t lanes = 4;
 constexpr int brick_bits = 3, stored = 9;  // of core/field/grid/grid.h: 8 samples a brick and axis, 9 with the apron
 
 inline Four all(double v) noexcept { return _mm256_set1_pd(v); }
-/// a < b ? a : b, as the instruction has it for NaN too.
+/// a < b ? a : b, also for NaN, as the instruction defines it.
 inline Four min_of(Four a, Four b) noexcept { return _mm256_min_pd(a, b); }
 /// a > b ? a : b.
 inline Four max_of(Four a, Four b) noexcept { return _mm256_max_pd(a, b); }
@@ -34,7 +34,7 @@ inline Four3 cross(const Four3& a, const Four3& b) noexcept {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// x, y and z of four points that follow one another.
+/// Loads x, y and z of four consecutive points.
 inline Four3 load_points(const double* p) noexcept {
     const auto two = [p](int low, int high) {
         return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p + low)), _mm_loadu_pd(p + high), 1);
@@ -43,7 +43,7 @@ inline Four3 load_points(const double* p) noexcept {
     return {_mm256_shuffle_pd(a, b, 0b1010), _mm256_shuffle_pd(a, c, 0b0101), _mm256_shuffle_pd(b, c, 0b1010)};
 }
 
-/// A frame's factors, each for four points.
+/// The factors of a frame, each for four points.
 struct FourFrame {
     Four3 x, y, z, origin;
 
@@ -54,7 +54,7 @@ struct FourFrame {
     }
 };
 
-/// A question's points, `step` at a time; where the last do not fill a step, with the last of them repeated.
+/// The points of a query, `step` at a time; the last step is filled up with copies of the last point.
 template <std::size_t step>
 class Steps {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four points at a time, in single precision eight, each with the operations of the portable kernel in its order.
-// Compiled with -mavx2 and entered only where the processor has it; without fused multiply-add, which would round
+// Four points at a time, eight in single precision, each with the operations of the portable kernel in the same order.
+// Compiled with -mavx2 and called only where the processor has AVX2. Without fused multiply-add, which would round
 // differently.
 #include <immintrin.h>
 
@@ -15,13 +15,13 @@ namespace kerf {
 
 namespace {
 
-/// Squared distance to the flat disc of a rim.
+/// Returns the squared distance to the flat disc of a rim.
 inline Four to_cap2(Four r, Four z, const kerf_profile_point& rim) noexcept {
     const Four dr = max_of(r - all(rim.radius), _mm256_setzero_pd()), dz = z - all(rim.z);
     return dr * dr + dz * dz;
 }
 
-/// The outline's radius where the points stand.
+/// Returns the outline's radius at each z.
 inline Four wall_at(const OutlineShape& outline, Four z) noexcept {
     Four wall = all(outline.point[outline.count - 1].radius);
     for (std::size_t n = outline.count - 1; n > 0; --n) {
@@ -33,7 +33,7 @@ inline Four wall_at(const OutlineShape& outline, Four z) noexcept {
     return wall;
 }
 
-/// To the nearest point of the outline.
+/// Returns the squared distance to the nearest point of the outline.
 inline Four squared_distance(const OutlineShape& outline, Four r, Four z) noexcept {
     const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
     Four nearest2 = all(1e300);
@@ -54,7 +54,7 @@ inline Four squared_distance(const OutlineShape& outline, Four r, Four z) noexce
 inline Four magnitude(Four a) noexcept { return _mm256_andnot_pd(all(-0.0), a); }
 inline Four minus(Four a) noexcept { return _mm256_xor_pd(a, all(-0.0)); }
 
-/// `v` where `is_positive`, else −v. Pre: v ≥ 0.
+/// Returns `v` where `is_positive`, else −v. Pre: v ≥ 0.
 inline Four with_sign(Four v, Four is_positive) noexcept {
     return _mm256_xor_pd(v, _mm256_andnot_pd(is_positive, all(-0.0)));
 }
@@ -62,13 +62,13 @@ inline Four with_sign(Four v, Four is_positive) noexcept {
 inline Four to_face(const OutlineSegment& s, Four r, Four z) noexcept {
     return all(s.offset) - (all(s.normal_r) * r + all(s.normal_z) * z);
 }
-/// To the plane of the nearest face; no less than the depth in a convex solid.
+/// Returns the depth to the plane of the nearest face; in a convex solid an upper bound of the depth.
 inline Four depth_of_planes(const OutlineShape& outline, Four r, Four z) noexcept {
     Four depth = min_of(z - all(outline.point[outline.count - 1].z), all(outline.point[0].z) - z);
     for (std::size_t n = 0; n + 1 < outline.count; ++n) depth = min_of(to_face(outline.segment[n], r, z), depth);
     return depth;
 }
-/// The depth in a convex solid from that: the same inside and beside the face, less beyond its edges.
+/// Returns the depth in a convex solid from that: equal inside and next to the face, less beyond its edges.
 inline Four convex_depth(const OutlineShape& outline, Four r, Four z, Four depth) noexcept {
     const Four is_outside = less(depth, _mm256_setzero_pd());
     if (_mm256_movemask_pd(is_outside) == 0) return depth;
@@ -89,7 +89,7 @@ inline Four convex_depth(const OutlineShape& outline, Four r, Four z, Four depth
     const Four distance = _mm256_sqrt_pd(squared_distance(outline, r, z));
     return _mm256_blendv_pd(depth, _mm256_xor_pd(distance, all(-0.0)), is_beyond);
 }
-/// The depth in any solid.
+/// Returns the depth in any solid.
 inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
     if (outline.is_convex) return convex_depth(outline, r, z, depth_of_planes(outline, r, z));
     const Four is_between =
@@ -102,7 +102,7 @@ inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
     return deep;
 }
 
-/// A prism's: what its outline has in the plane, within two flat sides.
+/// Returns the depth in a prism: the depth in the plane of its outline, limited by two flat sides.
 inline Four prism_depth(const OutlineShape& outline, Four x, Four y, Four z) noexcept {
     const Four zero = _mm256_setzero_pd(), r = magnitude(x), side = magnitude(y) - all(outline.half_thickness);
     const Four flat = convex_depth(outline, r, z, depth_of_planes(outline, r, z));
@@ -209,7 +209,7 @@ inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
         deep = min_of(magnitude(z - eight(o.gap[n].middle)) - eight(o.gap[n].half), deep);
     return deep;
 }
-/// The depth in a convex solid from that.
+/// Returns the depth in a convex solid from the depth to the nearest plane.
 inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) noexcept {
     const Eight zero = _mm256_setzero_ps(), is_outside = less(depth, zero);
     Eight is_beside = _mm256_or_ps(_mm256_and_ps(same(eight(o.front_z) - z, depth), not_less(eight(o.front_radius), r)),
@@ -232,7 +232,7 @@ struct EightPoints {
 inline Eight radius_of(const SingleOutline& o, const EightPoints& p) noexcept {
     return o.half_thickness > 0.0f ? magnitude(p.x) : _mm256_sqrt_ps(p.x * p.x + p.y * p.y);
 }
-/// The same for either solid: `r` as `radius_of` has it, `y` across a prism.
+/// Returns the bound for a solid of revolution or a prism, with `r` from `radius_of` and `y` across a prism.
 inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight y, Eight z) noexcept {
     const Eight flat = depth_at_most(o, r, z);
     return o.half_thickness > 0.0f ? min_of(eight(o.half_thickness) - magnitude(y), flat) : flat;
@@ -334,13 +334,13 @@ void avx2::deepest(const SingleOutline& outline, const SingleFrame* solid_from_p
 
 namespace {
 
-/// To the nearest quantum, of two the even one, kept within ± 32767.
+/// Returns the nearest quantum, the even one of two, clamped to ± 32767.
 inline EightInts quantised(Eight depth, Eight per_quantum) noexcept {
     const Eight q = depth * per_quantum;
     return _mm256_cvtps_epi32(max_of(min_of(q, eight(32767.0f)), eight(-32767.0f)));
 }
 
-// The 27 samples of a cell's layer lie one after the other: in four steps, of which the last goes over five once more.
+// The 27 samples of a cell's layer are contiguous: four steps, of which the last repeats five samples.
 constexpr int steps_of_layer = 4, step_start[steps_of_layer] = {0, 8, 16, 19};
 struct LanePlaces {
     float x[steps_of_layer][wide], y[steps_of_layer][wide];
@@ -463,7 +463,7 @@ bool avx2::raise(const SingleOutline& outline, const SampleCell& cell, float ban
     }
     if (outline.is_convex && cell.has_edges && any(may_rise_outside))
         for (int n = 0; n < CellSteps::count; ++n) {
-            // What does not rise by the planes does not rise, and inside there is nothing to put right.
+            // A sample that the planes do not raise does not rise, and inside there is nothing to correct.
             if (!any(_mm256_and_ps(steps.rises(n, farthest), less(steps.depth[n], zero)))) continue;
             steps.depth[n] = depth_from(outline, steps.radius[n], steps.across[n], steps.height[n], steps.depth[n]);
             steps.value[n] = quantised(steps.depth[n], scale);
@@ -481,7 +481,7 @@ void avx2::find(const std::int16_t* samples, std::int16_t low, std::int16_t high
     };
     for (int layer = 0; layer < 3; ++layer) {
         const std::int16_t* at = samples + layer * stored * stored;
-        // Sixteen of the 27, and from the twelfth on sixteen
+        // Samples 0 … 15 of the 27, and samples 11 … 26.
         const __m256i both = _mm256_packs_epi16(outside(at), outside(at + 11));
         const auto bits =
             static_cast<std::uint32_t>(~_mm256_movemask_epi8(_mm256_permute4x64_epi64(both, _MM_SHUFFLE(3, 1, 2, 0))));

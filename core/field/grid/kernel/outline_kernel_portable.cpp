@@ -15,7 +15,7 @@ namespace kerf {
 
 namespace {
 
-/// To the nearest point of the outline.
+/// Writes the squared distances to the nearest point of the outline.
 void squared_distances(const OutlineShape& outline, std::size_t count, const BlockValues& r, const double* __restrict z,
                        BlockValues& nearest2) noexcept {
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
@@ -44,7 +44,7 @@ void squared_distances(const OutlineShape& outline, std::size_t count, const Blo
     add_cap(back);
 }
 
-/// A convex solid's: see ToolSolid::distance.
+/// Writes the depths in a convex solid: see ToolSolid::distance.
 void convex_depths(const OutlineShape& outline, std::size_t count, const BlockValues& r, const double* __restrict z,
                    double* __restrict depths) noexcept {
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
@@ -82,7 +82,7 @@ void convex_depths(const OutlineShape& outline, std::size_t count, const BlockVa
     }
 }
 
-/// A prism's: what its outline has in the plane, within two flat sides.
+/// Writes the depths in a prism: the depth in the plane of its outline, limited by two flat sides.
 void prism_depths(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool,
                   double* __restrict depths) noexcept {
     BlockValues r{};
@@ -112,7 +112,7 @@ void portable::depths(const OutlineShape& outline, std::size_t count, const Cons
     if (outline.is_convex) return convex_depths(outline, count, r, z, depths);
     squared_distances(outline, count, r, z, nearest2);
 
-    // The outline's radius where the point stands, from the back so that the first segment that holds it stays.
+    // The outline's radius at the point's z. From the back, so that the first segment that contains it wins.
     for (std::size_t n = outline.count - 1; n > 0; --n) {
         const auto a = outline.point[n - 1], b = outline.point[n];
         if (a.radius == b.radius) {  // a cylinder: nothing to divide
@@ -176,7 +176,7 @@ void portable::tangents(const OutlineShape& outline, std::size_t count, const Co
         }
         return;
     }
-    for (std::size_t i = 0; i < count; ++i) {  // towards the axis; on it any way will do
+    for (std::size_t i = 0; i < count; ++i) {  // towards the axis; arbitrary on the axis
         const double inwards = -normal_r[i] / r[i];
         const bool is_off_axis = r[i] > 0.0;
         gx[i] = is_off_axis ? inwards * x[i] : normal_r[i];
@@ -192,7 +192,7 @@ inline float to_face(const OutlineFace& f, float r, float z) noexcept {
     return f.offset - (f.normal_r * r + f.normal_z * z);
 }
 
-/// To the nearest point of the outline, squared.
+/// Returns the squared distance to the nearest point of the outline.
 float squared_distance(const SingleOutline& o, float r, float z) noexcept {
     float nearest2 = 1e30f;
     for (std::size_t n = 0; n < o.count; ++n) {
@@ -209,7 +209,7 @@ float squared_distance(const SingleOutline& o, float r, float z) noexcept {
     if (o.front_radius > 0.0f) nearest2 = smaller(to_cap2(o.front_radius, o.front_z), nearest2);
     return smaller(to_cap2(o.back_radius, o.back_z), nearest2);
 }
-/// In a convex solid to the plane of the nearest face, in any other the depth itself.
+/// Returns the depth to the plane of the nearest face in a convex solid; the depth itself in any other.
 float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
     if (o.is_convex) {
         float depth = smaller(z - o.back_z, o.front_z - z);
@@ -227,7 +227,8 @@ float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
     for (std::size_t n = 0; n < o.gaps; ++n) depth = smaller(std::abs(z - o.gap[n].middle) - o.gap[n].half, depth);
     return depth;
 }
-/// The depth from that: in a convex solid less where a point is outside and beyond the edges of its nearest face.
+/// Returns the depth, given that plane depth: in a convex solid it is less outside, beyond the edges of the nearest
+/// face.
 float depth_from(const SingleOutline& o, float r, float z, float depth) noexcept {
     if (!o.is_convex || !(depth < 0.0f)) return depth;
     bool is_beside = (o.front_z - z == depth && o.front_radius >= r) || (z - o.back_z == depth && o.back_radius >= r);
@@ -245,7 +246,7 @@ struct SinglePoint {
 inline float radius_of(const SingleOutline& o, SinglePoint p) noexcept {
     return o.half_thickness > 0.0f ? std::abs(p.x) : std::sqrt(p.x * p.x + p.y * p.y);
 }
-/// The same for either solid, `r` as `radius_of` has it.
+/// Returns the bound for a solid of revolution or a prism, with `r` from `radius_of`.
 float depth_at_most(const SingleOutline& o, SinglePoint p, float r) noexcept {
     const float flat = depth_at_most(o, r, p.z);
     return o.half_thickness > 0.0f ? smaller(o.half_thickness - std::abs(p.y), flat) : flat;
@@ -263,13 +264,13 @@ SinglePoint moved(const SingleFrame& f, SinglePoint p) noexcept {
     };
     return {along(0), along(1), along(2)};
 }
-/// Pre: a rotation.
+/// Returns a direction of the solid in the frame of the points. Pre: a rotation.
 SinglePoint turned_back(const SingleFrame& f, SinglePoint d) noexcept {
     const auto along = [&](int n) { return (f.axis[n][0] * d.x + f.axis[n][1] * d.y) + f.axis[n][2] * d.z; };
     return {along(0), along(1), along(2)};
 }
 
-/// The way in from a point inside, in the frame of the solid.
+/// Returns the inward direction at a point inside, in the frame of the solid.
 SinglePoint inward_direction(const SingleOutline& o, SinglePoint p, float r) noexcept {
     float depth = smaller(p.z - o.back_z, o.front_z - p.z), in_r = 0.0f,
           in_z = o.front_z - p.z < p.z - o.back_z ? -1.0f : 1.0f;
@@ -327,7 +328,7 @@ void portable::deepest(const SingleOutline& outline, const SingleFrame* solid_fr
 
 namespace {
 
-/// To the nearest quantum, of two the even one, kept within ± 32767.
+/// Returns the nearest quantum, the even one of two, clamped to ± 32767.
 std::int32_t quantised(float depth, float per_quantum) noexcept {
     return static_cast<std::int32_t>(std::lrint(larger(smaller(depth * per_quantum, 32767.0f), -32767.0f)));
 }
