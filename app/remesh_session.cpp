@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/remesh_session.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -13,6 +11,7 @@
 #include "app/make_bone.h"
 #include "app/outputs.h"
 #include "app/progress.h"
+#include "app/remesh_session.h"
 #include "app/replay.h"
 #include "app/standard_streams.h"
 #include "bone/exact/exact_surface.h"
@@ -23,8 +22,8 @@
 #include "session/content_hash.h"
 #include "session/exact_summary.h"
 #include "session/recorder.h"
+#include "text/codes.h"
 #include "text/printable_lines.h"
-#include "text/read_codes.h"
 #include "text/write_file.h"
 
 namespace kerf {

@@ -8,7 +8,7 @@
 #include "documents/anatomy.h"
 #include "documents/yaml/read_map.h"
 
-/// `kind: Anatomy` from YAML to checked values. All errors are reported, not the first; codes: read_codes.h.
+/// `kind: Anatomy` from YAML to checked values. All errors are reported, not the first; codes: text/codes.h.
 namespace kerf {
 
 /// Reads and checks one anatomy. Empty if anything is wrong. Never throws.   [main]

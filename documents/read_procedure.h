@@ -10,7 +10,7 @@
 #include "documents/anatomy.h"
 #include "documents/procedure.h"
 
-/// `kind: Procedure` from YAML to checked values. All errors are reported, not the first; codes: read_codes.h.
+/// `kind: Procedure` from YAML to checked values. All errors are reported, not the first; codes: text/codes.h.
 namespace kerf {
 
 /// What is different from the document as it is written.

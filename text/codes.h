@@ -1,15 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdio>
 #include <span>
 #include <string>
 #include <string_view>
 
-/// The catalogue of error codes for `kerf explain`: documents, data files (E06xx) and runs (E07xx).
+/// The catalogue of error codes: documents, data files (E06xx) and runs (E07xx). The files `codes_*.def` are the one
+/// table; this enumeration, `kerf explain` and docs/codes.md come from it. A number is never reused, so that a search
+/// for it finds its meaning.
 namespace kerf {
+
+/// The number is the one in messages: 412 is `E0412`, as a warning `W0412`.
+enum class Code {
+#define KERF_CODE(number, id, level, name, meaning, why, write) id = number,
+#include "text/codes_1_document.def"
+#include "text/codes_5_anatomy.def"
+#include "text/codes_6_data.def"
+#include "text/codes_7_run.def"
+#undef KERF_CODE
+};
+
+/// Returns `E0412`; `W0412` for a warning.   [any]
+inline std::string code_text(Code code, char letter = 'E') {
+    char text[8];
+    std::snprintf(text, sizeof text, "%c%04d", letter, static_cast<int>(code) % 10000);
+    return text;
+}
 
 struct CodeEntry {
     int number = 0;
+    const char* id = "";       ///< the name of the enumerator
     const char* name = "";     ///< a few words
     const char* meaning = "";  ///< the problem
     const char* why = "";      ///< the reason why Kerf refuses it
@@ -28,5 +49,8 @@ struct CodeEntry {
 
 /// Returns a list with one line per code.   [any]
 [[nodiscard]] std::string list_of_codes();
+
+/// Returns the table of docs/codes.md: a row for each code.   [any]
+[[nodiscard]] std::string table_of_codes();
 
 }  // namespace kerf

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "text/read_codes.h"
+#include "text/codes.h"
 #include "text/source.h"
 
 /// A YAML document as a tree that knows where everything stands. Nothing is guessed: `yes` and `1.0` are text.

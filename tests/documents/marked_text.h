@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "text/read_codes.h"
+#include "text/codes.h"
 #include "text/source.h"
 
 /// A document in which «…» marks where the one error must be reported. The marks are not part of the document.
