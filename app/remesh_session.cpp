@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/remesh_session.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -11,7 +13,6 @@
 #include "app/make_bone.h"
 #include "app/outputs.h"
 #include "app/progress.h"
-#include "app/remesh_session.h"
 #include "app/replay.h"
 #include "app/standard_streams.h"
 #include "bone/exact/exact_surface.h"
@@ -40,9 +41,7 @@ std::string shipped_procedure(const RemeshOptions& options, const Environment& w
         if (entry->path().extension() == ".yaml") files.push_back(entry->path().string());
     std::sort(files.begin(), files.end());
     for (const std::string& file : files) {
-        Diagnostics ignored;
-        const auto procedure =
-            read_procedure(file, with.plugins.catalog(), ignored, {recorded.variant, options.settings});
+        const auto procedure = read_procedure(file, with.plugins.catalog(), {recorded.variant, options.settings});
         if (procedure && procedure->text == recorded.procedure_text) return file;
     }
     return {};

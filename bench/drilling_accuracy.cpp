@@ -262,7 +262,7 @@ Anatomy begun_lower(const Anatomy& anatomy, Vec3 by) {
 /// The scan's own voxels stay where they are: this tells of our grid, not of the scanner's.
 void repeatability(const char* name, int grids) {
     Diagnostics diagnostics;
-    const auto anatomy = read_anatomy(std::string("tests/real-data/") + name, diagnostics);
+    const auto anatomy = read_anatomy(std::string("tests/real-data/") + name).take(diagnostics);
     if (!anatomy) {
         std::printf("%s: not there (KERF_DATA), left out\n", name);
         return;

@@ -321,7 +321,8 @@ void apply_setting(Document& document, const std::string& setting, Diagnostics& 
     const std::size_t equals = setting.find('=');
     const std::string path = setting.substr(0, equals);
     std::optional<Document> text =
-        parse_document("--set", path + ": " + setting.substr(std::min(equals, setting.size() - 1) + 1), diagnostics);
+        parse_document("--set", path + ": " + setting.substr(std::min(equals, setting.size() - 1) + 1))
+            .take(diagnostics);
     if (!text) return;
     const Node change = document.add_source(std::move(*text));
     Report report(document, diagnostics);

@@ -16,7 +16,7 @@
 #include "kerf/math.hpp"
 #include "text/source.h"
 
-/// `kind: Procedure` as checked values: all SI, nothing left to parse. Reading it: documents/read_procedure.h.
+/// `kind: Procedure` as checked values: all SI, nothing left to parse. Reader: documents/read_procedure.h.
 namespace kerf {
 
 struct ParameterSetting {
@@ -26,9 +26,9 @@ struct ParameterSetting {
 
 /// A sleeve through which an instrument works, on the axis of its step.
 struct Sleeve {
-    double bore = 0.0;    ///< [m] its inner diameter
-    double length = 0.0;  ///< [m]
-    double gap = 0.0;     ///< [m] from its mouth to the planned entry
+    double bore = 0.0;      ///< [m] its inner diameter
+    double length = 30e-3;  ///< [m]
+    double gap = 1e-3;      ///< [m] from its mouth to the planned entry
 };
 
 struct Instrument {

@@ -4,7 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "documents/read_anatomy.h"
+#include "documents/read_bone_source.h"
+#include "documents/read_solids.h"
 #include "documents/shapes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
@@ -13,47 +14,19 @@ namespace kerf {
 
 namespace {
 
-constexpr double shortest = 1e-6;  // [m] a length below it has no direction
-
-bool is_name(const Node& child, const std::string& what, Report& report) {
-    Node key;
-    key.text = child.key;
-    key.span = child.key_span;
-    return read_id(key, what, report).has_value();
-}
-
 std::vector<ImplantHole> read_holes(const Node& node, const std::string& name, Report& report) {
     std::vector<ImplantHole> holes;
     if (!is_kind(node, Node::Kind::map, name, report)) return holes;
     for (const Node& child : node.children) {
-        is_name(child, "A hole's name", report);
+        read_key(child, "A hole's name", report);
+        ImplantHole hole{.id = child.key};
         MapReader map(child, shapes::implant_hole, child.key, report);
-        ImplantHole hole;
-        hole.id = child.key;
-        const auto from = map.vector("from"), to = map.vector("to");
-        hole.from = from.value_or(Vec3{});
-        hole.to = to.value_or(Vec3{});
-        hole.diameter = map.quantity("diameter");
-        if (from && to && length(*to - *from) < shortest)
-            report.error(Code::degenerate, map.span(),
-                         child.key + " has no length: both ends are the same point. Move one of them.");
+        read_ends(map, hole, child.key);
+        shapes::implant_hole.fill(map, hole);
         map.finish();
         holes.push_back(std::move(hole));
     }
     return holes;
-}
-
-ImplantPlace read_geometry(const Node& node, const std::string& name, Report& report) {
-    MapReader map(node, shapes::implant_place, name, report);
-    ImplantPlace place;
-    place.axis = map.id("axis");
-    if (const auto up = map.vector("up")) {
-        place.up = normalized(*up);
-        if (!(length(*up) > 1e-6))
-            report.error(Code::degenerate, map.span(), name + ".up has no length. Give it a direction, as in `0 0 1`.");
-    }
-    map.finish();
-    return place;
 }
 
 }  // namespace
@@ -62,15 +35,14 @@ std::vector<Implant> read_implants(const Node& node, Report& report) {
     std::vector<Implant> implants;
     if (!is_kind(node, Node::Kind::map, "implants", report)) return implants;
     for (const Node& child : node.children) {
-        is_name(child, "An implant's name", report);
+        read_key(child, "An implant's name", report);
+        Implant implant{.id = child.key};
         MapReader map(child, shapes::implant, child.key, report);
-        Implant implant;
-        implant.id = child.key;
         const Node* solid = map.one_of();
         if (solid && solid->key == "mesh") implant.mesh = read_mesh(*solid, child.key + ".mesh", report);
         if (solid && solid->key == "parts") implant.solids.parts = read_parts(*solid, child.key + ".parts", report);
         if (const Node* holes = map.find("holes")) implant.holes = read_holes(*holes, child.key + ".holes", report);
-        if (const Node* place = map.find("place")) implant.place = read_geometry(*place, child.key + ".place", report);
+        shapes::implant.fill(map, implant);
         map.finish();
         implants.push_back(std::move(implant));
     }

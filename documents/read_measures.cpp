@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "documents/read_anatomy.h"
+#include "documents/names.h"
 #include "documents/shapes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
@@ -14,19 +14,13 @@
 namespace kerf {
 namespace {
 
-std::string quoted_id(const std::string& id) { return "`" + id + "`"; }
-
-bool contains(const std::vector<std::string>& words, const std::string& word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 /// The names that constructions and measures may use.
 class Names {
 public:
     Names(const std::vector<std::string>& landmarks, Report& report) : known_(landmarks), report_(&report) {}
 
     void add(const std::string& id) { known_.push_back(id); }
-    /// Names that follow below: to know them makes the message better.
+    /// Names that are defined below. They improve the message.
     void add_later(const Node& node) {
         for (const Node& child : node.children) later_.push_back(child.key);
     }
@@ -82,14 +76,7 @@ bool has_room(const Node& node, const std::string& what, Report& report) {
     return false;
 }
 
-void check_key(const Node& child, const std::string& what, Report& report) {
-    Node key;
-    key.text = child.key;
-    key.span = child.key_span;
-    read_id(key, what, report);
-}
-
-/// What the one key of a construction holds.
+/// Reads the value of the one key of a construction.
 void read_kind(const Node& chosen, const Names& names, Construction& made, Report& report) {
     const std::string name = made.id + "." + chosen.key;
     if (chosen.key == "middle") {
@@ -116,8 +103,7 @@ void read_kind(const Node& chosen, const Names& names, Construction& made, Repor
         MapReader map(chosen, shapes::tangent, name, report);
         made.of = names.read_list_of(map, "along", 2);
         made.in = names.read(map, "in");
-        made.side = map.word("side");
-        map.quantity("within", made.within);
+        shapes::tangent.fill(map, made);
         map.finish();
     } else {
         made.kind = Construction::Kind::entry;
@@ -127,7 +113,7 @@ void read_kind(const Node& chosen, const Names& names, Construction& made, Repor
     }
 }
 
-/// One of the measures above, which a difference is made of.
+/// Returns the measure above that a difference refers to; null and reported if there is none.
 const Measure* earlier(MapReader& map, const std::string& key, const std::vector<Measure>& above,
                        const std::vector<std::string>& below, std::string& id, Report& report) {
     const Node* node = map.find(key);
@@ -307,7 +293,7 @@ std::vector<Construction> read_constructions(const Node& node, const std::vector
     Names names(landmarks, report);
     names.add_later(node);
     for (const Node& child : node.children) {
-        check_key(child, "A construction's name", report);
+        read_key(child, "A construction's name", report);
         if (contains(landmarks, child.key))
             report.error(Code::duplicate_id, child.key_span,
                          "The name " + quoted_id(child.key) +
@@ -334,7 +320,7 @@ std::vector<Measure> read_measures(const Node& node, const std::vector<std::stri
     for (const Node& child : node.children) below.push_back(child.key);
     for (const Node& child : node.children) {
         below.erase(below.begin());
-        check_key(child, "A measure's name", report);
+        read_key(child, "A measure's name", report);
         MapReader map(child, shapes::measure, child.key, report);
         Measure measure;
         measure.id = child.key;

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// Reads `constructions:`. A construction is made of landmarks that the procedure needs, and of those above it.
+/// Reads `constructions:`. A construction refers to landmarks that the procedure needs, and to constructions above it.
 /// @param landmarks   `needs.landmarks`
 [[nodiscard]] std::vector<Construction> read_constructions(const Node& node, const std::vector<std::string>& landmarks,
                                                            Report& report);
@@ -19,8 +19,7 @@ namespace kerf {
 [[nodiscard]] std::vector<Measure> read_measures(const Node& node, const std::vector<std::string>& landmarks,
                                                  const std::vector<Construction>& constructions, Report& report);
 
-/// Refuses constructions and measures of landmarks that are of another sort in the anatomy, such as the angle of a
-/// point.
+/// Reports constructions and measures that use a landmark of the wrong sort, such as the angle of a point.
 void check_sorts(const std::vector<Construction>& constructions, const std::vector<Measure>& measures,
                  const Anatomy& anatomy, const Document& document, Report& report);
 

@@ -1,30 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "documents/yaml/shape.h"
+#include "documents/anatomy.h"
+#include "documents/procedure.h"
+#include "documents/yaml/map_shape.h"
 
-/// The one table of what documents may say. A new key is a line here and the line that reads it; the reader stops at a
-/// key that is not in its shape, and at the end of a map for a key of the shape that it never asked for.
+/// The one table of the keys of all documents. A row names a key, and the member that it fills; a row without a member
+/// is read by the code of its section. Shapes are in `*_shapes.cpp`, next to their readers. A reader asserts that its
+/// shape has each key that it reads, and that it has read each key of its shape.
 namespace kerf::shapes {
 
-extern const Shape implant, implant_hole, implant_place, procedure;
-extern const Shape construction, mirror, tangent, axis_entry;
-extern const Shape measure, angle_measure, distance_measure, thickness_measure, surface_measure, roughness_measure,
-    difference_measure;
-extern const Shape metadata, needs, accuracy, budget, haptics, instrument, guide;
-extern const Shape step, goal, entry_goal, depth_bound, limit, clearance_bound, axes_angle_bound;
-extern const Shape signal_bound, measure_bound, removed_goal;
-extern const Shape rehearsal, expectation, hand, stop, turn, until, waypoint, follow, variant;
+// procedure_shapes.cpp
+extern const MapShape<Procedure> metadata, needs, accuracy, budget, haptics;
+extern const MapShape<Variant> variant;
+extern const Shape procedure;
 
-extern const Shape anatomy;
-extern const Shape anatomy_metadata, phantom, part, box, tube, elliptic_tube, sphere;
-extern const Shape fracture, fracture_turn;
-extern const Shape fit_residual, sphere_fit, tube_fit, neck_fit, condyles_fit, point_fit, axis_fit;
-extern const Shape ct, labels, kept_piece, density_line;
-extern const Shape mesh, repair, canal;
-extern const Shape tissue, landmarks, point, axis, plane, markups, markup_name, tissue_solid, zone_solid;
+// instrument_shapes.cpp
+extern const MapShape<Sleeve> guide;
+extern const MapShape<Instrument> instrument;
 
-/// What a bound on a measure must be.
+// bound_shapes.cpp
+extern const Shape entry_goal, depth_bound, clearance_bound, separated_goal, held_goal, moved_bound, thrust_bound,
+    angle_bound, offset_bound, reduction_offset_bound, reduction_angle_bound, axes_angle_bound, tip_apex_bound,
+    flatness_bound, hole_angle_bound, hole_offset_bound, excess_bound, plunge_bound, air_bound, torque_bound,
+    lateral_force_bound, removed_goal, removed_bound, speed_bound, duration_bound, signal_bound, measure_bound;
+extern const MapShape<Limit> breach_bound;
 extern const QuantityNeed angle_of_measure, angle_of_difference, length_of_measure;
+
+// step_shapes.cpp
+extern const Shape goal;
+extern const MapShape<Limit> limit;
+extern const MapShape<Step> step;
+
+// rehearsal_shapes.cpp
+extern const MapShape<Rehearsal> expectation, hand, rehearsal;
+extern const MapShape<Waypoint> stop, until, turn, waypoint;
+extern const Shape follow;
+
+// implant_shapes.cpp
+extern const MapShape<ImplantHole> implant_hole;
+extern const MapShape<ImplantPlace> implant_place;
+extern const MapShape<Implant> implant;
+
+// measure_shapes.cpp
+extern const Shape mirror, axis_entry, construction, angle_measure, distance_measure, thickness_measure,
+    surface_measure, roughness_measure, difference_measure, measure;
+extern const MapShape<Construction> tangent;
+
+// solid_shapes.cpp
+extern const MapShape<BoxSolid> box;
+extern const MapShape<TubeSolid> tube;
+extern const MapShape<EllipticTubeSolid> elliptic_tube;
+extern const MapShape<SphereSolid> sphere;
+extern const Shape tissue_solid, zone_solid;
+extern const MapShape<PhantomPart> part;
+
+// bone_source_shapes.cpp
+extern const Shape phantom;
+extern const MapShape<CtSource> labels, kept_piece, ct;
+extern const MapShape<DensityLine> density_line;
+extern const MapShape<MeshSource> repair, canal, mesh;
+
+// landmark_shapes.cpp
+extern const MapShape<LandmarkFit> fit_residual, sphere_fit, tube_fit, neck_fit, condyles_fit, point_fit, axis_fit;
+extern const MapShape<LandmarkPoint> point;
+extern const MapShape<LandmarkAxis> axis;
+extern const MapShape<LandmarkPlane> plane;
+extern const Shape markup_name, landmarks;
+extern const MapShape<MarkupsFile> markups;
+
+// anatomy_shapes.cpp
+extern const MapShape<Anatomy> anatomy_metadata;
+extern const MapShape<Tissue> tissue;
+extern const MapShape<Fracture> fracture_turn, fracture;
+extern const Shape anatomy;
 
 }  // namespace kerf::shapes

@@ -9,6 +9,7 @@
 
 #include "bone/import/data_file.h"
 #include "bone/import/markups.h"
+#include "documents/check_needs.h"
 #include "documents/read_anatomy.h"
 #include "documents/yaml/document.h"
 #include "documents/yaml/read_map.h"
@@ -192,7 +193,7 @@ std::optional<AnatomyDraft> read_the_anatomy(const DocumentRequest& request, con
     const std::string file = find_anatomy(request, procedure, diagnostics);
     if (file.empty()) return std::nullopt;
     const std::size_t first = diagnostics.size();
-    auto draft = read_anatomy_draft(file, diagnostics);
+    auto draft = read_anatomy_draft(file).take(diagnostics);
     const auto document = document_of(procedure);
     const Node* node = document->root.find("anatomy");
     if (request.anatomy.empty() && node != nullptr)
@@ -205,7 +206,7 @@ std::optional<AnatomyDraft> read_the_anatomy(const DocumentRequest& request, con
 
 std::optional<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins,
                                          Diagnostics& diagnostics) {
-    auto draft = read_procedure_draft(request.procedure, plugins.catalog(), diagnostics, request.changes);
+    auto draft = read_procedure_draft(request.procedure, plugins.catalog(), request.changes).take(diagnostics);
     name_refused_plugins(plugins, diagnostics);
     if (!draft) return std::nullopt;
     Documents documents;
@@ -238,8 +239,8 @@ std::optional<Documents> check_documents(const DocumentRequest& request, const P
 }
 
 Diagnostics check_variants(const DocumentRequest& request, const Diagnostics& base, const PluginRegistry& plugins) {
-    Diagnostics known_already, found;
-    const auto draft = read_procedure_draft(request.procedure, plugins.catalog(), known_already, request.changes);
+    Diagnostics found;
+    const auto draft = read_procedure_draft(request.procedure, plugins.catalog(), request.changes);
     if (!draft) return found;
     const auto is_known = [&](const Diagnostic& d) {
         return std::any_of(base.begin(), base.end(), [&](const Diagnostic& b) {

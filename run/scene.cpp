@@ -13,6 +13,7 @@
 #include "bone/import/make_body.h"
 #include "core/field/fnv1a.h"
 #include "core/haptics/loop/work_force.h"
+#include "documents/check_needs.h"
 #include "documents/fracture.h"
 #include "documents/read_procedure.h"
 #include "documents/yaml/document.h"

@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "text/codes.h"
+#include "text/result.h"
 #include "text/source.h"
 
-/// A YAML document as a tree that knows where everything stands. Nothing is guessed: `yes` and `1.0` are text.
+/// A YAML document as a tree whose nodes have their places. Kerf guesses no types: `yes` and `1.0` are text.
 namespace kerf {
 
-/// Bytes in the document's text. Turned into line and column only when somebody must read it.
+/// Bytes in the document's text. `Document::place` converts them to line and column for a message.
 struct TextSpan {
     std::size_t begin = 0;
     std::size_t size = 1;
@@ -29,7 +30,7 @@ struct Node {
     TextSpan span;
     std::string key;             ///< in a map
     TextSpan key_span;           ///< in a map
-    bool is_refused = false;     ///< an alias or the like, reported already: say no more about it
+    bool is_refused = false;     ///< an alias or the like: it is reported already
     bool is_quoted = false;      ///< a scalar in quotation marks
     bool is_removal = false;     ///< `~`
     std::vector<Node> children;  ///< in the order of the file
@@ -47,9 +48,9 @@ public:
     std::string source_line(TextSpan span) const;     ///< empty when too long to show
     std::size_t line_begin(int line) const noexcept;  ///< of a line counted from 0
 
-    /// Takes in another text, as one that changes this document. Returns its tree, whose places lead there from now on.
+    /// Adds a text that changes this document. Returns its tree, whose places lead to that text.
     Node add_source(Document added);
-    /// What stands at `now` took the place of what stands at `before`.
+    /// Records that the value at `now` replaces the one at `before`.
     void note_replaced(TextSpan now, TextSpan before) { replaced_[{now.source, now.begin}] = before; }
     std::optional<TextSpan> replaced_by(TextSpan now) const;
 
@@ -65,8 +66,8 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, TextSpan> replaced_;  ///< by source and begin
 };
 
-/// Collects what is wrong with one document. Shows at most 100 entries, then says that there are more. The same
-/// message at the same place is shown once: several rehearsals may follow one path.
+/// Collects the mistakes of one document. It shows at most 100 of them and reports that there are more. It shows the
+/// same message at the same place once: several rehearsals may follow one path.
 class Report {
 public:
     Report(const Document& document, Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
@@ -74,7 +75,7 @@ public:
     void error(Code code, TextSpan span, std::string message, std::string write = {},
                std::optional<Reason> reason = {});
     void warning(Code code, TextSpan span, std::string message, std::string write = {});
-    Reason because(TextSpan span, std::string message) const;  ///< a reason that stands in this document
+    Reason because(TextSpan span, std::string message) const;  ///< a reason in this document
     bool has_error() const noexcept { return errors_ > 0; }
     int errors() const noexcept { return errors_; }
     bool is_full() const noexcept { return shown_ > max_shown; }
@@ -93,16 +94,19 @@ private:
     bool is_end_told_ = false;
 };
 
-/// A text that was read without complaint, once more: what is made of it keeps no places, its text still has them.
-/// [main]
+/// Reads a text again that was read without errors, to get the places of its values.   [main]
 Document read_again(const std::string& file, const std::string& text);
 
-/// Reads a file of at most 1 MB as UTF-8 text. Empty when it cannot be read; says why.   [main]
-std::optional<std::string> read_text_file(const std::string& file, Diagnostics& diagnostics);
+/// Reads a file of at most 1 MB as UTF-8 text. Of a larger file it returns one byte more, which `parse_document`
+/// refuses.   [main]
+Result<std::string> read_text_file(const std::string& file);
+inline std::optional<std::string> read_text_file(const std::string& file, Diagnostics& diagnostics) {
+    return read_text_file(file).take(diagnostics);
+}
 
-/// Reads YAML: one document, no anchors, aliases or tags, no key twice, at most 64 levels.
-/// Every breach is reported. A tree comes back, without the offending parts, whenever the text is YAML at all, so
-/// that a reader can look for the remaining errors; whether there were any is in `diagnostics`. Never throws.   [main]
-std::optional<Document> parse_document(const std::string& file, std::string text, Diagnostics& diagnostics);
+/// Reads YAML: one document, no anchors, aliases or tags, no key twice, at most 64 levels. It reports each breach.
+/// Whenever the text is YAML at all, a tree without the offending parts comes with the errors, so that a reader can
+/// search for further errors. Never throws.   [main]
+Result<Document> parse_document(const std::string& file, std::string text);
 
 }  // namespace kerf

@@ -17,26 +17,6 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t longest_word = 48;  // longer ones are no slip of the finger
-constexpr std::size_t max_candidates = 200;
-
-/// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                row[j] = std::min(row[j], before[j - 2] + 1);
-        }
-        std::swap(before, last);
-        std::swap(last, row);
-    }
-    return last[b.size()];
-}
-
 const char* kind_name(Node::Kind kind) {
     switch (kind) {
         case Node::Kind::map:
@@ -87,60 +67,6 @@ bool is_id(std::string_view text) {
                        [&](char c) { return is_alphanumeric(c) || c == '.' || c == '_' || c == '-'; });
 }
 
-}  // namespace
-
-std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report) {
-    return report.is_full() ? std::string() : closest(word, candidates);
-}
-
-/// Whether two names differ by the side of the patient alone: the one is not meant by the other.
-bool is_other_side(std::string_view one, std::string_view other) {
-    constexpr std::string_view right = "right", left = "left";
-    const auto is_swapped = [&](std::string_view a, std::string_view b) {
-        const std::size_t at = a.find(right);
-        return at != std::string_view::npos && a.size() + left.size() == b.size() + right.size() &&
-               a.substr(0, at) == b.substr(0, at) && b.substr(at, left.size()) == left &&
-               a.substr(at + right.size()) == b.substr(at + left.size());
-    };
-    const auto ends_swapped = [](std::string_view a, std::string_view b) {
-        return a.ends_with("_r") && b.ends_with("_l") && a.substr(0, a.size() - 1) == b.substr(0, b.size() - 1);
-    };
-    return is_swapped(one, other) || is_swapped(other, one) || ends_swapped(one, other) || ends_swapped(other, one);
-}
-
-std::string closest(std::string_view word, const std::vector<std::string>& candidates) {
-    if (word.size() > longest_word) return {};
-    std::string best;
-    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
-    for (std::size_t i = 0; i < std::min(candidates.size(), max_candidates); ++i) {
-        const std::string& candidate = candidates[i];
-        if (candidate.size() > longest_word || is_other_side(word, candidate)) continue;
-        const std::size_t distance = edit_distance(word, candidate);
-        if (distance < best_distance && distance < std::max(word.size(), candidate.size())) {
-            best = candidate;
-            best_distance = distance;
-        }
-    }
-    return best;
-}
-
-std::string or_choose(const std::string& meant, const std::string& advice) {
-    return meant.empty() ? " " + advice : std::string();
-}
-
-std::string listed(const std::vector<std::string>& words) {
-    constexpr std::size_t most = 8;
-    std::string text;
-    const std::size_t shown = std::min(words.size(), most);
-    for (std::size_t i = 0; i < shown; ++i) {
-        if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-        text += "`" + words[i] + "`";
-    }
-    return words.size() > most ? text + " or " + std::to_string(words.size() - most) + " more" : text;
-}
-
-namespace {
-
 /// " `−` is U+2212 (minus sign), not `-`." for a text with such a character.
 std::string named_look_alike(std::string_view text) {
     const std::optional<LookAlike> found = find_look_alike(text);
@@ -148,6 +74,20 @@ std::string named_look_alike(std::string_view text) {
     std::string named = about(*found);
     if (named[0] == 'i') named[0] = 'I';
     return " " + named + ".";
+}
+
+bool is_version(std::string_view text) {
+    int dots = 0;
+    char before = '.';
+    for (const char c : text) {
+        if (c == '.' && before == '.') return false;
+        if (c == '.')
+            ++dots;
+        else if (c < '0' || c > '9')
+            return false;
+        before = c;
+    }
+    return dots == 2 && before != '.' && text.size() <= 32;
 }
 
 std::string got(std::string_view text) { return "got `" + excerpt(text, 40) + "`"; }
@@ -286,6 +226,13 @@ std::vector<std::string> read_ids(const Node& node, const std::string& name, Rep
     return ids;
 }
 
+bool read_key(const Node& child, const std::string& name, Report& report) {
+    Node key;
+    key.text = child.key;
+    key.span = child.key_span;
+    return read_id(key, name, report).has_value();
+}
+
 bool UniqueIds::add(const std::string& id, TextSpan span, Report& report) {
     const auto [first, is_new] = ids_.try_emplace(id, span);
     if (is_new) return true;
@@ -334,7 +281,7 @@ std::string MapReader::name_of(const std::string& key) const { return name_.empt
 
 const KeyShape& MapReader::shape_of(const std::string& key) const {
     const KeyShape* shape = shape_.find(key);
-    KERF_ASSERT(shape != nullptr, ("add `" + key + "` to the shape `" + shape_.id + "` in shapes.cpp").c_str());
+    KERF_ASSERT(shape != nullptr, ("add `" + key + "` to the shape `" + shape_.id + "` in documents").c_str());
     return *shape;
 }
 
@@ -382,6 +329,21 @@ std::string MapReader::word(const std::string& key) {
                       named_look_alike(word) + or_choose(meant),
                   meant);
     return {};
+}
+
+std::string MapReader::version(const std::string& key) {
+    const Node* found = find(key);
+    const std::string text = found ? read_text(*found, name_of(key), report_).value_or("") : "";
+    if (!text.empty() && !is_version(text))
+        report_.error(Code::malformed_word, found->span,
+                      name_of(key) + " is no version: got `" + excerpt(text, 40) +
+                          "`, expected three numbers, as in `0.1.0`. Write three.");
+    return text;
+}
+
+std::string MapReader::data_path(const std::string& key) {
+    const Node* found = find(key);
+    return found ? read_path(*found, name_of(key), "the document's own folder or KERF_DATA", report_) : "";
 }
 
 bool MapReader::yes_no(const std::string& key) {
@@ -453,7 +415,7 @@ const Node* MapReader::one_of() {
 void MapReader::finish() {
     for (const KeyShape& key : shape_.keys)
         KERF_ASSERT(std::find(asked_.begin(), asked_.end(), key.name) != asked_.end(),
-                    ("read `" + key.name + "`, or remove it from the shape `" + shape_.id + "` in shapes.cpp").c_str());
+                    ("read `" + key.name + "`, or remove it from the shape `" + shape_.id + "` in documents").c_str());
     if (!is_map_) return;
     for (const Node& child : node_.children)
         if (shape_.find(child.key) == nullptr) refuse_key(child, shape_, "", report_);

@@ -11,20 +11,37 @@
 #include "documents/yaml/shape.h"
 #include "text/quantity.h"
 
-/// Reading one map of a document, and its values. Each function that returns nothing has reported why.
+/// Reading one map of a document, and its values. A function that returns no value has reported the reason.
 namespace kerf {
 
 /// The candidate nearest to `word`; empty if none is near, or if the report is full and shows no more.
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report);
 std::string closest(std::string_view word, const std::vector<std::string>& candidates);  // [any]
 
-/// What to add to a message that lists candidates: empty if `meant` is what to write.   [any]
+/// Returns the advice behind a list of candidates; nothing if `meant` is suggested.   [any]
 std::string or_choose(const std::string& meant, const std::string& advice = "Write one of these.");
 
-/// "`a`, `b` or `c`"; of many the first ones and the count of the others.   [any]
+/// Returns "`a`, `b` or `c`"; of many words the first ones and the number of others.   [any]
 std::string listed(const std::vector<std::string>& words);
 
-/// Reports a key that its map does not have. `meant`: the key to write; empty: none is near.
+/// A name that must be one of a few, and is not.
+struct UnknownName {
+    Code code{};
+    TextSpan span{};
+    std::string subject;  ///< "The step `drill`"
+    std::string word;     ///< as written; the closest name is searched for it
+    std::vector<std::string> known;
+    std::string if_none{};                       ///< ends the message if there are none
+    std::string of{};                            ///< behind the list: " of example.drilling"
+    std::string advice = "Write one of these.";  ///< where no name is close
+    std::optional<Reason> reason{};
+    bool is_key = false;  ///< the closest name is shown with a colon
+};
+/// Reports "SUBJECT is unknown: expected A, B or C. Write one of these."
+void refuse_unknown(UnknownName name, Report& report);
+
+/// Reports a key that its map does not have.
+/// @param meant   the key to write; empty: none is close
 void refuse_key(const Node& child, const Shape& shape, const std::string& meant, Report& report);
 
 std::optional<std::string> read_text(const Node& node, const std::string& name, Report& report);
@@ -44,15 +61,18 @@ const std::vector<Node>& read_list(const Node& node, const std::string& name, Re
 /// A list of ids, none twice.
 std::vector<std::string> read_ids(const Node& node, const std::string& name, Report& report);
 
-/// What messages call an item of a list: its id, or else `sort` ("part").
+/// Checks a key that the author of the document chooses. Returns false if it is no id.
+bool read_key(const Node& child, const std::string& name, Report& report);
+
+/// Returns the name of an item of a list in messages: its id, or else `sort` ("part").
 std::string item_name(const Node& item, const std::string& sort);
 
 class MapReader;
 
-/// Checks `apiVersion` and `kind`. False if this is another sort of document, whose other keys mean nothing here.
+/// Checks `apiVersion` and `kind`. Returns false for another kind of document, whose other keys have no meaning here.
 bool read_header(MapReader& document, const std::string& kind, Report& report);
 
-/// True unless the node is of another kind, or was refused already.
+/// Returns whether a node is of this kind. Reports one that is not, unless it was refused already.
 bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report& report);
 
 /// Ids that must differ.
@@ -60,20 +80,26 @@ class UniqueIds {
 public:
     /// Reports an `id` that is there already, and returns false.
     bool add(const std::string& id, TextSpan span, Report& report);
+    /// Adds the id of an item of a list, if it has one.
+    void add_own(const std::string& id, const Node& item, Report& report) {
+        if (const Node* written = item.find("id"); written != nullptr && !id.empty()) add(id, written->span, report);
+    }
 
 private:
     std::map<std::string, TextSpan> ids_;
 };
 
-/// One map, read by its shape: which keys there are, which of them must be there, and what they hold. Reading a key
-/// that the shape lacks, or finishing without having read all, is an error of the programmer.
+/// Reads one map by its shape: its keys, which of them are required, and their values. To read a key that the shape
+/// does not have, or to finish before all keys are read, is an error of the programmer.
 class MapReader {
 public:
-    /// `name` is what messages call the map. A node that is no map is reported, and read as an empty map.
+    /// Reports a node that is no map, and reads it as an empty map.
+    /// @param name   of the map in messages
     MapReader(const Node& node, const Shape& shape, std::string name, Report& report);
 
-    const Node* find(const std::string& key);      ///< reports that it is missing if the shape requires it
-    const Node* required(const std::string& key);  ///< reports that it is missing, whatever the shape says
+    const Node* find(const std::string& key);  ///< reports that it is missing if the shape requires it
+    const Node* required(
+        const std::string& key);  ///< reports that it is missing, even if the shape does not require it
 
     // Nothing, or the value before, when the key is absent or wrong.
     std::string text(const std::string& key);
@@ -81,13 +107,15 @@ public:
     std::vector<std::string> ids(const std::string& key);  ///< a list, none twice
     std::string word(const std::string& key);              ///< one of the shape's words
     bool yes_no(const std::string& key);
-    double quantity(const std::string& key);  ///< the least that is allowed when absent or wrong
+    std::string version(const std::string& key);    ///< three numbers
+    std::string data_path(const std::string& key);  ///< in the document's folder or in KERF_DATA
+    double quantity(const std::string& key);        ///< the least that is allowed when absent or wrong
     void quantity(const std::string& key, double& value);
-    /// A list of labels: numbers, and what is none as names.
+    /// Reads a list of labels: numbers and names.
     void labels(const std::string& key, std::vector<int>& numbers, std::vector<std::string>& names);
     std::optional<Vec3> vector(const std::string& key);
 
-    /// The one of the shape's keys of which there must be one; reports none or several.
+    /// Returns the node of the one key that is present of those that exclude each other. Reports none or several.
     const Node* one_of();
 
     /// Reports every key that the shape lacks.
@@ -95,12 +123,13 @@ public:
 
     bool is_map() const noexcept { return is_map_; }
     TextSpan span() const noexcept { return span_; }
+    Report& report() const noexcept { return report_; }
+    const KeyShape& shape_of(const std::string& key) const;
     std::string name_of(const std::string& key) const;
     const QuantityNeed& need_of(const std::string& key) const { return shape_of(key).value.need; }
     const QuantityNeed& item_need_of(const std::string& key) const { return shape_of(key).value.item.front().need; }
 
 private:
-    const KeyShape& shape_of(const std::string& key) const;
     const Node* ask(const std::string& key);
 
     const Node& node_;

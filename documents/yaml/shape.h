@@ -7,13 +7,13 @@
 
 #include "text/quantity.h"
 
-/// What a map of a document may hold, as data: the reader reads by it, `kerf schema` prints it.
-/// The table itself: documents/shapes.h.
+/// The keys and values of a map of a document, as data. Readers use it, and `kerf schema` prints it.
+/// The shapes are in documents/shapes.h.
 namespace kerf {
 
 struct Shape;
 
-/// What one value must be.
+/// The form of one value.
 struct ValueShape {
     enum class Kind {
         text,        ///< anything, in words

@@ -72,8 +72,7 @@ std::vector<RecordedDemand> demands_of(const Node& step, std::string_view key) {
 RecordedProcedure recorded_procedure(const std::string& text, std::string_view rehearsal) {
     RecordedProcedure procedure;
     if (text.empty() || text.size() > longest_text) return procedure;
-    Diagnostics ignored;
-    const std::optional<Document> document = parse_document("", text, ignored);
+    const Result<Document> document = parse_document("", text);
     if (!document) return procedure;
     const Node& root = document->root;
     if (const Node* metadata = root.find("metadata")) procedure.title = text_of(*metadata, "title");

@@ -26,7 +26,7 @@ constexpr const char* phantom_file = KERF_SOURCE_DIR "/procedures/anatomy/verteb
 /// The shipped phantom as a scanner would see it, with one voxel of air at `odd` instead of 0.
 void write_scan(const std::string& file, float odd) {
     Diagnostics diagnostics;
-    const auto phantom = read_anatomy(phantom_file, diagnostics);
+    const auto phantom = read_anatomy(phantom_file).take(diagnostics);
     if (!phantom) throw std::runtime_error(to_text(diagnostics));
     constexpr int size[] = {64, 90, 40};
     std::ofstream out(file, std::ios::binary);

@@ -116,7 +116,7 @@ std::string anatomy_of(const std::string& source) {
 Diagnostics make_bone(const std::string& folder, const std::string& source, std::string& wrong) {
     write_file_of(folder + "/anatomy.yaml", anatomy_of(source));
     Diagnostics found;
-    const auto anatomy = read_anatomy(folder + "/anatomy.yaml", found);
+    const auto anatomy = read_anatomy(folder + "/anatomy.yaml").take(found);
     const auto body = anatomy ? make_body(*anatomy, spacing, found) : std::nullopt;
     if (body && wrong.empty()) wrong = misplaced(*body);
     if (!body && !has_error(found)) wrong = "no bone, and no word why";

@@ -47,7 +47,7 @@ std::string with_patch(const std::string& patch) {
 
 std::optional<Procedure> read(const std::string& text, Diagnostics& found,
                               const ProcedureChanges& changes = {"other", {}}) {
-    return read_procedure_text("hole.yaml", text, drilling_catalog(), found, changes);
+    return read_procedure_text("hole.yaml", text, drilling_catalog(), changes).take(found);
 }
 
 Procedure patched(const std::string& patch) {
@@ -238,7 +238,7 @@ void expect_same_when_read_back(const std::string& text) {
     std::erase_if(document.root.children, [](const Node& child) { return child.key == "variants"; });  // chosen already
     for (const bool is_annotated : {false, true}) {
         Diagnostics found;
-        const auto back = parse_document("b.yaml", emitted(document, is_annotated), found);
+        const auto back = parse_document("b.yaml", emitted(document, is_annotated)).take(found);
         ASSERT_TRUE(back) << to_text(found) << emitted(document, is_annotated);
         EXPECT_TRUE(is_same(document.root, back->root)) << emitted(document, is_annotated);
     }
@@ -282,7 +282,7 @@ TEST(Emitted, ReadsBackToTheSameTree) {
 
 TEST(Emitted, EscapesControlCharactersOfFileNames) {
     Diagnostics found;
-    const auto document = parse_document("a\033[2J.yaml", "a: b\n", found);
+    const auto document = parse_document("a\033[2J.yaml", "a: b\n").take(found);
     ASSERT_TRUE(document) << to_text(found);
     const std::string text = emitted(*document, true);
     EXPECT_EQ(text, printable_lines(text));

@@ -39,13 +39,13 @@ void expect_refused(Code code, std::string_view from, std::string_view to) {
     SCOPED_TRACE(std::string(to));
     const MarkedText marked(replaced(faultless, from, to));
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text, diagnostics));
+    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text).take(diagnostics));
     expect_only(code, marked, diagnostics);
 }
 
 TEST(ReadAnatomy, GivesSiValues) {
     Diagnostics diagnostics;
-    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless, diagnostics);
+    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless).take(diagnostics);
 
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
@@ -63,10 +63,10 @@ TEST(ReadAnatomy, GivesSiValues) {
 
 TEST(ReadAnatomy, ReadsASphere) {
     Diagnostics diagnostics;
-    const auto anatomy = read_anatomy_text(
-        "bone.yaml",
-        replaced(faultless, "box: {centre: 0 0 0 mm, size: 40 30 20 mm}", "sphere: {centre: 1 2 3 mm, radius: 2 cm}"),
-        diagnostics);
+    const auto anatomy =
+        read_anatomy_text("bone.yaml", replaced(faultless, "box: {centre: 0 0 0 mm, size: 40 30 20 mm}",
+                                                "sphere: {centre: 1 2 3 mm, radius: 2 cm}"))
+            .take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     const auto& sphere = std::get<SphereSolid>(anatomy->phantom.parts[0].solid);
     EXPECT_TRUE(sphere.centre == (Vec3{1.0_mm, 2.0_mm, 3.0_mm}));
@@ -82,7 +82,7 @@ TEST(ReadAnatomy, ReadsFits) {
                  "1 mm], fit: {sphere: {radius: 2 cm}, residual: {at_most: 0.5 mm}}, tolerance: 1.5 mm}");
     text = replaced(text, "to: -10 0 0 mm, tolerance: 1.5 mm}",
                     "to: -10 0 0 mm, fit: {neck: {head: midline, within: 8 mm}}, tolerance: 1.5 mm}");
-    const auto anatomy = read_anatomy_text("bone.yaml", text, diagnostics);
+    const auto anatomy = read_anatomy_text("bone.yaml", text).take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     ASSERT_TRUE(anatomy->points.at(0).fit && anatomy->axes.at(0).fit);
     EXPECT_EQ(anatomy->points[0].fit->radius, 20.0_mm);
@@ -112,7 +112,7 @@ TEST(ReadAnatomy, RefusesAPieceChosenByAFittedPoint) {
     const std::size_t first = text.find("phantom:"), last = text.find("tissues:");
     text.replace(first, last - first, "ct: {image: scan.nrrd, threshold: 150, keep: {component_at: «midline»}}\n");
     const MarkedText marked(text);
-    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text, diagnostics));
+    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text).take(diagnostics));
     expect_only(Code::fit_reference, marked, diagnostics);
 }
 TEST(ReadAnatomy, RefusesFitsInACircle) {
@@ -155,7 +155,7 @@ TEST(ReadAnatomy, GivesATissueItsSolidsAndAZoneThoseOfATissue) {
                                     "  - {id: cancellous,");
     text = replaced(text, "canal: [", "roots: [{tissue: root}]\n  canal: [");
     Diagnostics diagnostics;
-    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", text, diagnostics);
+    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", text).take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     EXPECT_EQ(anatomy->tissues.at(1).thickness, 0.0);
     EXPECT_EQ(std::get<TubeSolid>(anatomy->tissues.at(1).solids.at(0)).radius, 2.0_mm);
@@ -217,13 +217,13 @@ void expect_ct_refused(Code code, std::string_view from, std::string_view to) {
     SCOPED_TRACE(std::string(to));
     const MarkedText marked(replaced(faultless_ct, from, to));
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text, diagnostics));
+    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text).take(diagnostics));
     expect_only(code, marked, diagnostics);
 }
 
 TEST(ReadAnatomy, GivesTheCtInSi) {
     Diagnostics diagnostics;
-    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless_ct, diagnostics);
+    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless_ct).take(diagnostics);
 
     ASSERT_TRUE(anatomy && anatomy->ct) << to_text(diagnostics);
     EXPECT_EQ(anatomy->ct->image, "scans/bone.nii.gz");
@@ -274,13 +274,13 @@ void expect_mesh_refused(Code code, std::string_view from, std::string_view to) 
     SCOPED_TRACE(std::string(to));
     const MarkedText marked(replaced(faultless_mesh, from, to));
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text, diagnostics));
+    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text).take(diagnostics));
     expect_only(code, marked, diagnostics);
 }
 
 TEST(ReadAnatomy, GivesTheMeshInSi) {
     Diagnostics diagnostics;
-    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless_mesh, diagnostics);
+    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless_mesh).take(diagnostics);
 
     ASSERT_TRUE(anatomy && anatomy->mesh) << to_text(diagnostics);
     EXPECT_EQ(anatomy->mesh->file, "meshes/bone.stl");
@@ -298,8 +298,8 @@ TEST(ReadAnatomy, TakesAMeshForLpsAndSoundWhenNothingIsSaid) {
                           replaced(faultless_mesh,
                                    "  frame: RAS\n  repair: {holes_up_to: 3 mm, pieces_under: 2 mm3, inner: solid}\n  "
                                    "canal: {tube: {from: 0 0 0 mm, to: 0 0 10 mm, radius: 4 mm}}\n",
-                                   ""),
-                          diagnostics);
+                                   ""))
+            .take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     EXPECT_FALSE(anatomy->mesh->is_ras || anatomy->mesh->names_frame);
     EXPECT_EQ(anatomy->mesh->holes_up_to, 0.0);

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "documents/check_needs.h"
 #include "documents/read_anatomy.h"
 #include "documents/read_procedure.h"
 #include "kerf/units.hpp"
@@ -56,7 +57,7 @@ rehearsals:
 )";
 
 std::optional<Procedure> read(const std::string& text, Diagnostics& diagnostics) {
-    return read_procedure_text("hole.yaml", text, drilling_catalog(), diagnostics);
+    return read_procedure_text("hole.yaml", text, drilling_catalog()).take(diagnostics);
 }
 
 void expect_refused(Code code, std::string_view from, std::string_view to) {
@@ -197,7 +198,7 @@ landmarks:
   planes: {sagittal: {at: 0 0 0 mm, normal: 1 0 0, tolerance: 1 mm}}
 )";
     Diagnostics ignored;
-    const auto anatomy = read_anatomy_text("bone.yaml", anatomy_text, ignored);
+    const auto anatomy = read_anatomy_text("bone.yaml", anatomy_text).take(ignored);
     ASSERT_TRUE(anatomy) << to_text(ignored);
     const auto expect_sorts = [&](std::string_view from, std::string_view to, int errors) {
         SCOPED_TRACE(std::string(to));

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "documents/check_needs.h"
 #include "kerf/units.hpp"
 #include "tests/documents/catalog.h"
 #include "tests/documents/marked_text.h"
@@ -56,7 +57,7 @@ rehearsals:
 )";
 
 std::optional<Procedure> read(const std::string& text, Diagnostics& diagnostics) {
-    return read_procedure_text("folder/hole.yaml", text, drilling_catalog(), diagnostics);
+    return read_procedure_text("folder/hole.yaml", text, drilling_catalog()).take(diagnostics);
 }
 
 void expect_refused(Code code, std::string_view from, std::string_view to) {
@@ -94,7 +95,7 @@ TEST(ReadProcedure, FindsAStrategyByTheLastWordsOfItsId) {
         const std::string text = replaced(
             faultless, "    tool: twist_drill\n",
             "    tool: twist_drill\n    remeshing: " + remeshing + "\n    remeshing_parameters: {depth: 1 mm}\n");
-        return read_procedure_text("folder/hole.yaml", text, catalog, diagnostics);
+        return read_procedure_text("folder/hole.yaml", text, catalog).take(diagnostics);
     };
     for (const char* word : {"groove", "chisel.groove", "example.chisel.groove"}) {
         Diagnostics diagnostics;
@@ -750,14 +751,14 @@ TEST(ReadProcedure, ReportsAllErrorsInOneGo) {
 
 TEST(ReadProcedure, WithoutAnyPluginSaysSo) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_procedure_text("hole.yaml", faultless, {}, diagnostics));
+    EXPECT_FALSE(read_procedure_text("hole.yaml", faultless, {}).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, code_text(Code::unknown_plugin));
 }
 
 TEST(ReadProcedure, AMissingFileIsOneError) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_procedure("no/such/file.yaml", drilling_catalog(), diagnostics));
+    EXPECT_FALSE(read_procedure("no/such/file.yaml", drilling_catalog()).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, code_text(Code::file_unreadable));
 }

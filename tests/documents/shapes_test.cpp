@@ -26,10 +26,10 @@ struct Kind {
 std::vector<Kind> kinds() {
     return {{shapes::procedure,
              [](const std::string& text, Diagnostics& found) {
-                 return read_procedure_text("p.yaml", text, example_catalog(), found).has_value();
+                 return read_procedure_text("p.yaml", text, example_catalog()).take(found).has_value();
              }},
             {shapes::anatomy, [](const std::string& text, Diagnostics& found) {
-                 return read_anatomy_text("a.yaml", text, found).has_value();
+                 return read_anatomy_text("a.yaml", text).take(found).has_value();
              }}};
 }
 

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "documents/check_needs.h"
 #include "documents/read_anatomy.h"
 #include "documents/read_procedure.h"
 #include "kerf/units.hpp"
@@ -32,14 +33,14 @@ std::string text_of(const std::string& file) {
 
 Procedure shipped_procedure() {
     Diagnostics diagnostics;
-    std::optional<Procedure> procedure = read_procedure(procedure_file, spine_catalog(), diagnostics);
+    std::optional<Procedure> procedure = read_procedure(procedure_file, spine_catalog()).take(diagnostics);
     EXPECT_TRUE(procedure && diagnostics.empty()) << to_text(diagnostics);
     return procedure.value_or(Procedure{});
 }
 
 Anatomy shipped_anatomy(const std::string& file = anatomy_file) {
     Diagnostics diagnostics;
-    std::optional<Anatomy> anatomy = read_anatomy(file, diagnostics);
+    std::optional<Anatomy> anatomy = read_anatomy(file).take(diagnostics);
     EXPECT_TRUE(anatomy && diagnostics.empty()) << to_text(diagnostics);
     return anatomy.value_or(Anatomy{});
 }
@@ -116,7 +117,7 @@ double flank_clearance(const Anatomy& anatomy, const LandmarkAxis& axis, double 
 TEST(Shipped, ProcedureMeetsItsAnatomy) {
     const Procedure procedure = shipped_procedure();
     Diagnostics diagnostics;
-    const std::optional<Anatomy> anatomy = read_anatomy(procedure.anatomy_file, diagnostics);
+    const std::optional<Anatomy> anatomy = read_anatomy(procedure.anatomy_file).take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     check_needs(procedure, *anatomy, diagnostics);
     EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
@@ -224,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, Phantom,
 void expect_answer(const std::string& text, int& refused) {
     Diagnostics diagnostics;
     std::optional<Procedure> procedure;
-    ASSERT_NO_THROW(procedure = read_procedure_text("damaged.yaml", text, spine_catalog(), diagnostics));
+    ASSERT_NO_THROW(procedure = read_procedure_text("damaged.yaml", text, spine_catalog()).take(diagnostics));
     ASSERT_EQ(procedure.has_value(), !has_error(diagnostics)) << to_text(diagnostics);
     ASSERT_NO_THROW((void)to_text(diagnostics));
     refused += !procedure;
@@ -255,7 +256,7 @@ TEST(DamagedAnatomy, CutOffAnywhereIsAnsweredWithoutAThrow) {
     for (std::size_t size = 0; size < whole.size(); ++size) {
         Diagnostics diagnostics;
         std::optional<Anatomy> anatomy;
-        ASSERT_NO_THROW(anatomy = read_anatomy_text("damaged.yaml", whole.substr(0, size), diagnostics));
+        ASSERT_NO_THROW(anatomy = read_anatomy_text("damaged.yaml", whole.substr(0, size)).take(diagnostics));
         ASSERT_EQ(anatomy.has_value(), !has_error(diagnostics));
     }
 }

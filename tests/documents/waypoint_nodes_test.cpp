@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "documents/check_needs.h"
 #include "documents/read_procedure.h"
 #include "kerf/units.hpp"
 #include "tests/documents/catalog.h"
@@ -48,7 +49,7 @@ variants:
 )";
 
 std::optional<Procedure> read(const std::string& text, Diagnostics& diagnostics, const ProcedureChanges& changes = {}) {
-    return read_procedure_text("hole.yaml", text, drilling_catalog(), diagnostics, changes);
+    return read_procedure_text("hole.yaml", text, drilling_catalog(), changes).take(diagnostics);
 }
 
 std::vector<double> depths(const Rehearsal& rehearsal) {

@@ -7,7 +7,7 @@
 
 bool kerf::fuzz::reads(std::string_view input) {
     Diagnostics diagnostics;
-    const auto anatomy = read_anatomy_text("a.yaml", std::string(input), diagnostics);
+    const auto anatomy = read_anatomy_text("a.yaml", std::string(input)).take(diagnostics);
     require_reason(anatomy.has_value(), diagnostics);
     if (!anatomy) return false;
     for (const LandmarkPoint& point : anatomy->points) require(is_finite(point.at), "landmarks lie somewhere");

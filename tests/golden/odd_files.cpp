@@ -436,7 +436,7 @@ const std::map<int, std::function<Diagnostics()>>& direct_causes() {
              std::copy_if(plugins().catalog().begin(), plugins().catalog().end(), std::back_inserter(without),
                           [](const ComponentInfo& c) { return c.plugin != "kerf.remesh_cgal"; });
              ExactStrategies strategies({"libexec/kerf/kerf-remesh", &without});
-             if (const auto procedure = read_procedure("E0718.yaml", without, found)) {
+             if (const auto procedure = read_procedure("E0718.yaml", without).take(found)) {
                  const std::string why = strategies.start(*procedure);
                  report_strategy(*procedure, strategies.instrument_without(), why, found);
              }

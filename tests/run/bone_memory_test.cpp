@@ -19,7 +19,7 @@ using namespace literals;
 
 Anatomy vertebra() {
     Diagnostics diagnostics;
-    auto anatomy = read_anatomy(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml", diagnostics);
+    auto anatomy = read_anatomy(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml").take(diagnostics);
     if (!anatomy) throw std::runtime_error(to_text(diagnostics));
     return std::move(*anatomy);
 }

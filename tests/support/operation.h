@@ -64,7 +64,8 @@ private:
         if (folder.empty()) return rehearsed(scene_(), id);
         Diagnostics diagnostics;
         const auto procedure =
-            read_procedure(KERF_SOURCE_DIR "/procedures/" + operation_ + ".yaml", plugins().catalog(), diagnostics);
+            read_procedure(KERF_SOURCE_DIR "/procedures/" + operation_ + ".yaml", plugins().catalog())
+                .take(diagnostics);
         if (!procedure) throw std::runtime_error(to_text(diagnostics));
         for (const Rehearsal& rehearsal : procedure->rehearsals)
             if (rehearsal.id == id) return recorded_run(folder, rehearsal);

@@ -54,7 +54,7 @@ TEST(YamlQuoted, ReadsBackAsTheSameText) {
          {"entry \"left\" \\ back", "a: b # c", "line, middle", "tab\there", "", " blanks ", "true", "12", "- 3"}) {
         Diagnostics diagnostics;
         const auto document =
-            parse_document("a.yaml", "[" + yaml_quoted(text) + ", " + yaml_word(text) + "]\n", diagnostics);
+            parse_document("a.yaml", "[" + yaml_quoted(text) + ", " + yaml_word(text) + "]\n").take(diagnostics);
         ASSERT_TRUE(document) << to_text(diagnostics);
         EXPECT_EQ(document->root.children.at(0).text, text);
         EXPECT_EQ(document->root.children.at(1).text, text);

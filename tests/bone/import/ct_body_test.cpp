@@ -600,7 +600,7 @@ TEST_P(RealVertebra, HasItsPlannedAxesInBoneAndItsCanalEmpty) {
     if (const char* data = std::getenv("KERF_DATA"); !data || !std::filesystem::exists(std::string(data) + "/volumes"))
         GTEST_SKIP() << "KERF_DATA names no folder with volumes/, so no real CT was read.";
     Diagnostics diagnostics;
-    const auto one = read_anatomy(std::string(KERF_SOURCE_DIR) + "/tests/real-data/" + GetParam(), diagnostics);
+    const auto one = read_anatomy(std::string(KERF_SOURCE_DIR) + "/tests/real-data/" + GetParam()).take(diagnostics);
     ASSERT_TRUE(one) << to_text(diagnostics);
     const auto body = make_body(*one, 0.5_mm, diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);

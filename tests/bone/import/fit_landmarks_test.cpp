@@ -63,7 +63,7 @@ std::array<Vec3, 2> backs_of_condyles() {
 
 Anatomy femur() {
     Diagnostics diagnostics;
-    auto anatomy = read_anatomy_text("femur.yaml", femur_text, diagnostics);
+    auto anatomy = read_anatomy_text("femur.yaml", femur_text).take(diagnostics);
     EXPECT_TRUE(anatomy) << to_text(diagnostics);
     return anatomy.value_or(Anatomy{});
 }
@@ -258,7 +258,7 @@ TEST(FitLandmarks, RefuseAFemurWithoutItsHead) {
 
 TEST(FitLandmarks, RefuseAVertebraForAFemur) {
     Diagnostics diagnostics;
-    auto vertebra = read_anatomy(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml", diagnostics);
+    auto vertebra = read_anatomy(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml").take(diagnostics);
     ASSERT_TRUE(vertebra) << to_text(diagnostics);
     vertebra->points = femur().points;
     vertebra->axes = {femur().axes[0]};

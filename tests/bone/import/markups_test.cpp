@@ -195,7 +195,7 @@ TEST_F(Markups, GiveAdviceThatPasses) {
             "a.mrk.json, tolerance: 1 mm, " +
             message.substr(from, to - from) + "}]\n";
         diagnostics.clear();
-        auto anatomy = read_anatomy_text(folder / "bone.yaml", document, diagnostics);
+        auto anatomy = read_anatomy_text(folder / "bone.yaml", document).take(diagnostics);
         ASSERT_TRUE(anatomy) << document << to_text(diagnostics);
         add_markups(*anatomy, diagnostics);
         EXPECT_TRUE(diagnostics.empty()) << document << to_text(diagnostics);

@@ -26,7 +26,7 @@ struct RealAnatomy : testing::TestWithParam<const char*> {};
 TEST_P(RealAnatomy, BecomesABoneWithItsLandmarksWhereTheySay) {
     if (!std::filesystem::exists(data() / "volumes")) GTEST_SKIP() << "KERF_DATA names no folder with volumes/.";
     Diagnostics diagnostics;
-    const auto anatomy = read_anatomy(std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam(), diagnostics);
+    const auto anatomy = read_anatomy(std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam()).take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
 
     // `lies` of every point, sides and zones are checked when the bone is made.

@@ -126,7 +126,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(RealFemur, GivesTheNeckOfTheFemurWithItsCortex) {
     Diagnostics diagnostics;
-    const auto anatomy = read_anatomy(std::string(KERF_SOURCE_DIR) + "/tests/real-data/femur-z013.yaml", diagnostics);
+    const auto anatomy =
+        read_anatomy(std::string(KERF_SOURCE_DIR) + "/tests/real-data/femur-z013.yaml").take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     if (data_file(anatomy->mesh->file).empty()) GTEST_SKIP() << "KERF_DATA names no folder with the femur.";
     ImportReport report;

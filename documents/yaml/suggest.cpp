@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// The names that a message suggests.
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "documents/yaml/read_map.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t longest_word = 48;  // longer ones are no slip of the finger
+constexpr std::size_t max_candidates = 200;
+
+/// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+        std::swap(before, last);
+        std::swap(last, row);
+    }
+    return last[b.size()];
+}
+
+/// Whether two names differ by the side of the patient alone: the one is not meant by the other.
+bool is_other_side(std::string_view one, std::string_view other) {
+    constexpr std::string_view right = "right", left = "left";
+    const auto is_swapped = [&](std::string_view a, std::string_view b) {
+        const std::size_t at = a.find(right);
+        return at != std::string_view::npos && a.size() + left.size() == b.size() + right.size() &&
+               a.substr(0, at) == b.substr(0, at) && b.substr(at, left.size()) == left &&
+               a.substr(at + right.size()) == b.substr(at + left.size());
+    };
+    const auto ends_swapped = [](std::string_view a, std::string_view b) {
+        return a.ends_with("_r") && b.ends_with("_l") && a.substr(0, a.size() - 1) == b.substr(0, b.size() - 1);
+    };
+    return is_swapped(one, other) || is_swapped(other, one) || ends_swapped(one, other) || ends_swapped(other, one);
+}
+
+}  // namespace
+
+std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report) {
+    return report.is_full() ? std::string() : closest(word, candidates);
+}
+
+std::string closest(std::string_view word, const std::vector<std::string>& candidates) {
+    if (word.size() > longest_word) return {};
+    std::string best;
+    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+    for (std::size_t i = 0; i < std::min(candidates.size(), max_candidates); ++i) {
+        const std::string& candidate = candidates[i];
+        if (candidate.size() > longest_word || is_other_side(word, candidate)) continue;
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < best_distance && distance < std::max(word.size(), candidate.size())) {
+            best = candidate;
+            best_distance = distance;
+        }
+    }
+    return best;
+}
+
+std::string or_choose(const std::string& meant, const std::string& advice) {
+    return meant.empty() ? " " + advice : std::string();
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    constexpr std::size_t most = 8;
+    std::string text;
+    const std::size_t shown = std::min(words.size(), most);
+    for (std::size_t i = 0; i < shown; ++i) {
+        if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+        text += "`" + words[i] + "`";
+    }
+    return words.size() > most ? text + " or " + std::to_string(words.size() - most) + " more" : text;
+}
+
+void refuse_unknown(UnknownName name, Report& report) {
+    std::string meant = closest(name.word, name.known, report);
+    if (name.is_key && !meant.empty()) meant += ':';
+    report.error(
+        name.code, name.span,
+        name.subject + " is unknown: " +
+            (name.known.empty() ? name.if_none
+                                : "expected " + listed(name.known) + name.of + "." + or_choose(meant, name.advice)),
+        meant, std::move(name.reason));
+}
+
+}  // namespace kerf
