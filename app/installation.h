@@ -22,7 +22,7 @@ struct Installation {
     /// The folder of the plugins that procedures may name.
     [[nodiscard]] std::string plugins() const { return (prefix / "lib" / "kerf").string(); }
     /// The folder of the laws as printed in papers, for charts and the stability suite only.
-    [[nodiscard]] std::string printed_laws() const { return (prefix / "lib" / "kerf-bench").string(); }
+    [[nodiscard]] std::string printed_laws() const { return (prefix / "lib" / "kerf-papers").string(); }
     [[nodiscard]] std::string procedures() const { return (prefix / "share" / "kerf" / "procedures").string(); }
     /// The program that calls the remeshing strategies of `plugins`.
     [[nodiscard]] StrategyHost strategies(const PluginRegistry& plugins) const {

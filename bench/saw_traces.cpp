@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces of the oscillating saw beside what [hsieh-2006] says a saw's forces do, and beside that paper's law as printed
-// (bench/as_printed): on a prescribed way, without a hand. Checks 03-05 … 03-09.
+// (studies/papers/as_printed): on a prescribed way, without a hand. Checks 03-05 … 03-09.
 //
 //     bench_saw_traces [FOLDER]   prints what was found; writes saw-traces.svg and saw-traces.csv into the folder
 //
@@ -17,10 +17,10 @@
 #include <utility>
 #include <vector>
 
-#include "bench/as_printed/hsieh_2006.h"
 #include "plugins/sawing/saw_force.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
+#include "studies/papers/as_printed/hsieh_2006.h"
 #include "tests/support/saw_rig.h"
 #include "text/write_file.h"
 
@@ -42,14 +42,14 @@ enum Colour : int { ours_colour, printed_colour = 8, exact_colour = 6, other_col
 ToolSetup printed_saw(const std::map<std::string, double>& set = {}) {
     static const PluginRegistry registry = [] {
         PluginRegistry r;
-        r.scan({KERF_BUILD_DIR "/lib/kerf-bench"});
+        r.scan({KERF_BUILD_DIR "/lib/kerf-papers"});
         return r;
     }();
     ToolSetup setup;
-    setup.tool = registry.find("bench.as_printed", KERF_KIND_TOOL, "paper_saw");
-    setup.force = registry.find("bench.as_printed", KERF_KIND_FORCE, "hsieh_2006");
+    setup.tool = registry.find("papers.as_printed", KERF_KIND_TOOL, "paper_saw");
+    setup.force = registry.find("papers.as_printed", KERF_KIND_FORCE, "hsieh_2006");
     if (setup.tool == nullptr || setup.force == nullptr)
-        throw std::runtime_error("no as_printed plugin in lib/kerf-bench");
+        throw std::runtime_error("no as_printed plugin in lib/kerf-papers");
     for (const auto& info : registry.catalog()) {
         if (info.id == "paper_saw") {
             setup.tool_parameters = test::values(info.parameters, set);

@@ -5,10 +5,11 @@
 #   core/…          kerf/…, its own layer or an earlier one, std and the C library; core/sdk only kerf/… and std
 #   text, documents, session, bone/…   the same, and third parties
 #   plugins/<name>  kerf/…, its own folder, std; CGAL in plugins/remesh_cgal/booleans.cpp, OpenMesh in plugins/burring/displace
-#   devices/<name>  the same; so does bench/as_printed, which is a plugin that only charts and tests find
+#   devices/<name>  the same
+#   studies/papers/<name>  kerf/…, its own folder, plugins/…, std: plugins that only charts and tests find
 #   run/…           kerf/…, the layers, devices/…, run/…, third parties; plugins it finds at run time
 #   conformance/…   kerf/…, the layers, conformance/…, studies/drawing/…, third parties; plugins it is given at run time
-#   studies/…       kerf/…, the layers, devices/…, studies/…, third parties; plugins it finds at run time
+#   studies/…       kerf/…, the layers, devices/…, studies/…, third parties; plugins, also papers/<name>, it finds at run time
 # and no layer names a plugin: neither its id, nor its module, nor its folder. Nor do layers, run and app name a remeshing
 # strategy of a plugin. Comments may, as examples.
 cmake_minimum_required(VERSION 3.25)
@@ -161,7 +162,7 @@ function(check_plugin_include file content directive folder)
     return()
   elseif(NOT is_angled)
     string(FIND "${path}" "${folder}/" at)
-    if(at EQUAL 0 OR EXISTS "${beside}/${path}")
+    if(at EQUAL 0 OR EXISTS "${beside}/${path}" OR (folder MATCHES "^studies/papers/" AND path MATCHES "^plugins/"))
       return()
     endif()
   endif()
@@ -262,8 +263,8 @@ endforeach()
 
 # ---- plugins and devices -----------------------------------------------------------------------------------------
 
-set(bench as_printed)
-foreach(kind plugins devices bench)
+folders_in(studies/papers studies/papers)
+foreach(kind plugins devices studies/papers)
   foreach(name IN LISTS ${kind})
     file(GLOB_RECURSE sources "${ROOT}/${kind}/${name}/*.h" "${ROOT}/${kind}/${name}/*.hpp" "${ROOT}/${kind}/${name}/*.cpp")
     foreach(file IN LISTS sources)
@@ -280,6 +281,7 @@ endforeach()
 
 function(check_library folder others)
   file(GLOB_RECURSE sources "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.hpp" "${ROOT}/${folder}/*.cpp")
+  list(FILTER sources EXCLUDE REGEX "/studies/papers/[^/]+/")   # plugins, checked above
   foreach(file IN LISTS sources)
     read("${file}" content)
     find_includes("${content}" includes)
@@ -290,8 +292,8 @@ function(check_library folder others)
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 check_library(run "plugins|studies|app|conformance|tests|bench|examples")
-check_library(studies "plugins|run|app|conformance|tests|bench|examples")
-check_library(conformance "plugins|devices|run|app|tests|bench|studies/(chart|plan|stability)")
+check_library(studies "plugins|studies/papers/[a-z_]+|run|app|conformance|tests|bench|examples")
+check_library(conformance "plugins|devices|run|app|tests|bench|studies/(chart|papers|plan|scenes|stability)")
 
 if(violations GREATER 0)
   message(FATAL_ERROR "layers: ${violations} line(s) know what they must not know")

@@ -10,10 +10,10 @@
 /// Tools and laws by their names. For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {
 
-/// The plugins that are compared: Kerf's own, and the papers' laws as printed, which no procedure finds.
+/// The plugins that are compared: Kerf's own, and the papers' laws, which no procedure finds.
 struct Plugins {
-    const PluginRegistry* own = nullptr;      ///< must hold kerf.drilling
-    const PluginRegistry* printed = nullptr;  ///< bench.as_printed; without it methods are left out
+    const PluginRegistry* own = nullptr;     ///< must hold kerf.drilling
+    const PluginRegistry* papers = nullptr;  ///< papers.as_printed, papers.sawing; without them methods are left out
 };
 
 using Values = std::map<std::string, double>;  ///< SI, by the id of a parameter or drive

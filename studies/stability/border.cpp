@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kerf/units.hpp"
-#include "studies/stability/bone_block.h"
+#include "studies/scenes/bone_block.h"
 #include "studies/stability/led_tool.h"
 #include "studies/stability/scenes.h"
 #include "studies/worst.h"
@@ -189,7 +189,7 @@ void look_at_prescribed(const ToolUnderTest& tool, const ToolUnderTest* printed,
             };
             const std::string scene = "border 10 : 1 at " + figure(1e3 * feed, "mm/s") + ", prescribed";
             if (of == nullptr) {
-                tell({.test = "S-16", .scene = scene, .hand = led, .reason = no_papers});
+                tell({.test = "S-16", .scene = scene, .hand = led, .reason = papers::no_papers});
                 continue;
             }
             const auto crossing_at = [&](double tilt) {
@@ -197,7 +197,7 @@ void look_at_prescribed(const ToolUnderTest& tool, const ToolUnderTest* printed,
                     KerfLoop loop(body, of->setup, CouplingGains{}, above, KerfLoop::Way::direct, tilt);
                     return cross(led_by(loop, above, Simulation::dt), *of, feed, tilt);
                 }
-                PrintedLoop loop(block, body.grid(), of->setup, at_depth(above, tilt), Simulation::dt);
+                papers::PrintedLoop loop(block, body.grid(), of->setup, at_depth(above, tilt), Simulation::dt);
                 return cross(led_by(loop, of->setup, above, tilt, Simulation::dt), *of, feed, tilt);
             };
             const Crossing straight = crossing_at(0.0), tilted = crossing_at(tilted_by * pi / 180.0);

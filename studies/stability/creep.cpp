@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "kerf/units.hpp"
-#include "studies/stability/bone_block.h"
+#include "studies/papers/printed_loop.h"
+#include "studies/scenes/bone_block.h"
 #include "studies/stability/kerf_loop.h"
-#include "studies/stability/printed_loop.h"
 #include "studies/stability/scenes.h"
 #include "studies/worst.h"
 
@@ -96,7 +96,7 @@ Crept creep_in(const Place& place, const ToolUnderTest& tool, const CouplingGain
     const double usual = tool.setup.drives.empty() ? 0.0 : tool.setup.drives.front();
     const auto told = [=](bool is_slow) { return is_slow ? std::min(usual, slow_turning) : usual; };
     if (method == Method::as_printed) {
-        PrintedLoop loop(place.block, place.body.grid(), tool.setup, at(above), Simulation::dt);
+        papers::PrintedLoop loop(place.block, place.body.grid(), tool.setup, at(above), Simulation::dt);
         return creep({[&](double depth) {
                           loop.go(at(depth));
                           return loop.thrust();
@@ -143,7 +143,7 @@ void look_at_creep(const Scope& scope, const ToolUnderTest& tool, const ToolUnde
             if (has_border) finding.scene = "creep over a border 10 : 1 on a face";
             finding.criterion = "steps <= 1/31 of the force";
             if (method == Method::as_printed && printed == nullptr) {
-                finding.reason = no_papers;
+                finding.reason = papers::no_papers;
                 report(finding);
                 continue;
             }

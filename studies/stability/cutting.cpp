@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-#include "studies/stability/bone_block.h"
+#include "studies/scenes/bone_block.h"
 #include "studies/stability/bracket.h"
 #include "studies/stability/kerf_loop.h"
 #include "studies/stability/press.h"

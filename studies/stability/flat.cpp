@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "studies/stability/bone_block.h"
+#include "studies/scenes/bone_block.h"
 #include "studies/stability/scenes.h"
 #include "studies/stability/touch_probe.h"
 

@@ -6,9 +6,9 @@
 #include <functional>
 #include <utility>
 
+#include "studies/papers/printed_loop.h"
 #include "studies/stability/kerf_loop.h"
 #include "studies/stability/port.h"
-#include "studies/stability/printed_loop.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::stability {
@@ -39,7 +39,7 @@ struct LedTool {
     return watched(loop, [&loop, depth, period](double speed) mutable { (void)loop.answer(depth += speed * period); });
 }
 /// The papers' spindle has no motor: it turns as it is told to.
-[[nodiscard]] inline LedTool led_by(PrintedLoop& loop, const ToolSetup& setup, double depth, double tilt,
+[[nodiscard]] inline LedTool led_by(papers::PrintedLoop& loop, const ToolSetup& setup, double depth, double tilt,
                                     double period) {
     const double told = setup.drives.empty() ? std::nan("") : setup.drives.front();
     return {[&loop, depth, tilt, period](double speed) mutable { loop.go(at_depth(depth += speed * period, tilt)); },

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "kerf/units.hpp"
-#include "studies/stability/bone_block.h"
+#include "studies/scenes/bone_block.h"
 #include "studies/stability/scenes.h"
 #include "studies/stability/touch_probe.h"
 

@@ -9,7 +9,7 @@
 
 #include "core/haptics/loop/work_force.h"
 #include "studies/rms.h"
-#include "studies/stability/bone_block.h"
+#include "studies/scenes/bone_block.h"
 #include "studies/stability/led_tool.h"
 #include "studies/stability/scenes.h"
 
@@ -60,7 +60,7 @@ enum class Way { printed, prescribed, solved };
 Drilled drill_with(Way how, const ToolUnderTest& tool, const CouplingGains& gains, const Body& body, double push,
                    double feed, double period) {
     if (how == Way::printed) {
-        PrintedLoop loop(block, body.grid(), tool.setup, at_depth(above), period);
+        papers::PrintedLoop loop(block, body.grid(), tool.setup, at_depth(above), period);
         return drill(led_by(loop, tool.setup, above, 0.0, period), way, feed, period);
     }
     KerfLoop loop(body, tool.setup, gains, above, how == Way::solved ? KerfLoop::Way::solved : KerfLoop::Way::direct,
@@ -117,7 +117,7 @@ void look_at_loop_rate(const Scope& scope, const ToolUnderTest& of, std::span<co
     };
     Finding as_printed = finding_of("loop rate, prescribed feed", Method::as_printed);
     if (printed.empty()) {
-        as_printed.reason = no_papers;
+        as_printed.reason = papers::no_papers;
         report(as_printed);
     }
     for (const ToolUnderTest& tool : printed) {

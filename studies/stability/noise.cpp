@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/stability/bone_block.h"
+#include "studies/scenes/bone_block.h"
 #include "studies/stability/criterion.h"
 #include "studies/stability/led_tool.h"
 #include "studies/stability/scenes.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/stability/bone_block.h"
+#include "studies/scenes/bone_block.h"
 #include "studies/stability/led_tool.h"
 #include "studies/stability/scenes.h"
 #include "studies/worst.h"
@@ -67,9 +67,9 @@ void look_at_re_entry(const Scope& scope, const ToolUnderTest& tool, const ToolU
                       const Report& report) {
     const BoneBlock block{.thickness = 16e-3};
     const Body body = make(block);
-    Finding as_printed{.test = "S-12", .scene = "out of a hole and in again", .hand = led, .reason = no_papers};
+    Finding as_printed{.test = "S-12", .scene = "out of a hole and in again", .hand = led, .reason = papers::no_papers};
     if (printed != nullptr) {
-        PrintedLoop loop(block, body.grid(), printed->setup, at_depth(above), Simulation::dt);
+        papers::PrintedLoop loop(block, body.grid(), printed->setup, at_depth(above), Simulation::dt);
         as_printed = finding_of(out_and_in(led_by(loop, printed->setup, above, 0.0, Simulation::dt)));
         as_printed.reason = "its bone stays until the drilling ends";
     }

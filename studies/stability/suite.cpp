@@ -18,7 +18,7 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegist
     std::vector<ToolUnderTest> printed_laws;
     std::string why_not_there;  // the rows that want them have their own words
     for (const char* law : {"tsai_2007", "volumetric_drilling", "dental_implant"})
-        if (const auto found = find_tool(papers, "bench.as_printed", why_not_there, law))
+        if (const auto found = find_tool(papers, "papers.as_printed", why_not_there, law))
             printed_laws.push_back(*found);
     const ToolUnderTest* const printed = printed_laws.empty() ? nullptr : &printed_laws.front();
     const Report report = [&](const Finding& finding) {

@@ -19,7 +19,7 @@ namespace {
 using namespace literals;
 
 constexpr const char* drilling = "kerf.drilling";
-constexpr const char* printed_papers = "bench.as_printed";
+constexpr const char* printed_papers = "papers.as_printed";
 constexpr int usual_points = 31;  // per lip
 
 Values drill_of(const Scene& scene) {
@@ -75,7 +75,7 @@ ToolSetup printed_setup(const Plugins& plugins, const CuttingLaw& law, const cha
     set["element_interval"] = 0.1_mm * closer;
     set["voxel_width"] = fineness.spacing * closer;
     set["softer"] = softest_share(scene.bone, law);
-    return NamedSetup{printed_papers, "paper_drill", force, set}.in(*plugins.printed);
+    return NamedSetup{printed_papers, "paper_drill", force, set}.in(*plugins.papers);
 }
 
 std::vector<Fineness> by_spacing(bool quick) {
@@ -167,7 +167,7 @@ std::vector<Method> all_methods(const Plugins& plugins, const CuttingLaw& law, b
     using Reading = VoxelBone::Reading;
     using Removal = VoxelRun::Removal;
     const bool has_printed =
-        plugins.printed != nullptr && info_of(*plugins.printed, printed_papers, "tsai_2007") != nullptr;
+        plugins.papers != nullptr && info_of(*plugins.papers, printed_papers, "tsai_2007") != nullptr;
     std::vector<Method> methods;
     if (has_printed)
         methods.push_back(as_printed(plugins, law, "M1", "touch by counting, as printed", "touch_count",

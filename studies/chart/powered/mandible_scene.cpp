@@ -72,11 +72,11 @@ PoweredScene mandible_scene() {
     scene.line = long_axis(height);
     scene.rivals = {{.id = "M7",
                      .title = "impulses at the teeth's rate, on fields",
-                     .setup = {"kerf.sawing", "reciprocating_blade", "reciprocating_impulse", scene.tool.set},
+                     .setup = {"papers.sawing", "reciprocating_blade", "reciprocating_impulse", scene.tool.set},
                      .scale = "mass"},
                     {.id = "004",
                      .title = "mandibular-angle, as printed, on fields",
-                     .setup = {"bench.as_printed",
+                     .setup = {"papers.as_printed",
                                "paper_reciprocating_saw",
                                "mandibular_saw",
                                {{"length", 50.0_mm},

@@ -116,8 +116,10 @@ std::vector<PoweredMethod> powered_methods(const Plugins& plugins, const Powered
     methods.push_back(on_fields(plugins, scene, "M9", "M10 with proxy and coupling: Kerf", KerfRun::Way::solved,
                                 Knob::spacing, quick));
     for (const Rival& rival : scene.rivals) {
-        const PluginRegistry* registry = rival.is_as_printed ? plugins.printed : plugins.own;
-        if (registry == nullptr || !rival.setup.is_in(*registry)) continue;
+        const PluginRegistry* registry = nullptr;
+        for (const PluginRegistry* one : {plugins.own, plugins.papers})
+            if (one != nullptr && rival.setup.is_in(*one)) registry = one;
+        if (registry == nullptr) continue;
         PoweredMethod method{.id = rival.id,
                              .title = rival.title,
                              .sweep = by_spacing(scene, quick),

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::chart {

@@ -11,7 +11,7 @@
 
 #include "kerf/units.hpp"
 #include "studies/chart/powered/powered_measure.h"
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 
 namespace kerf::chart {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "kerf/units.hpp"
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 
 namespace kerf::chart {
 namespace {

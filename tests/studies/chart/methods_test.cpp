@@ -14,7 +14,7 @@
 #include "kerf/units.hpp"
 #include "studies/chart/drill/standing.h"
 #include "studies/stability/port.h"
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 
 namespace kerf::chart {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "studies/chart/drill/scene.h"
 #include "studies/chart/powered/powered_measure.h"
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 
 namespace kerf::chart {
 namespace {

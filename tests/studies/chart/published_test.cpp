@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "kerf/units.hpp"
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 
 namespace kerf::chart {
 namespace {

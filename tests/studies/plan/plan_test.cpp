@@ -12,7 +12,7 @@
 #include <string>
 
 #include "studies/plan/plan_text.h"
-#include "studies/stability/bone_block.h"
+#include "studies/scenes/bone_block.h"
 #include "tests/support/drill_rig.h"
 
 namespace kerf::plan {
@@ -32,7 +32,7 @@ Task drilling() {
     task.step = "hole";
     task.instrument = "pilot";
     task.bone_at = [](double spacing) {
-        return stability::make(
+        return kerf::make(
             {.thickness = 6.0_mm, .spacing = spacing, .density = 1850.0, .shell = 2.0_mm, .inner = 400.0});
     };
     task.setup = test::twist_drill();

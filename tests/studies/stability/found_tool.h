@@ -23,11 +23,11 @@ inline ToolUnderTest the_drill() {
 inline ToolUnderTest the_papers_drill(const std::string& law = "") {
     static const PluginRegistry papers = [] {
         PluginRegistry registry;
-        registry.scan({KERF_BUILD_DIR "/lib/kerf-bench"});
+        registry.scan({KERF_BUILD_DIR "/lib/kerf-papers"});
         return registry;
     }();
     std::string error;
-    const auto tool = find_tool(papers, "bench.as_printed", error, law);
+    const auto tool = find_tool(papers, "papers.as_printed", error, law);
     if (!tool) throw std::runtime_error(error);
     return *tool;
 }

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-namespace kerf::sawing {
+namespace kerf::papers {
 
 namespace {
 
@@ -129,4 +129,4 @@ Struck solve_strikes(const RigidTool& tool, const RigidMotion& before, const Res
     return struck;
 }
 
-}  // namespace kerf::sawing
+}  // namespace kerf::papers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/as_printed/mandibular_saw.h"
+#include "studies/papers/as_printed/mandibular_saw.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 #include "tests/support/drill_rig.h"
 
 namespace kerf::as_printed {
@@ -94,8 +94,8 @@ struct Sawing {
 
     explicit Sawing(double period, std::map<std::string, double> set = {}) : dt(period) {
         set.insert({"length", 20.0_mm});
-        setup.tool = test::printed_plugins().find("bench.as_printed", KERF_KIND_TOOL, "paper_reciprocating_saw");
-        setup.force = test::printed_plugins().find("bench.as_printed", KERF_KIND_FORCE, "mandibular_saw");
+        setup.tool = test::printed_plugins().find("papers.as_printed", KERF_KIND_TOOL, "paper_reciprocating_saw");
+        setup.force = test::printed_plugins().find("papers.as_printed", KERF_KIND_FORCE, "mandibular_saw");
         for (const auto& info : test::printed_plugins().catalog()) {
             if (info.id == "paper_reciprocating_saw") {
                 setup.tool_parameters = test::values(info.parameters, set);

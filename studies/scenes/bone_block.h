@@ -4,7 +4,7 @@
 #include "core/field/grid/body.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
-namespace kerf::stability {
+namespace kerf {
 
 /// A box of bone with its face at z = 0, `thickness` deep and `width` wide, on a grid shifted by part of a voxel.
 /// Deeper than `shell` (0: nowhere) its density is `inner` [kg/m³].
@@ -19,4 +19,4 @@ struct BoneBlock {
 /// [main]
 [[nodiscard]] Body make(const BoneBlock& block);
 
-}  // namespace kerf::stability
+}  // namespace kerf

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/stability/bone_block.h"
+#include "studies/scenes/bone_block.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace kerf::stability {
+namespace kerf {
 
 namespace {
 
@@ -39,4 +39,4 @@ Body make(const BoneBlock& block) {
     return body;
 }
 
-}  // namespace kerf::stability
+}  // namespace kerf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/stability/printed_loop.h"
+#include "studies/papers/printed_loop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "core/plugin/plugin_call.h"
 
-namespace kerf::stability {
+namespace kerf::papers {
 
 PrintedLoop::PrintedLoop(const BoneBlock& block, const Grid& grid, const ToolSetup& setup, const Pose& start,
                          double period)
@@ -89,4 +89,4 @@ void PrintedLoop::go(const Pose& next) {
     bone_.pose = next;
 }
 
-}  // namespace kerf::stability
+}  // namespace kerf::papers

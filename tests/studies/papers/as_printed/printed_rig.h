@@ -16,7 +16,7 @@ namespace kerf::test {
 inline const PluginRegistry& printed_plugins() {
     static const PluginRegistry registry = [] {
         PluginRegistry r;
-        r.scan({KERF_BUILD_DIR "/lib/kerf-bench"});
+        r.scan({KERF_BUILD_DIR "/lib/kerf-papers"});
         return r;
     }();
     return registry;

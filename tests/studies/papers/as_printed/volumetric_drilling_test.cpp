@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/as_printed/volumetric_drilling.h"
+#include "studies/papers/as_printed/volumetric_drilling.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 
 namespace kerf::as_printed {
 namespace {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "impulse.h"
-#include "reciprocating_force.h"
+#include "plugins/sawing/reciprocating_force.h"
 
 /// The reciprocating saw of [mandibular-angle], with its equations corrected: teeth that strike bone.
-namespace kerf::sawing {
+namespace kerf::papers {
 
 /// [1/s] Below it no bone is removed. With fewer strikes the same push would feed the saw ever faster, and a still saw
 /// would meet nothing; [mandibular-angle] measured from 8000 per minute on. Between the two the feed at a push fades,
@@ -19,21 +19,21 @@ inline constexpr double slowest_strike = 100.0, full_strike = 8000.0 / 60.0;
 /// A tooth strikes new bone when the tooth before it has passed, every p/V on average, V = 2 S u; and at least once in
 /// each of the two strokes of an oscillation. It is one over the time that the chip of `chip_per_feed` grows, at the
 /// mean speed.   [any] pure.
-[[nodiscard]] double strikes_per_second(const Stroke& stroke) noexcept;
+[[nodiscard]] double strikes_per_second(const sawing::Stroke& stroke) noexcept;
 
 /// The law of a reciprocating saw by impulses, docs/models/reciprocating-saw.md.
-struct ReciprocatingImpulse : ReciprocatingParameters {
+struct ReciprocatingImpulse : sawing::ReciprocatingParameters {
     double mass, gyration, restitution;
 
-    struct State : ReciprocatingState {
-        PreparedSaw<StraightBlade> prepared;
+    struct State : sawing::ReciprocatingState {
+        sawing::PreparedSaw<sawing::StraightBlade> prepared;
     };
-    struct Signals : ReciprocatingSignals {
+    struct Signals : sawing::ReciprocatingSignals {
         double strike_rate = 0.0;
     };
-    using Happened = ReciprocatingEvent;
+    using Happened = sawing::ReciprocatingEvent;
     struct Notes {
-        SawNotes teeth;
+        sawing::SawNotes teeth;
         double along_per_thrust = 0.0;  ///< [–]
     };
 
@@ -44,7 +44,7 @@ struct ReciprocatingImpulse : ReciprocatingParameters {
             "The feed of a reciprocating saw by impulses of its teeth on rigid bone, solved together; sides, contact "
             "and "
             "warning as in reciprocating_cutting.",
-            ReciprocatingParameters::about(),
+            sawing::ReciprocatingParameters::about(),
             param(&ReciprocatingImpulse::mass, {.id = "mass",
                                                 .help = "Mass of the saw that strikes.",
                                                 .unit = unit::kg,
@@ -65,17 +65,17 @@ struct ReciprocatingImpulse : ReciprocatingParameters {
                                                        .max = 1.0,
                                                        .def = 0.6,
                                                        .source = "[mandibular-angle]"}),
-            budget_us(200), work({.channels = 16, .points = 800, .queries = 8}), ReciprocatingSignals::about(),
+            budget_us(200), work({.channels = 16, .points = 800, .queries = 8}), sawing::ReciprocatingSignals::about(),
             signal(&Signals::strike_rate,
                    {.id = "strike_rate", .help = "Strikes of one tooth.", .unit = unit::per_min}),
-            reciprocating_events());
+            sawing::reciprocating_events());
     }
 
-    void begin(const Held<ReciprocatingBlade>& saw, const BoneQuery& bone, State& state) const noexcept;
-    [[nodiscard]] Notes resist(const Held<ReciprocatingBlade>& saw, const BoneQuery& bone, const State& state,
+    void begin(const Held<sawing::ReciprocatingBlade>& saw, const BoneQuery& bone, State& state) const noexcept;
+    [[nodiscard]] Notes resist(const Held<sawing::ReciprocatingBlade>& saw, const BoneQuery& bone, const State& state,
                                Channels& channels) const noexcept;
-    void commit(const Held<ReciprocatingBlade>& saw, const BoneQuery& bone, const Noted<Notes>& advance, State& state,
-                Signals& signals, Actions& actions) const noexcept;
+    void commit(const Held<sawing::ReciprocatingBlade>& saw, const BoneQuery& bone, const Noted<Notes>& advance,
+                State& state, Signals& signals, Actions& actions) const noexcept;
 };
 
-}  // namespace kerf::sawing
+}  // namespace kerf::papers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/as_printed/hsieh_2006.h"
+#include "studies/papers/as_printed/hsieh_2006.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 #include "tests/support/drill_rig.h"
 
 namespace kerf::as_printed {
@@ -24,8 +24,8 @@ struct Sawing {
     double depth = -1.0_mm;
 
     explicit Sawing(const std::map<std::string, double>& set = {}) {
-        setup.tool = test::printed_plugins().find("bench.as_printed", KERF_KIND_TOOL, "paper_saw");
-        setup.force = test::printed_plugins().find("bench.as_printed", KERF_KIND_FORCE, "hsieh_2006");
+        setup.tool = test::printed_plugins().find("papers.as_printed", KERF_KIND_TOOL, "paper_saw");
+        setup.force = test::printed_plugins().find("papers.as_printed", KERF_KIND_FORCE, "hsieh_2006");
         for (const auto& info : test::printed_plugins().catalog()) {
             if (info.id == "paper_saw") {
                 setup.tool_parameters = test::values(info.parameters, set);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Impulses of a rigid tool that strikes at many points (validation A.5: E04-1 … E04-6, A.6: P2, D.4: S-10, S-17, S-18).
-#include "plugins/sawing/impulse.h"
+#include "studies/papers/impulse/impulse.h"
 
 #include <gtest/gtest.h>
 
@@ -15,15 +15,17 @@
 #include <utility>
 #include <vector>
 
-#include "plugins/sawing/reciprocating_impulse.h"
+#include "studies/papers/impulse/reciprocating_impulse.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 #include "tests/support/loop_guard.h"
 #include "tests/support/rig.h"
 #include "tests/support/saw_rig.h"
 
-namespace kerf::sawing {
+namespace kerf::papers {
 namespace {
 
 using namespace literals;
+using sawing::Stroke;
 
 /// Eigenvalues of a symmetric matrix, in rising order, by the trigonometric solution.
 std::array<double, 3> eigenvalues(const Symmetric3& m) {
@@ -279,8 +281,9 @@ TEST(StrikeRate, IsTwoStrokesTimesTheTeethOfAStroke) {
 }
 
 ToolSetup impulse_saw(std::map<std::string, double> set = {}) {
-    set.insert({{"blade_length", 20.0_mm}, {"tooth_pitch", 2.0_mm}, {"stroke", 4.0_mm}});
-    return test::powered_tool("kerf.sawing", "reciprocating_blade", "reciprocating_impulse", set);
+    set.insert({{"blade_length", 20.0_mm}, {"tooth_pitch", 2.0_mm}, {"stroke", 4.0_mm}, {"run_up", 0.0}});
+    return chart::NamedSetup{"papers.sawing", "reciprocating_blade", "reciprocating_impulse", set}.in(
+        test::printed_plugins());
 }
 struct Feeding {
     test::Rig simulation;
@@ -398,4 +401,4 @@ TEST(ImpulseSaw, NeitherAllocatesNorLocksNorThrows) {
 }
 
 }  // namespace
-}  // namespace kerf::sawing
+}  // namespace kerf::papers

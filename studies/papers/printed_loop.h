@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include "core/haptics/law/tool.h"
-#include "studies/stability/bone_block.h"
+#include "studies/scenes/bone_block.h"
+#include "studies/scenes/signal_of.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
-namespace kerf::stability {
+namespace kerf::papers {
 
 /// Why a row as printed has no figure where the papers' laws were not built.
-inline constexpr const char* no_papers = "the papers' laws are not there: build kerf_as_printed, into lib/kerf-bench";
-
-/// Of a law's signals the one of this name; no number where it has none.
-[[nodiscard]] inline double signal_of(const ToolSetup& setup, const double* signals, std::string_view id) noexcept {
-    const kerf_force& force = *setup.force->force;
-    for (std::uint32_t i = 0; i < force.signal_count; ++i)
-        if (id == force.signals[i].id) return signals[i];
-    return std::nan("");
-}
+inline constexpr const char* no_papers = "the papers' laws are not there: build kerf_as_printed, into lib/kerf-papers";
 
 /// A law of the papers among the papers' bone: a voxel is bone or it is not, by its centre, of the tissue that its
 /// centre lies in, and it stays until the drilling ends. The tool is where it is told to be, and the law takes the
@@ -69,4 +60,4 @@ private:
     std::vector<double> signals_;
 };
 
-}  // namespace kerf::stability
+}  // namespace kerf::papers

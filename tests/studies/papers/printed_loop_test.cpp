@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/stability/printed_loop.h"
+#include "studies/papers/printed_loop.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,10 @@
 #include "studies/stability/kerf_loop.h"
 #include "tests/studies/stability/found_tool.h"
 
-namespace kerf::stability {
+namespace kerf::papers {
 namespace {
+
+using namespace stability;
 
 constexpr BoneBlock block{.thickness = 10e-3, .shell = 5e-3, .inner = 585.0};
 
@@ -81,4 +83,4 @@ TEST(PrintedLoop, ASignalThatIsNotThereIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace kerf::stability
+}  // namespace kerf::papers

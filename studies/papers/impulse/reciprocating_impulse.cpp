@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace kerf::sawing {
+namespace kerf::papers {
+
+using namespace sawing;
 
 namespace {
 
@@ -25,11 +27,11 @@ struct Striking {
 };
 Striking striking(const TeethInBone& in_bone) noexcept {
     Striking found;
-    const double smallest = in_bone.min_gap(0, in_bone.teeth.count);
+    const double least = in_bone.min_gap(0, in_bone.teeth.count);
     for (std::size_t i = 0; i < in_bone.teeth.count; ++i) {
         double engaged = 0.0;
         for (const std::size_t point : {2 * i, 2 * i + 1})
-            if (in_bone.resisted[point] > 0.0 && in_bone.gap[point] <= smallest + max_cutting_gap)
+            if (in_bone.resisted[point] > 0.0 && in_bone.gap[point] <= least + max_cutting_gap)
                 engaged += 0.5 * in_bone.engagement[point];
         if (engaged <= 0.0) continue;
         found.engaged[i] = engaged;
@@ -141,4 +143,4 @@ void ReciprocatingImpulse::commit(const Held<ReciprocatingBlade>& saw, const Bon
     watch_torque(advance, blade, torque_threshold, saw.tick.dt, state, signals, actions);
 }
 
-}  // namespace kerf::sawing
+}  // namespace kerf::papers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/as_printed/tsai_2007.h"
+#include "studies/papers/as_printed/tsai_2007.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 
 namespace kerf::as_printed {
 namespace {
@@ -118,7 +118,7 @@ TEST(Tsai2007, UnlessAskedForNoTorqueIsRendered) {
 TEST(Tsai2007, NoProcedureFindsIt) {
     const auto is_there = [](const PluginRegistry& registry) {
         for (const auto& info : registry.catalog())
-            if (info.plugin == "bench.as_printed") return true;
+            if (info.plugin == "papers.as_printed") return true;
         return false;
     };
     EXPECT_TRUE(is_there(test::printed_plugins()));

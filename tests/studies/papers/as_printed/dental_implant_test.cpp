@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/as_printed/dental_implant.h"
+#include "studies/papers/as_printed/dental_implant.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 
 namespace kerf::as_printed {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slips of the torque law of [dental-implant-2013], each next to the screw's law of plugins/implant in the same
 // situation.
-#include "bench/as_printed/implant_torque.h"
+#include "studies/papers/as_printed/implant_torque.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/bench/as_printed/printed_rig.h"
+#include "tests/studies/papers/as_printed/printed_rig.h"
 #include "tests/support/turned_screw.h"
 
 namespace kerf::as_printed {
@@ -43,8 +43,8 @@ struct Screwing {
         body.materials[0].density = density;
         std::map<std::string, double> with{{"thread_length", 5.0_mm}};
         with.insert(set.begin(), set.end());
-        setup.tool = test::printed_plugins().find("bench.as_printed", KERF_KIND_TOOL, "paper_implant");
-        setup.force = test::printed_plugins().find("bench.as_printed", KERF_KIND_FORCE, "implant_torque");
+        setup.tool = test::printed_plugins().find("papers.as_printed", KERF_KIND_TOOL, "paper_implant");
+        setup.force = test::printed_plugins().find("papers.as_printed", KERF_KIND_FORCE, "implant_torque");
         for (const auto& info : test::printed_plugins().catalog()) {
             if (info.id == "paper_implant") setup.tool_parameters = test::values(info.parameters, with);
             if (info.id == "implant_torque") setup.force_parameters = test::values(info.parameters, with);

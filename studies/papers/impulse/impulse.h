@@ -7,7 +7,7 @@
 #include "kerf/math.hpp"
 
 /// Impulses of a rigid tool that strikes rigid bone at many points at once. All SI, in one frame.
-namespace kerf::sawing {
+namespace kerf::papers {
 
 /// A symmetric 3 × 3 matrix.
 struct Symmetric3 {
@@ -88,4 +88,4 @@ inline constexpr int impulse_sweeps = 16;  ///< over all strikes, in turn from e
 Struck solve_strikes(const RigidTool& tool, const RigidMotion& before, const Restitution& law,
                      std::span<Strike> strikes) noexcept;
 
-}  // namespace kerf::sawing
+}  // namespace kerf::papers
