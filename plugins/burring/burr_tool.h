@@ -2,9 +2,9 @@
 #pragma once
 
 #include "burr_head.h"
+#include "kerf/cutter_parameters.hpp"
 #include "kerf/outline.hpp"
 #include "kerf/plugin.hpp"
-#include "kerf/spindle.hpp"
 
 /// The burrs with their parameters.
 namespace kerf::burring {
@@ -12,75 +12,64 @@ namespace kerf::burring {
 inline constexpr double slowest_cut = 1000.0 / 60.0;  ///< [1/s] from this speed on the burr removes bone [assumed]
 
 /// Parameters common to all burrs, SI.
-struct Burr {
+struct Burr : MotorParameters {
     double diameter, blades, neck_diameter, length;
-    double motor_torque, run_up, inertia;
     double spindle_speed;  ///< commanded
 
     static constexpr auto common() {
         using namespace literals;
-        return group(
-            strategies("kerf.burring.displace", "kerf.remesh_cgal.local", "kerf.remesh_cgal.exact"),
-            param(&Burr::diameter, {.id = "diameter",
-                                    .help = "Largest diameter of the head.",
-                                    .unit = unit::mm,
-                                    .min = 0.5_mm,
-                                    .max = 12.0_mm,
-                                    .def = 4.0_mm,
-                                    .source = "4.0 mm [mandibular-angle]"}),
-            param(&Burr::blades, {.id = "blades",
-                                  .help = "Cutting blades around the head, a whole number.",
-                                  .min = 1.0,
-                                  .max = 40.0,
-                                  .def = 6.0,
-                                  .source = "six [mandibular-angle]"}),
-            param(&Burr::neck_diameter, {.id = "neck_diameter",
-                                         .help = "Diameter of the smooth shaft behind the head.",
-                                         .unit = unit::mm,
-                                         .min = 0.2_mm,
-                                         .max = 6.0_mm,
-                                         .def = 1.6_mm,
-                                         .source = "assumed"}),
-            param(&Burr::length, {.id = "length",
-                                  .help = "From the tip to the handpiece.",
-                                  .unit = unit::mm,
-                                  .min = 10.0_mm,
-                                  .max = 150.0_mm,
-                                  .def = 45.0_mm,
-                                  .source = "assumed"}),
-            param(&Burr::motor_torque, {.id = "motor_torque",
-                                        .help = "The most the motor turns or brakes with.",
-                                        .unit = unit::N_m,
-                                        .min = 0.5_Nmm,
-                                        .max = 500.0_Nmm,
-                                        .def = 30.0_Nmm,
-                                        .source = "assumed: order of electric high-speed handpieces"}),
-            param(&Burr::run_up, {.id = "run_up",
-                                  .help = "Time the unloaded motor takes to 50000 rpm.",
-                                  .unit = unit::ms,
-                                  .min = 0.0,
-                                  .max = 5000.0_ms,
-                                  .def = 500.0_ms,
-                                  .source = "assumed: a controller's soft start; 0 makes the speed follow at once"}),
-            param(&Burr::inertia, {.id = "inertia",
-                                   .help = "Of all that turns, at the burr.",
-                                   .unit = unit::kg_mm2,
-                                   .min = 1e-9_kg_m2,
-                                   .max = 1e-4_kg_m2,
-                                   .def = 2e-7_kg_m2,
-                                   .source = "assumed: order of a small rotor"}),
-            drive(&Burr::spindle_speed, {.id = "spindle_speed",
-                                         .help = "Commanded speed of the burr; negative in reverse.",
-                                         .unit = unit::rpm,
-                                         .min = -80000.0_rpm,
-                                         .max = 80000.0_rpm,
-                                         .def = 50000.0_rpm,
-                                         .least = Quantity{slowest_cut, dimension::frequency}}));
+        return group(strategies("kerf.burring.displace", "kerf.remesh_cgal.local", "kerf.remesh_cgal.exact"),
+                     param(&Burr::diameter, {.id = "diameter",
+                                             .help = "Largest diameter of the head.",
+                                             .unit = unit::mm,
+                                             .min = 0.5_mm,
+                                             .max = 12.0_mm,
+                                             .def = 4.0_mm,
+                                             .source = "4.0 mm [mandibular-angle]"}),
+                     param(&Burr::blades, {.id = "blades",
+                                           .help = "Cutting blades around the head, a whole number.",
+                                           .min = 1.0,
+                                           .max = 40.0,
+                                           .def = 6.0,
+                                           .source = "six [mandibular-angle]"}),
+                     param(&Burr::neck_diameter, {.id = "neck_diameter",
+                                                  .help = "Diameter of the smooth shaft behind the head.",
+                                                  .unit = unit::mm,
+                                                  .min = 0.2_mm,
+                                                  .max = 6.0_mm,
+                                                  .def = 1.6_mm,
+                                                  .source = "assumed"}),
+                     param(&Burr::length, {.id = "length",
+                                           .help = "From the tip to the handpiece.",
+                                           .unit = unit::mm,
+                                           .min = 10.0_mm,
+                                           .max = 150.0_mm,
+                                           .def = 45.0_mm,
+                                           .source = "assumed"}),
+                     torque_parameter({.help = "The most the motor turns or brakes with.",
+                                       .min = 0.5_Nmm,
+                                       .max = 500.0_Nmm,
+                                       .def = 30.0_Nmm,
+                                       .source = "assumed: order of electric high-speed handpieces"}),
+                     run_up_parameter("Time the unloaded motor takes to 50000 rpm.", 500.0_ms,
+                                      "assumed: a controller's soft start; 0 makes the speed follow at once"),
+                     inertia_parameter({.help = "Of all that turns, at the burr.",
+                                        .min = 1e-9_kg_m2,
+                                        .max = 1e-4_kg_m2,
+                                        .def = 2e-7_kg_m2,
+                                        .source = "assumed: order of a small rotor"}),
+                     drive(&Burr::spindle_speed, {.id = "spindle_speed",
+                                                  .help = "Commanded speed of the burr; negative in reverse.",
+                                                  .unit = unit::rpm,
+                                                  .min = -80000.0_rpm,
+                                                  .max = 80000.0_rpm,
+                                                  .def = 50000.0_rpm,
+                                                  .least = Quantity{slowest_cut, dimension::frequency}}));
     }
     [[nodiscard]] double radius() const noexcept { return 0.5 * diameter; }
     [[nodiscard]] Motor motor() const noexcept {
         using namespace literals;
-        return Motor::with_run_up(run_up, 50000.0_rpm, motor_torque, inertia);
+        return motor_reaching(50000.0_rpm);
     }
 
 protected:

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "kerf/cutter_parameters.hpp"
 #include "kerf/plugin.hpp"
-#include "kerf/spindle.hpp"
 #include "twist_drill.h"
 
 /// The drills with their parameters, SI.
@@ -16,9 +16,9 @@ inline constexpr std::size_t spindle_drive = 0;  ///< index of the one drive of 
 inline constexpr double slowest_cut = 0.5;       ///< [1/s] from this speed on the drill removes bone
 
 /// Parameters common to all drills.
-struct DrillBit {
-    double diameter, point_angle, web, length, corner, motor_torque;
-    double runout, helix_angle, run_up, inertia, mass, yield_strength;
+struct DrillBit : MotorParameters {
+    double diameter, point_angle, web, length, corner;
+    double runout, helix_angle, mass, yield_strength;
     double spindle_speed;  ///< commanded
 
     // NOLINTNEXTLINE(readability-function-size): a table, one row for each parameter
@@ -60,13 +60,11 @@ struct DrillBit {
                    .max = 1.0,
                    .def = 0.25,
                    .source = "assumed"}),
-            param(&DrillBit::motor_torque, {.id = "motor_torque",
-                                            .help = "The most the motor turns or brakes with.",
-                                            .unit = unit::N_m,
-                                            .min = 10.0_Nmm,
-                                            .max = 20000.0_Nmm,
-                                            .def = 2000.0_Nmm,
-                                            .source = "assumed: order of battery-driven surgical drills"}),
+            torque_parameter({.help = "The most the motor turns or brakes with.",
+                              .min = 10.0_Nmm,
+                              .max = 20000.0_Nmm,
+                              .def = 2000.0_Nmm,
+                              .source = "assumed: order of battery-driven surgical drills"}),
             param(&DrillBit::runout, {.id = "runout",
                                       .help = "How far the tip runs off the axis it turns about.",
                                       .unit = unit::mm,
@@ -81,21 +79,13 @@ struct DrillBit {
                                            .max = 45.0_deg,
                                            .def = 28.0_deg,
                                            .source = "assumed: that of the drill the coefficients were fitted with"}),
-            param(&DrillBit::run_up,
-                  {.id = "run_up",
-                   .help = "Time the unloaded motor takes to 1000 rpm.",
-                   .unit = unit::ms,
-                   .min = 0.0,
-                   .max = 5000.0_ms,
-                   .def = 200.0_ms,
-                   .source = "assumed: a controller's soft start; 0 makes the speed follow at once"}),
-            param(&DrillBit::inertia, {.id = "inertia",
-                                       .help = "Of all that turns, at the chuck.",
-                                       .unit = unit::kg_mm2,
-                                       .min = 1e-7_kg_m2,
-                                       .max = 0.01_kg_m2,
-                                       .def = 5e-5_kg_m2,
-                                       .source = "assumed: order of a small rotor behind its gear"}),
+            run_up_parameter("Time the unloaded motor takes to 1000 rpm.", 200.0_ms,
+                             "assumed: a controller's soft start; 0 makes the speed follow at once"),
+            inertia_parameter({.help = "Of all that turns, at the chuck.",
+                               .min = 1e-7_kg_m2,
+                               .max = 0.01_kg_m2,
+                               .def = 5e-5_kg_m2,
+                               .source = "assumed: order of a small rotor behind its gear"}),
             param(&DrillBit::mass,
                   {.id = "mass",
                    .help = "Of drill and handpiece, centred where the hand holds them; felt across the shaft.",
@@ -122,7 +112,7 @@ struct DrillBit {
     }
     [[nodiscard]] Motor motor() const noexcept {
         using namespace literals;
-        return Motor::with_run_up(run_up, 1000.0_rpm, motor_torque, inertia);
+        return motor_reaching(1000.0_rpm);
     }
 
 protected:

@@ -152,7 +152,7 @@ bool has_volume(const Mesh& hull) {
 constexpr const char* no_volume = "a part of the tool's sweep has no volume";
 
 /// Joins parts in pairs: neighbours in time overlap. Parts that cannot be joined stay apart.
-std::vector<ExactMesh> joined(std::vector<ExactMesh> parts, const std::function<bool()>& cancelled) {
+std::vector<ExactMesh> joined(std::vector<ExactMesh> parts, const Cancelled& cancelled) {
     for (bool has_joined = true; has_joined && parts.size() > 1;) {
         has_joined = false;
         std::vector<ExactMesh> fewer;
@@ -179,8 +179,7 @@ std::vector<ExactMesh> joined(std::vector<ExactMesh> parts, const std::function<
 
 /// Subtracts closed tools from a closed mesh, one after the other.
 template <class Mesh>
-Outcome subtract(Triangles& triangles, std::vector<Mesh> tools, const std::function<bool()>& cancelled,
-                 std::string& why) {
+Outcome subtract(Triangles& triangles, std::vector<Mesh> tools, const Cancelled& cancelled, std::string& why) {
     Mesh bone;
     if (!read(triangles, bone, true, why)) return Outcome::refused;
     bool has_changed = false;
@@ -378,8 +377,7 @@ Outcome guarded(std::string& why, const Work& work) {
 
 }  // namespace
 
-Outcome cut_whole(Triangles& mesh, const std::vector<ConvexPart>& parts, const std::function<bool()>& cancelled,
-                  std::string& why) {
+Outcome cut_whole(Triangles& mesh, const std::vector<ConvexPart>& parts, const Cancelled& cancelled, std::string& why) {
     return guarded(why, [&] {
         std::vector<ExactMesh> hulls;
         if (!make_hulls(parts, hulls, why)) return Outcome::refused;
@@ -387,7 +385,7 @@ Outcome cut_whole(Triangles& mesh, const std::vector<ConvexPart>& parts, const s
     });
 }
 
-Outcome cut_whole_rounded(Triangles& mesh, const std::vector<ConvexPart>& parts, const std::function<bool()>& cancelled,
+Outcome cut_whole_rounded(Triangles& mesh, const std::vector<ConvexPart>& parts, const Cancelled& cancelled,
                           std::string& why) {
     return guarded(why, [&] {
         std::vector<RoundedMesh> hulls;
@@ -396,8 +394,8 @@ Outcome cut_whole_rounded(Triangles& mesh, const std::vector<ConvexPart>& parts,
     });
 }
 
-Outcome cut_patch(Triangles& patch, const std::vector<ConvexPart>& parts, bool is_exact,
-                  const std::function<bool()>& cancelled, std::string& why) {
+Outcome cut_patch(Triangles& patch, const std::vector<ConvexPart>& parts, bool is_exact, const Cancelled& cancelled,
+                  std::string& why) {
     return guarded(why, [&] {
         Outcome all = Outcome::unchanged;
         for (const ConvexPart& part : parts) {

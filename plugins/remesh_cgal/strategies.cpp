@@ -11,7 +11,6 @@
 namespace kerf::remesh_cgal {
 namespace {
 
-using Cancelled = std::function<bool()>;
 using Cut = std::function<Outcome(Triangles&, const std::vector<ConvexPart>&, const Cancelled&, std::string&)>;
 
 /// Cuts the job's mesh with the sweeps of its tools.
@@ -25,18 +24,8 @@ RemeshAnswer answer(const RemeshJob& job, const Cut& cut_mesh) {
     }
     Triangles mesh = job.mesh();
     std::string why;
-    switch (cut_mesh(
-        mesh, parts, [&job] { return job.is_cancelled(); }, why)) {
-        case Outcome::cut:
-            return RemeshAnswer::cut(std::move(mesh));
-        case Outcome::unchanged:
-            return RemeshAnswer::unchanged();
-        case Outcome::cancelled:
-            return RemeshAnswer::cancelled();
-        case Outcome::refused:
-            break;
-    }
-    return RemeshAnswer::refused(why);
+    const Outcome outcome = cut_mesh(mesh, parts, job.cancelled(), why);
+    return RemeshAnswer::of(outcome, std::move(mesh), std::move(why));
 }
 
 }  // namespace

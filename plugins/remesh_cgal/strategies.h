@@ -15,14 +15,9 @@ struct Facets {
 protected:
     template <class Strategy>
     static constexpr auto tolerance_of() {
-        using namespace literals;
-        return param(&Strategy::tolerance, {.id = "tolerance",
-                                            .help = "Distance that the sides of a turned tool may be off its surface.",
-                                            .unit = unit::um,
-                                            .min = 1.0_um,
-                                            .max = 1.0_mm,
-                                            .def = 20.0_um,
-                                            .source = "chosen: below the play of a tool's bearing"});
+        return remesh_tolerance(&Strategy::tolerance,
+                                "Distance that the sides of a turned tool may be off its surface.",
+                                "chosen: below the play of a tool's bearing");
     }
 };
 

@@ -13,8 +13,7 @@ namespace kerf::sawing {
 
 namespace {
 
-constexpr std::size_t tip_points = 9, columns = 3, rows = 5;
-constexpr double row_behind[rows] = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots of the teeth
+constexpr std::size_t columns = 3, rows = row_behind.size();
 static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::max_points &&
               2 * rows * columns <= TouchingPoints::max_on_sides);
 
@@ -34,16 +33,9 @@ double side_stiffness(const SawBlade& blade, double z, double contact) noexcept 
 
 TouchingPoints touching_points(const SawBlade& blade, const SawParameters& law, const BoneQuery& bone,
                                bool removes) noexcept {
-    constexpr double tip_facing = 0.5, facing = 0.3;
     const double stiffness = law.contact_stiffness;
     TouchingPoints points;
-    if (!removes)
-        for (std::size_t i = 0; i < tip_points; ++i) {
-            const double fraction = 2.0 * (static_cast<double>(i) + 0.5) / tip_points - 1.0;
-            const SinCos angle = sin_cos_exact(fraction * blade.half_front());
-            points.all.add(blade.on_front(angle), {angle.sin, 0.0, angle.cos}, stiffness, tip_facing,
-                           slot_tip + i * sector_count / tip_points);
-        }
+    if (!removes) points.add_still_teeth(blade, stiffness);
     const SinCos last = sin_cos_exact(blade.half_front());
     for (std::size_t row = 0; row < rows; ++row) {
         const double back = blade.tooth_height + row_behind[row];
@@ -52,16 +44,9 @@ TouchingPoints touching_points(const SawBlade& blade, const SawParameters& law, 
             const double fraction = (static_cast<double>(column) - 1.0) * 0.9;  // both ends and the middle
             const Vec3 front = blade.on_front(sin_cos_exact(fraction * blade.half_front()));
             const double z = front.z - back, k = side_stiffness(blade, z, stiffness);
-            for (const double side : {1.0, -1.0}) {
-                const Vec3 at{front.x, side * 0.5 * blade.thickness, z};
-                points.of_sides[points.side_count++] = {points.all.count(), row_behind[row]};
-                points.all.add(at, {0, side, 0}, k, facing, slot_side + (side > 0.0 ? 0u : 2u) + (row < 3 ? 0u : 1u));
-            }
+            points.add_sides(front.x, z, blade.thickness, row_behind[row], k, row >= 3);
         }
-        for (const double side : {1.0, -1.0})
-            points.all.add(
-                {side * (blade.radius * last.sin - bone.wall_error()), 0.0, blade.radius * (last.cos - 1.0) - back},
-                {side, 0, 0}, stiffness, facing, slot_edge + (side > 0.0 ? 0u : 1u));
+        points.add_ends(blade.radius * last.sin - bone.wall_error(), blade.radius * (last.cos - 1.0) - back, stiffness);
     }
     return points;
 }

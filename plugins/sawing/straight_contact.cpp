@@ -11,8 +11,7 @@ namespace kerf::sawing {
 
 namespace {
 
-constexpr std::size_t tip_points = 9, columns = 17, max_rows = 6;
-constexpr std::array<double, max_rows - 1> row_behind = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots
+constexpr std::size_t columns = 17, max_rows = row_behind.size() + 1;
 static_assert(tip_points + 2 * max_rows * columns + 2 * max_rows + columns <= ContactPoints::max_points &&
               2 * max_rows * columns <= TouchingPoints::max_on_sides);
 
@@ -51,15 +50,9 @@ double side_stiffness(const StraightBlade& blade, double x, double z, double con
 
 TouchingPoints touching_points(const StraightBlade& blade, const SawParameters& law, const BoneQuery& bone,
                                bool removes) noexcept {
-    constexpr double tip_facing = 0.5, facing = 0.3;
     const double stiffness = law.contact_stiffness;
     TouchingPoints points;
-    if (!removes)
-        for (std::size_t i = 0; i < tip_points; ++i) {
-            const double fraction = 2.0 * (static_cast<double>(i) + 0.5) / tip_points - 1.0;
-            const FrontPoint front = blade.front(fraction);
-            points.all.add(front.at, front.normal, stiffness, tip_facing, slot_tip + i * sector_count / tip_points);
-        }
+    if (!removes) points.add_still_teeth(blade, stiffness);
     const Rows rows = rows_of(blade);
     for (std::size_t row = 0; row < rows.count; ++row) {
         const double behind = rows.behind[row], z = -blade.tooth_height - behind;
@@ -67,17 +60,11 @@ TouchingPoints touching_points(const StraightBlade& blade, const SawParameters& 
         for (std::size_t column = 0; column < columns; ++column) {
             const double x =
                 0.9 * blade.half_front() * (2.0 * static_cast<double>(column) / static_cast<double>(columns - 1) - 1.0);
-            const double k = side_stiffness(blade, x, z, stiffness);
-            for (const double side : {1.0, -1.0}) {
-                points.of_sides[points.side_count++] = {points.all.count(), behind};
-                points.all.add({x, side * 0.5 * blade.thickness, z}, {0, side, 0}, k, facing,
-                               slot_side + (side > 0.0 ? 0u : 2u) + (is_far ? 1u : 0u));
-            }
-            if (row + 1 == rows.count) points.all.add({x, 0.0, z}, {0, 0, -1}, stiffness, tip_facing, slot_back);
+            points.add_sides(x, z, blade.thickness, behind, side_stiffness(blade, x, z, stiffness), is_far);
+            if (row + 1 == rows.count)
+                points.all.add({x, 0.0, z}, {0, 0, -1}, stiffness, TouchingPoints::tip_facing, slot_back);
         }
-        for (const double side : {1.0, -1.0})
-            points.all.add({side * (blade.half_front() - bone.wall_error()), 0.0, z}, {side, 0, 0}, stiffness, facing,
-                           slot_edge + (side > 0.0 ? 0u : 1u));
+        points.add_ends(blade.half_front() - bone.wall_error(), z, stiffness);
     }
     return points;
 }

@@ -73,22 +73,12 @@ RemeshAnswer Displace::remesh(const RemeshJob& job) const {
             const auto burr = SweptBurr::make(run, cut.kerf, cut.from, cut.to, why);
             if (!burr) return RemeshAnswer::declined(why);
             Triangles next = mesh;
-            switch (displacement::displace(
-                next, locked.among(mesh), *burr, wall_fraction * job.tolerance(), [&job] { return job.is_cancelled(); },
-                why)) {
-                case Outcome::cut:
-                    mesh = std::move(next);
-                    has_changed = true;
-                    break;
-                case Outcome::cancelled:
-                    return RemeshAnswer::cancelled();
-                case Outcome::declined:
-                    return RemeshAnswer::declined(why);
-                case Outcome::refused:
-                    return RemeshAnswer::refused(why);
-                default:
-                    break;
-            }
+            const Outcome outcome = displacement::displace(next, locked.among(mesh), *burr,
+                                                           wall_fraction * job.tolerance(), job.cancelled(), why);
+            if (outcome == Outcome::unchanged) continue;
+            if (outcome != Outcome::cut) return RemeshAnswer::of(outcome, {}, why);
+            mesh = std::move(next);
+            has_changed = true;
         }
     }
     return has_changed ? RemeshAnswer::cut(std::move(mesh)) : RemeshAnswer::unchanged();

@@ -27,17 +27,11 @@ struct Displace {
     double tolerance;
 
     static constexpr auto about() {
-        using namespace literals;
         return describe("displace",
                         "Moves the surface onto the swept burr, and declines where a wall would be pierced.",
                         remeshes_patches(displacement::kernel.data()),
-                        param(&Displace::tolerance, {.id = "tolerance",
-                                                     .help = "Distance that the wall may be off the swept burr.",
-                                                     .unit = unit::um,
-                                                     .min = 1.0_um,
-                                                     .max = 1.0_mm,
-                                                     .def = 20.0_um,
-                                                     .source = "chosen: below the play of a burr's bearing"}));
+                        remesh_tolerance(&Displace::tolerance, "Distance that the wall may be off the swept burr.",
+                                         "chosen: below the play of a burr's bearing"));
     }
     [[nodiscard]] RemeshAnswer remesh(const RemeshJob& job) const;
 };

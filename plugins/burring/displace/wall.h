@@ -9,10 +9,8 @@
 
 namespace kerf::burring::displacement {
 
+using remeshing::Cancelled, remeshing::Outcome;
 using remeshing::Triangles;
-using Cancelled = std::function<bool()>;
-
-enum class Outcome { cut, unchanged, declined, refused, cancelled };
 
 /// Resolution of a wall.
 struct Fineness {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,11 @@
 
 /// Reads meshes from arenas and writes them, for both sides of the remeshing boundary. A draft, as remesh.h.
 namespace kerf::remeshing {
+
+/// How a cut of a mesh ended; `RemeshAnswer::of` returns the answer for it.
+enum class Outcome { cut, unchanged, declined, refused, cancelled };
+/// Returns whether the host has given up waiting. A cut calls it between two steps.
+using Cancelled = std::function<bool()>;
 
 /// Triangles with tags, in the form that crosses the boundary.
 struct Triangles {

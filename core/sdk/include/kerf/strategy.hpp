@@ -69,6 +69,10 @@ public:
     [[nodiscard]] bool is_cancelled() const noexcept {
         return in_->cancel != 0 && *reinterpret_cast<const volatile std::uint32_t*>(arena_->base + in_->cancel) != 0;
     }
+    /// Returns `is_cancelled` as a function, valid as long as the job.
+    [[nodiscard]] remeshing::Cancelled cancelled() const {
+        return [this] { return is_cancelled(); };
+    }
 
 private:
     const kerf_remesh_in* in_;
@@ -87,6 +91,22 @@ public:
     /// Reports that this job cannot be done; another seed may help.
     static RemeshAnswer refused(std::string why) { return {KERF_REMESH_REFUSED, std::move(why), {}}; }
     static RemeshAnswer cancelled() { return {KERF_REMESH_CANCELLED, {}, {}}; }
+    /// The answer to an outcome: `mesh` counts for a cut, `why` where it is declined or refused.
+    static RemeshAnswer of(remeshing::Outcome outcome, remeshing::Triangles mesh, std::string why) {
+        switch (outcome) {
+            case remeshing::Outcome::cut:
+                return cut(std::move(mesh));
+            case remeshing::Outcome::unchanged:
+                return unchanged();
+            case remeshing::Outcome::declined:
+                return declined(std::move(why));
+            case remeshing::Outcome::cancelled:
+                return cancelled();
+            case remeshing::Outcome::refused:
+                break;
+        }
+        return refused(std::move(why));
+    }
 
     /// Writes the answer for the host.
     [[nodiscard]] kerf_status write(kerf_arena& to, kerf_remesh_out& out) const {
@@ -113,6 +133,20 @@ concept StrategyComponent = requires(const T& strategy, const RemeshJob& job) {
 [[nodiscard]] constexpr Remeshes remeshes_patches(const char* kernel) noexcept { return {KERF_REMESH_PATCH, kernel}; }
 /// States that a strategy gets the whole mesh, and the library, version and flags on which its results depend.
 [[nodiscard]] constexpr Remeshes remeshes_whole(const char* kernel) noexcept { return {KERF_REMESH_WHOLE, kernel}; }
+
+/// Describes the parameter `tolerance`, which RemeshJob::tolerance() returns: 1 µm to 1 mm, 20 µm by default.
+template <class Strategy>
+[[nodiscard]] constexpr Param<Strategy> remesh_tolerance(double Strategy::*member, const char* help,
+                                                         const char* source) {
+    using namespace literals;
+    return param(member, {.id = "tolerance",
+                          .help = help,
+                          .unit = unit::um,
+                          .min = 1.0_um,
+                          .max = 1.0_mm,
+                          .def = 20.0_um,
+                          .source = source});
+}
 
 namespace detail {
 
