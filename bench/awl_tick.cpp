@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "bench/tick_rows.h"
 #include "studies/times.h"
 #include "tests/support/drill_rig.h"
 
@@ -60,10 +61,9 @@ void measure(double h) {
           Row{"crushes", false, 20.0_mm, 300.0, 3.0_mm, 8.0_mm}, Row{"wall", false, 1.0_mm, 1850.0, 0.5_mm, 2.5_mm}}) {
         std::vector<double> took;
         for (int round = 0; round < rounds; ++round) go_through(row, h, took);
-        const Times t = times_of(took);
-        if (row.turns) of_drill = t.mean;
-        std::printf("  %-8s %9.2f %9.2f %9.2f %9.2f   %6.2f   (%zu ticks)\n", row.name, t.mean, t.median, t.p999,
-                    t.longest, t.mean / of_drill, took.size());
+        const double mean = bench::print_times(row.name, took).mean;
+        if (row.turns) of_drill = mean;
+        std::printf("   %6.2f   (%zu ticks)\n", mean / of_drill, took.size());
         std::fflush(stdout);
     }
 }
@@ -71,7 +71,7 @@ void measure(double h) {
 }  // namespace
 
 int main() {
-    std::printf("[us]            mean    median     p99.9       max    ratio\n");
+    std::printf("%s    ratio\n", bench::times_header);
     for (const double h : {0.5_mm, 0.2_mm}) measure(h);
     return 0;
 }

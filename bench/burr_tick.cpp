@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
-#include <vector>
 
+#include "bench/tick_rows.h"
 #include "core/field/grid/kernel/block_kernel.h"
 #include "studies/times.h"
 #include "tests/support/burr_rig.h"
@@ -26,11 +26,6 @@ const Vec3 low{-8.0_mm, -8.0_mm, -14.0_mm}, high{16.0_mm, 8.0_mm, 0};
 
 const NetTime cost_of([](const auto& work) { return processor_time_of(work); });
 
-void print(const char* what, const std::vector<double>& microseconds) {
-    const Times t = times_of(microseconds);
-    std::printf("  %-8s %9.2f %9.2f %9.2f %9.2f\n", what, t.mean, t.median, t.p999, t.longest);
-}
-
 /// The ticks of a tool whose hand is at `hand(t)` at time t [s], from `settled` on.
 void measure(const char* tool, const ToolSetup& setup, double h, double settled,
              const std::function<Pose(double)>& hand) {
@@ -42,28 +37,18 @@ void measure(const char* tool, const ToolSetup& setup, double h, double settled,
         return DeviceSample{hand(time)};
     };
     while (time < settled) (void)simulation.tick(next());
-    std::vector<double> loop, no_lag, both;
-    for (int i = 0; i < ticks; ++i) {
-        const DeviceSample sample = next();
-        TickResult result;
-        const double in_loop = cost_of([&] { result = simulation.loop().tick(sample); });
-        const double by_worker = cost_of([&] { simulation.follow(); });
-        loop.push_back(in_loop);
-        no_lag.push_back(by_worker);
-        both.push_back(in_loop + by_worker);
-        force += length(linear(result.bone_on_tool)) / ticks;
-    }
+    bench::TickCosts costs;
+    for (int i = 0; i < ticks; ++i)
+        force += length(linear(costs.tick(simulation, next(), cost_of).bone_on_tool)) / ticks;
     std::printf("%s, spacing %.2f mm, %.1f N, kernel %s\n", tool, h / 1.0_mm, force, block_kernel().name);
-    print("loop", loop);
-    print("no lag", no_lag);
-    print("both", both);
+    costs.print();
     std::fflush(stdout);
 }
 
 }  // namespace
 
 int main() {
-    std::printf("[us]            mean    median     p99.9       max\n");
+    std::printf("%s\n", bench::times_header);
     for (const double h : {0.5_mm, 0.25_mm, 0.2_mm}) {
         measure("round burr of 4 mm", test::round_burr(), h, 3.0, [](double t) {
             // From beside the block, at speed, then along the groove at 2 mm/s.

@@ -86,13 +86,6 @@ Vec3 random_offset(std::mt19937& random) {
     return {x, y, share(random)};
 }
 
-double box(Vec3 p, Vec3 low, Vec3 high) {
-    const Vec3 q{std::max(low.x - p.x, p.x - high.x), std::max(low.y - p.y, p.y - high.y),
-                 std::max(low.z - p.z, p.z - high.z)};
-    return length(Vec3{std::max(q.x, 0.0), std::max(q.y, 0.0), std::max(q.z, 0.0)}) +
-           std::min(0.0, std::max({q.x, q.y, q.z}));
-}
-
 // ---- an older hole ------------------------------------------------------------------------------------------------
 
 void crossing(int offsets) {
@@ -100,11 +93,13 @@ void crossing(int offsets) {
     const chart::CuttingLaw law = law_of_the_plugin();
     const Vec3 low{-18.0_mm, -5.0_mm, -thickness}, high{18.0_mm, 5.0_mm, 0.0};
     chart::Scene whole;
-    whole.bone = {[=](Vec3 p) { return box(p, low, high); }, {{"cortical", 1850.0, {}}}, low, high};
+    whole.bone = {[=](Vec3 p) { return test::box_distance(p, low, high); }, {{"cortical", 1850.0, {}}}, low, high};
     whole.drill.diameter = diameter;
     whole.drill.point_angle = 118.0_deg;
     chart::Scene second = whole;
-    second.bone.surface = [=](Vec3 p) { return std::max(box(p, low, high), 0.5 * diameter - std::hypot(p.x, p.y)); };
+    second.bone.surface = [=](Vec3 p) {
+        return std::max(test::box_distance(p, low, high), 0.5 * diameter - std::hypot(p.x, p.y));
+    };
     second.along = normalized(Vec3{1, 0, -1});
     second.entry = {-0.5 * thickness, 0, 0};  // the axes meet in the middle of the block
     second.depth = {-above - 0.5 * diameter};
@@ -223,7 +218,8 @@ void tilted_volume(int offsets) {
     constexpr double thickness = 6.0_mm, tilt = 30.0_deg;
     const double exact = pi * 0.25 * diameter * diameter * thickness / std::cos(tilt);
     const Vec3 low{-12.0_mm, -8.0_mm, -thickness}, high{12.0_mm, 8.0_mm, 0.0};
-    const chart::ExactBone bone{[=](Vec3 p) { return box(p, low, high); }, {{"cortical", 1850.0, {}}}, low, high};
+    const chart::ExactBone bone{
+        [=](Vec3 p) { return test::box_distance(p, low, high); }, {{"cortical", 1850.0, {}}}, low, high};
     for (const double h : {0.5_mm, 0.2_mm}) {
         std::mt19937 random(42);
         double sum = 0.0, worst = 0.0;

@@ -23,14 +23,17 @@
 #include "kerf/units.hpp"
 #include "run/run_procedure.h"
 #include "run/scene.h"
+#include "studies/drawing/cells.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
+#include "tests/support/drill_rig.h"
 #include "text/write_file.h"
 
 namespace {
 
 using namespace kerf;
 using namespace literals;
+using test::plugins;
 
 constexpr const char* procedure_file = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml";
 constexpr std::array devices{"touch", "desktop", "premium-1.5-6dof", "omega.6"};
@@ -44,15 +47,6 @@ struct Bone {
 constexpr std::array phantoms{Bone{"phantom", "", ""}, Bone{"steep", "", "steep-facet"}};
 constexpr std::array scans{Bone{"L3", KERF_SOURCE_DIR "/tests/real-data/l3.yaml", ""},
                            Bone{"T12", KERF_SOURCE_DIR "/tests/real-data/t12.yaml", ""}};
-
-const PluginRegistry& plugins() {
-    static const PluginRegistry registry = [] {
-        PluginRegistry r;
-        r.scan({KERF_BUILD_DIR "/lib/kerf"});
-        return r;
-    }();
-    return registry;
-}
 
 Scene scene_of(const Bone& bone, std::vector<std::string> settings) {
     Diagnostics diagnostics;
@@ -117,15 +111,23 @@ constexpr double top = 64.0;
 struct View {
     const Scene* scene;
     Vec3 aside;  ///< to the right
-    double left;
+    drawing::CellArea area;
 
-    [[nodiscard]] double x_of(double beside) const { return left + (beside + shown_beside) * pixels; }
-    [[nodiscard]] static double y_of(double depth) { return top + (depth + shown_before) * pixels; }
+    View(const Scene& of, Vec3 to_the_right, double left)
+        : scene(&of),
+          aside(to_the_right),
+          area{.x_low = -shown_beside,
+               .x_high = shown_beside,
+               .y_low = -shown_before,
+               .y_high = shown_behind,
+               .cell = 0.5_mm,
+               .left = left,
+               .top = top,
+               .pixels = pixels} {}
 };
 
-/// Bone in rows of cells; those of one shade side by side are one rectangle.
+/// Bone by its density.
 std::string bone_svg(const View& view) {
-    constexpr double cell = 0.5_mm;
     constexpr int shades = 6;
     const AxisFrame& frame = view.scene->frames.front();
     const Body& body = view.scene->body;
@@ -138,25 +140,10 @@ std::string bone_svg(const View& view) {
             density += weight[m] * body.materials[m].densities.at(place, body.materials[m].density);
         return 1 + std::clamp(static_cast<int>(density / 1850.0 * shades), 0, shades - 1);
     };
-    std::string svg;
-    for (double depth = -shown_before; depth < shown_behind; depth += cell) {
-        double begun = -shown_beside;
-        int shade = shade_at(begun, depth);
-        for (double beside = begun; beside <= shown_beside; beside += cell) {
-            const int now = beside + cell > shown_beside ? -1 : shade_at(beside, depth);
-            if (now == shade) continue;
-            if (shade > 0) {
-                const int grey = 225 - 22 * shade;
-                svg += "<rect x=\"" + drawing::px(view.x_of(begun)) + "\" y=\"" + drawing::px(View::y_of(depth)) +
-                       "\" width=\"" + drawing::px((beside - begun) * pixels) + "\" height=\"" +
-                       drawing::px(cell * pixels + 0.3) + "\" fill=\"rgb(" + std::to_string(grey) + "," +
-                       std::to_string(grey - 4) + "," + std::to_string(grey - 14) + ")\"/>\n";
-            }
-            begun = beside;
-            shade = now;
-        }
-    }
-    return svg;
+    return drawing::cells_svg(view.area, shade_at, [](int shade) {
+        const int grey = 225 - 22 * shade;
+        return "rgb(" + std::to_string(grey) + "," + std::to_string(grey - 4) + "," + std::to_string(grey - 14) + ")";
+    });
 }
 
 std::string path_svg(const View& view, const std::vector<Vec3>& path, const char* colour, double width,
@@ -168,7 +155,7 @@ std::string path_svg(const View& view, const std::vector<Vec3>& path, const char
     for (const Vec3 tip : path) {
         const double depth = frame.depth_of(tip), beside = dot(tip - frame.entry, view.aside);
         if (std::abs(beside) > shown_beside || depth < -shown_before || depth > shown_behind) continue;
-        svg += drawing::px(view.x_of(beside)) + "," + drawing::px(View::y_of(depth)) + " ";
+        svg += drawing::px(view.area.px_of_x(beside)) + "," + drawing::px(view.area.px_of_y(depth)) + " ";
     }
     return svg + "\"/>\n";
 }
@@ -182,7 +169,7 @@ std::string picture_of(const Bone& bone, const Scene& scene, const std::map<std:
     std::string svg;
     for (const auto& [aside, title, at] :
          {std::tuple{medial, "lateral → medial", 20.0}, std::tuple{cranial, "caudal → cranial", 20.0 + width + gap}}) {
-        const View view{&scene, aside, at};
+        const View view(scene, aside, at);
         svg += drawing::text_at(at + 0.5 * width, 52.0, title, "text-anchor=\"middle\"");
         svg += bone_svg(view);
         svg += path_svg(view, runs.at("expert").path, "#0072b2", drill * pixels, "stroke-opacity=\"0.45\"");
@@ -190,7 +177,7 @@ std::string picture_of(const Bone& bone, const Scene& scene, const std::map<std:
         const std::vector<Vec3> planned{frame.entry - shown_before * frame.along, frame.entry + 32.0_mm * frame.along};
         svg += path_svg(view, planned, "#444", 1.5, "stroke-dasharray=\"6 4\"");
     }
-    const double below = View::y_of(shown_behind) + 24.0;
+    const double below = View(scene, medial, 20.0).area.px_of_y(shown_behind) + 24.0;
     svg += drawing::text_at(20.0, below,
                             "planned axis: dashed; with a starting hole: blue; without: orange. 3.2 mm drill.");
     return drawing::picture(40.0 + 2.0 * width + gap, below + 20.0,

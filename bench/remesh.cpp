@@ -29,9 +29,9 @@
 #include <utility>
 #include <vector>
 
+#include "bench/strategy_modules.h"
 #include "bone/remesh/accept.h"
 #include "bone/remesh/local_cutting.h"
-#include "bone/remesh/remesh_module.h"
 #include "bone/surface/edges.h"
 #include "studies/chart/surfaces/burr_on_slab.h"
 #include "studies/chart/surfaces/groove_surfaces.h"
@@ -44,17 +44,9 @@ using namespace kerf;
 using namespace literals;
 using test::bent_bone, test::blade_at, test::cut_across, test::slot_blade;
 
-std::unique_ptr<RemeshModule> module, displace_module;
+bench::StrategyModules strategies;
 
-RemeshResult ask(const char* strategy, const RemeshRequest& request) {
-    const kerf_component* found = module->find(strategy);
-    return remesh_here(found != nullptr ? *found : *displace_module->find(strategy), request);
-}
-
-double percentile(std::vector<double> times, double share) {
-    std::sort(times.begin(), times.end());
-    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
-}
+RemeshResult ask(const char* strategy, const RemeshRequest& request) { return strategies.ask(strategy, request); }
 
 std::string flaw_of(const TaggedMesh& base, const LocalCutting& cutting) {
     for (const auto& stale : cutting.stale()) return stale.why;
@@ -100,8 +92,8 @@ void steps() {
         }
         const double ours = times_of(local).median, theirs = times_of(whole).median;
         std::printf("%10zu  %8.1f %8.1f  %8.1f  %8.1f %8.1f  %6.1f  %d\n", bone.tags.size(), 1e-3 * ours,
-                    1e-3 * percentile(local, 0.99), 1e-3 * times_of(asked).median, 1e-3 * theirs,
-                    1e-3 * percentile(whole, 0.99), theirs / ours, saw.refusals());
+                    1e-3 * quantile_of(local, 0.99), 1e-3 * times_of(asked).median, 1e-3 * theirs,
+                    1e-3 * quantile_of(whole, 0.99), theirs / ours, saw.refusals());
     }
 }
 
@@ -144,7 +136,7 @@ void long_run() {
     std::printf(
         "\n%zu steps of 0.05 mm in four slots: first tenth %.1f ms, last %.1f ms, median of all %.1f ms, p99 %.1f ms\n"
         "%zu faces, then %zu; %u pieces; %d refused; %s\n",
-        times.size(), 1e-3 * first, 1e-3 * last, 1e-3 * times_of(times).median, 1e-3 * percentile(times, 0.99),
+        times.size(), 1e-3 * first, 1e-3 * last, 1e-3 * times_of(times).median, 1e-3 * quantile_of(times, 0.99),
         bone.tags.size(), mesh.triangles.size(), pieces_of(mesh, half_edges_of(mesh)).count, saw.refusals(),
         flaw.empty() ? "closed, no crossings" : flaw.c_str());
 }
@@ -303,14 +295,11 @@ void groove_picture(const char* file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::string error;
-    module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
-    if (module != nullptr) displace_module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_burring.so", error);
-    if (module == nullptr || displace_module == nullptr) {
+    if (const std::string error = strategies.open({"kerf_remesh_cgal", "kerf_burring"}); !error.empty()) {
         std::fprintf(stderr, "%s\n", error.c_str());
         return 2;
     }
-    std::printf("%s\n\n", module->find("local")->remesher->kernel);
+    std::printf("%s\n\n", strategies.find("local")->remesher->kernel);
     const std::string what = argc > 1 ? argv[1] : "";
     if (what.empty() || what == "steps") steps();
     if (what.empty() || what == "cut") cut();

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "bench/strategy_modules.h"
 #include "bone/remesh/local_cutting.h"
-#include "bone/remesh/remesh_module.h"
 #include "bone/surface/mesh_distances.h"
 #include "core/field/cut/removed_volume.h"
 #include "core/field/surface/bone_surface.h"
@@ -35,15 +35,10 @@ using namespace literals;
 using drawing::figure;
 using test::bent_bone, test::blade_at, test::cut_across, test::slot_blade;
 
-std::unique_ptr<RemeshModule> module;
+bench::StrategyModules strategies;
 
-RemeshResult ask(const char* strategy, const RemeshRequest& request) {
-    return remesh_here(*module->find(strategy), request);
-}
-double percentile(std::vector<double> times, double share) {
-    std::sort(times.begin(), times.end());
-    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
-}
+RemeshResult ask(const char* strategy, const RemeshRequest& request) { return strategies.ask(strategy, request); }
+
 drawing::Marker marker(double x, double y, std::string label = {}) {
     drawing::Marker m;
     m.x = x;
@@ -99,7 +94,7 @@ drawing::Panel cost_of_steps(const std::vector<double>& sizes) {
         local.markers.push_back(ours_at);
         strategy.markers.push_back(marker(triangles, times_of(asked).median));
         whole.markers.push_back(marker(triangles, times_of(theirs).median));
-        std::printf("%10.0f  %10.2f %10.2f  %10.2f  %10.2f\n", triangles, ours_at.y, percentile(ours, 0.99),
+        std::printf("%10.0f  %10.2f %10.2f  %10.2f  %10.2f\n", triangles, ours_at.y, quantile_of(ours, 0.99),
                     strategy.markers.back().y, whole.markers.back().y);
         std::fflush(stdout);
     }
@@ -177,10 +172,10 @@ drawing::Panel cost_of_a_slot(double size, const std::vector<double>& spacings) 
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::string error;
-    module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
-    if (argc < 2 || module == nullptr) {
-        std::fprintf(stderr, "%s\n", module == nullptr ? error.c_str() : "usage: bench_remesh_chart FILE.svg [quick]");
+    std::string error = strategies.open({"kerf_remesh_cgal"});
+    if (argc < 2) error = "usage: bench_remesh_chart FILE.svg [quick]";
+    if (!error.empty()) {
+        std::fprintf(stderr, "%s\n", error.c_str());
         return 2;
     }
     const bool is_quick = argc > 2 && std::strcmp(argv[2], "quick") == 0;

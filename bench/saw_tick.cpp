@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a tick of sawing costs: an oscillating blade of 40 teeth, all in bone, fed by hand at 1 mm/s through a shelled
-// block. Time on the processor, of this thread. The same ticks are gone through five times: what else the machine does
-// falls on other ticks each time, so the least that one took is what it takes by itself.
+// block. Time on the processor, of this thread, without what reading it costs. The same ticks run five times: other
+// load of the machine falls on other ticks each time, so the least time of a tick is its own cost.
 //
-//     loop      all of a tick: the teeth and the sides asked about, the law, the solve, commit, the committed cut
-//     stamped no lag    the second field, which the worker stamps: not part of the loop both      the two together
+//     loop      all of a tick: the teeth and the sides sampled, the law, the solve, commit, the committed cut
+//     no lag    the second field, which the worker stamps: not part of the loop
+//     both      the two together
 //     least     of the loop, of each tick the least of the five
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <limits>
 #include <vector>
 
+#include "bench/tick_rows.h"
 #include "core/field/grid/kernel/block_kernel.h"
 #include "studies/times.h"
 #include "tests/support/drilled_block.h"
@@ -25,17 +27,10 @@ using namespace literals;
 constexpr double feed = 1.0_mm_per_s, approach = 3.0_mm_per_s;
 constexpr int ticks = 3000, rounds = 5;
 
-void print(const char* what, const std::vector<double>& microseconds) {
-    const Times t = times_of(microseconds);
-    std::printf("  %-8s %9.2f %9.2f %9.2f %9.2f\n", what, t.mean, t.median, t.p999, t.longest);
-}
-
-struct Row {
-    std::vector<double> loop, no_lag, both;
-};
+const NetTime cost_of([](const auto& work) { return processor_time_of(work); });
 
 /// The ticks gone through once, each with what it took [us]; false: the saw does not come so deep.
-bool saw(double h, bool is_told, Row& row) {
+bool saw(double h, bool is_told, bench::TickCosts& costs) {
     const Body body = test::shelled_block({-17.0_mm, -4.0_mm, -14.0_mm}, {17.0_mm, 4.0_mm, 0}, 2.0_mm, h);
     const ToolSetup setup = test::saw({{"tooth_count", 40.0}, {"tooth_pitch", 0.6_mm}, {"run_up", 200.0_ms}});
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
@@ -58,12 +53,7 @@ bool saw(double h, bool is_told, Row& row) {
     const double from = depth();
     double teeth = 0.0;
     for (int i = 0; i < ticks; ++i) {
-        const DeviceSample sample = move(feed);
-        const double in_loop = processor_time_of([&] { (void)simulation.loop().tick(sample); });
-        const double by_worker = processor_time_of([&] { simulation.follow(); });
-        row.loop.push_back(in_loop);
-        row.no_lag.push_back(by_worker);
-        row.both.push_back(in_loop + by_worker);
+        (void)costs.tick(simulation, move(feed), cost_of);
         teeth += simulation.signals()[1] / ticks;
     }
     if (is_told)
@@ -73,27 +63,23 @@ bool saw(double h, bool is_told, Row& row) {
 }
 
 void measure(double h) {
-    Row all;
+    bench::TickCosts all;
     std::vector<double> least(ticks, std::numeric_limits<double>::max());
     for (int round = 0; round < rounds; ++round) {
-        Row row;
-        if (!saw(h, round == 0, row)) return;
-        for (int i = 0; i < ticks; ++i) least[i] = std::min(least[i], row.loop[i]);
-        all.loop.insert(all.loop.end(), row.loop.begin(), row.loop.end());
-        all.no_lag.insert(all.no_lag.end(), row.no_lag.begin(), row.no_lag.end());
-        all.both.insert(all.both.end(), row.both.begin(), row.both.end());
+        bench::TickCosts costs;
+        if (!saw(h, round == 0, costs)) return;
+        for (int i = 0; i < ticks; ++i) least[i] = std::min(least[i], costs.loop[i]);
+        all.add(costs);
     }
-    print("loop", all.loop);
-    print("no lag", all.no_lag);
-    print("both", all.both);
-    print("least", least);
+    all.print();
+    bench::print_row("least", least);
     std::fflush(stdout);
 }
 
 }  // namespace
 
 int main() {
-    std::printf("[us]            mean    median     p99.9       max      (bars at 0.2 mm: loop mean 25, max 60)\n");
+    std::printf("%s      (bars at 0.2 mm: loop mean 25, max 60)\n", bench::times_header);
     for (const double h : {0.5_mm, 0.2_mm}) measure(h);
     return 0;
 }

@@ -16,6 +16,7 @@
 #include "kerf/units.hpp"
 #include "run/verdict/cut_results.h"
 #include "run/verdict/screw_grade.h"
+#include "studies/drawing/cells.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
 #include "text/write_file.h"
@@ -69,32 +70,28 @@ std::string tile_svg(const Scene& scene, const AxisFrame& frame, const Wrong& wr
                      double left, double top) {
     const bool is_sagittal = wrong.cranial != 0.0 || wrong.cranial_angle != 0.0;
     const Vec3 aside = is_sagittal ? cranial_of(frame) : frame.medial;
-    const auto x_of = [&](double beside) { return left + 0.5 * tile + beside * pixels; };
-    const auto y_of = [&](double depth) { return top + (depth + 8.0_mm) * pixels; };
+    const drawing::CellArea area{.x_low = -35.0_mm,
+                                 .x_high = 35.0_mm,
+                                 .y_low = -8.0_mm,
+                                 .y_high = 62.0_mm,
+                                 .cell = 0.5_mm,
+                                 .left = left + 0.5 * tile - 35.0_mm * pixels,
+                                 .top = top,
+                                 .pixels = pixels};
     std::string svg = "<rect x=\"" + drawing::px(left) + "\" y=\"" + drawing::px(top) + "\" width=\"" +
                       drawing::px(tile) + "\" height=\"" + drawing::px(tile) + "\" fill=\"#f4f5f7\"/>\n";
-    constexpr double cell = 0.5_mm;
-    for (double depth = -8.0_mm; depth < 62.0_mm; depth += cell) {
-        double begun = -HUGE_VAL;
-        for (double beside = -35.0_mm; beside <= 35.0_mm; beside += cell) {
-            const bool is_last = beside + cell > 35.0_mm;
-            const bool is_bone =
-                uncut_distance(scene.body, locate(scene.body, frame.entry + depth * frame.along + beside * aside)) <
-                0.0;
-            if (is_bone && begun == -HUGE_VAL) begun = beside;
-            if ((!is_bone || is_last) && begun != -HUGE_VAL) {
-                svg += "<rect x=\"" + drawing::px(x_of(begun)) + "\" y=\"" + drawing::px(y_of(depth)) + "\" width=\"" +
-                       drawing::px((beside - begun) * pixels) + "\" height=\"" + drawing::px(cell * pixels + 0.3) +
-                       "\" fill=\"#dcc9a0\"/>\n";
-                begun = -HUGE_VAL;
-            }
-        }
-    }
+    svg += drawing::cells_svg(
+        area,
+        [&](double beside, double depth) {
+            const Vec3 at = frame.entry + depth * frame.along + beside * aside;
+            return uncut_distance(scene.body, locate(scene.body, at)) < 0.0 ? 1 : 0;
+        },
+        [](int) { return std::string("#dcc9a0"); });
     const Pose screw = pose_of(wrong, frame);
     const Vec3 along = rotate(screw.rotation, {0, 0, 1});
     const auto at = [&](Vec3 p) {
-        return "x=\"" + drawing::px(x_of(dot(p - frame.entry, aside))) + "\" y=\"" +
-               drawing::px(y_of(frame.depth_of(p))) + "\"";
+        return "x=\"" + drawing::px(area.px_of_x(dot(p - frame.entry, aside))) + "\" y=\"" +
+               drawing::px(area.px_of_y(frame.depth_of(p))) + "\"";
     };
     const auto end = [&](Vec3 p, const char* n) {
         std::string text = at(p);

@@ -5,9 +5,8 @@
 //              FlyingEdges3D (float, with normals) and OpenVDB's volumeToMesh (quads, no normals) of the same samples,
 //              by turns, in one run
 //     frames   what a tool changes in a thirtieth of a second at 0.2 mm: the bricks it touched, meshed anew, and the
-//     table of all bricks
-//              that readers are handed, made anew. table, list: of that the table, and what one pointer for every brick
-//              would take
+//              table of all bricks that readers get, made anew. table, list: that table alone, and a copy of one
+//              pointer for every brick
 //     ratio    median of the others / median of ours
 //
 // Times on the processor, so that what else the machine does is not counted.
@@ -73,6 +72,43 @@ void print(const char* who, const std::vector<double>& times, std::size_t triang
     std::printf("\n");
 }
 
+#ifdef KERF_HAS_VTK
+FlyingEdges flying_edges_of(const Body& body) {
+    const Grid& g = body.grid();
+    std::vector<float> dense;
+    dense.reserve(g.brick_count() * brick_edge * brick_edge * brick_edge);
+    for (int k = 0; k < g.samples(2); ++k)
+        for (int j = 0; j < g.samples(1); ++j)
+            for (int i = 0; i < g.samples(0); ++i)
+                dense.push_back(static_cast<float>(g.quantum() * body.surface.sample(i, j, k)));
+    return FlyingEdges({g.samples(0), g.samples(1), g.samples(2)}, g.spacing, {g.origin.x, g.origin.y, g.origin.z},
+                       dense);
+}
+#endif
+
+#ifdef KERF_HAS_OPENVDB
+openvdb::FloatGrid::Ptr sparse_grid_of(const Body& body) {
+    const Grid& g = body.grid();
+    openvdb::initialize();
+    openvdb::FloatGrid::Ptr sparse = openvdb::FloatGrid::create(static_cast<float>(g.clamp()));
+    auto accessor = sparse->getAccessor();
+    for (int k = 0; k < g.samples(2); ++k)
+        for (int j = 0; j < g.samples(1); ++j)
+            for (int i = 0; i < g.samples(0); ++i) {
+                const std::int16_t v = body.surface.sample(i, j, k);
+                const auto metres = static_cast<float>(g.quantum() * v);
+                if (v == -32767)
+                    accessor.setValueOff({i, j, k}, metres);
+                else if (v != 32767)
+                    accessor.setValue({i, j, k}, metres);
+            }
+    sparse->setTransform(openvdb::math::Transform::createLinearTransform(g.spacing));
+    sparse->setGridClass(openvdb::GRID_LEVEL_SET);
+    sparse->pruneGrid();
+    return sparse;
+}
+#endif
+
 void whole(int rounds) {
     const Body body = bone_of(false), shelled = bone_of(true);
     const CutField cut(body, 1), shelled_cut(shelled, 1);
@@ -81,37 +117,13 @@ void whole(int rounds) {
     std::printf("whole: %d x %d x %d samples, %zu triangles\n", g.samples(0), g.samples(1), g.samples(2), triangles);
 
 #ifdef KERF_HAS_VTK
-    std::vector<float> dense;
-    dense.reserve(g.brick_count() * brick_edge * brick_edge * brick_edge);
-    for (int k = 0; k < g.samples(2); ++k)
-        for (int j = 0; j < g.samples(1); ++j)
-            for (int i = 0; i < g.samples(0); ++i)
-                dense.push_back(static_cast<float>(g.quantum() * body.surface.sample(i, j, k)));
-    const FlyingEdges flying({g.samples(0), g.samples(1), g.samples(2)}, g.spacing,
-                             {g.origin.x, g.origin.y, g.origin.z}, dense);
+    const FlyingEdges flying = flying_edges_of(body);
     std::vector<double> vtk;
     std::size_t vtk_triangles = 0;
 #endif
 #ifdef KERF_HAS_OPENVDB
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-    openvdb::initialize();
-    const auto sparse = openvdb::FloatGrid::create(static_cast<float>(g.clamp()));
-    {
-        auto accessor = sparse->getAccessor();
-        for (int k = 0; k < g.samples(2); ++k)
-            for (int j = 0; j < g.samples(1); ++j)
-                for (int i = 0; i < g.samples(0); ++i) {
-                    const std::int16_t v = body.surface.sample(i, j, k);
-                    const auto metres = static_cast<float>(g.quantum() * v);
-                    if (v == -32767)
-                        accessor.setValueOff({i, j, k}, metres);
-                    else if (v != 32767)
-                        accessor.setValue({i, j, k}, metres);
-                }
-        sparse->setTransform(openvdb::math::Transform::createLinearTransform(g.spacing));
-        sparse->setGridClass(openvdb::GRID_LEVEL_SET);
-        sparse->pruneGrid();
-    }
+    const openvdb::FloatGrid::Ptr sparse = sparse_grid_of(body);
     std::vector<double> openvdb;
 #endif
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick costs: a 5.4 mm drill fed by hand at 1 mm/s, 14 mm deep in a shelled block, beside two plain ways, in one
-// run and in turns of 100 ticks. Time on the processor, without what asking for it takes, which the first line says.
+// What a tick costs: a 5.4 mm drill fed by hand at 1 mm/s, 14 mm deep in a shelled block, next to two plain methods, in
+// one run and in turns of 100 ticks. Time on the processor, without what reading it costs, which the first line prints.
 //
-//     loop        all of a tick with the points that the law itself asks about: as many laws as it needs, contact with
+//     loop        all of a tick with the points that the law itself samples: as many laws as it needs, contact with
 //                 normals, the solve, commit, committed cut
-//     + points    the loop, and as many points besides as make 500 edges with their gap and 2000 contact points with
+//     + points    the loop, and as many more points as make 500 edges with their gap and 2000 contact points with
 //     normals no lag      the second field, which the worker stamps: not part of the loop all         loop, points and
 //     no lag papers      500 edges and 2000 contact points, nearest voxel; then every voxel of the tool's bounding box
 //                 (plain_papers.h)
@@ -21,6 +21,7 @@
 
 #include "bench/dense_field.h"
 #include "bench/plain_papers.h"
+#include "bench/tick_rows.h"
 #include "core/field/grid/kernel/block_kernel.h"
 #include "studies/times.h"
 #include "tests/support/drill_rig.h"
@@ -115,8 +116,7 @@ struct Baselines {
     Times papers, dense;
 };
 void print(const char* what, const std::vector<double>& microseconds, const Baselines* baselines = nullptr) {
-    const Times t = times_of(microseconds);
-    std::printf("  %-9s %9.2f %9.2f %9.2f %9.2f", what, t.mean, t.median, t.p999, t.longest);
+    const Times t = bench::print_times(what, microseconds);
     if (baselines != nullptr)
         for (const Times& b : {baselines->papers, baselines->dense})
             std::printf("   %7.1f (%.1f)", b.mean / t.mean, b.median / t.median);
@@ -145,88 +145,116 @@ void compare_kernels(const BodiesView& bone, ManyPoints& points) {
     use_block_kernel(before);
 }
 
-void measure(double h) {
-    const Body body = test::shelled_block(low, high, 1.0_mm, h);
-    const ToolSetup setup = test::twist_drill({{"diameter", diameter}});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
-    double hand = -1.0_mm;
-    const auto move = [&](double rate) { hand += rate * Simulation::dt; };
-    const auto at = [&] { return -simulation.world_from_tool().position.z; };
-    const auto drill = [&](double rate) {
+/// The drill, and a hand that moves it down.
+struct FedDrill {
+    ToolSetup setup = test::twist_drill({{"diameter", diameter}});
+    Simulation simulation;
+    double hand = -1.0_mm;  ///< [m] depth of the hand
+
+    explicit FedDrill(const Body& body)
+        : simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm)) {}
+    /// Moves the hand by a tick at `rate` [m/s].
+    void move(double rate) { hand += rate * Simulation::dt; }
+    [[nodiscard]] double at() const { return -simulation.world_from_tool().position.z; }  ///< [m] depth of the tip
+    void drill(double rate) {
         move(rate);
         sink += simulation.tick({test::at_depth(hand)}).thrust;
-    };
-    while (at() < depth - (0.5 * ticks + settling) * feed * Simulation::dt) {
-        drill(approach);
-        if (hand > depth + 6.0_mm) {
-            std::printf("the drill does not come so deep: it stands at %.1f mm\n", at() / 1.0_mm);
-            return;
-        }
     }
-    for (int n = 0; n < settling; ++n) drill(feed);
+    /// Drills to where measuring begins. Returns whether the drill gets there.
+    bool approach_depth() {
+        while (at() < depth - (0.5 * ticks + settling) * feed * Simulation::dt) {
+            drill(approach);
+            if (hand > depth + 6.0_mm) return false;
+        }
+        for (int n = 0; n < settling; ++n) drill(feed);
+        return true;
+    }
+};
+
+/// Costs of each tick [µs]; bricks that it stamped.
+struct Costs {
+    std::vector<double> loop, no_lag, with_points, all, papers, dense, bricks;
+    std::vector<double> papers_force, papers_removal;
+};
+
+/// Measures `turn` ticks of the loop, then the baselines at the same poses.
+void measure_turn(FedDrill& fed, ManyPoints& points, bench::PlainPapers& plain, bench::DenseField& field,
+                  Costs& costs) {
+    Simulation& simulation = fed.simulation;
+    std::vector<Pose> poses;
+    for (int n = 0; n < turn; ++n) {
+        fed.move(feed);
+        const DeviceSample sample{test::at_depth(fed.hand)};
+        const double in_loop = cost_of([&] { sink += simulation.loop().tick(sample).thrust; });
+        const double by_worker = cost_of([&] { simulation.follow(); });
+        const double more = cost_of([&] {
+            points.ask_edges(simulation.bone(), points.edge_count());
+            points.ask_contact(simulation.bone());
+        });
+        costs.loop.push_back(in_loop);
+        costs.no_lag.push_back(by_worker);
+        costs.bricks.push_back(simulation.tracker().last_bricks());
+        costs.with_points.push_back(in_loop + more);
+        costs.all.push_back(in_loop + by_worker + more);
+        poses.push_back(simulation.world_from_tool());
+    }
+    for (const Pose& pose : poses) {
+        const double force = cost_of([&] {
+            const Vec6 cut = plain.cutting(pose, feed * 0.03), touch = plain.contact(pose);
+            sink += cut[2] + touch[0];
+        });
+        const double removal = cost_of([&] { sink += static_cast<double>(plain.remove(pose)); });
+        costs.papers_force.push_back(force);
+        costs.papers_removal.push_back(removal);
+        costs.papers.push_back(force + removal);
+        costs.dense.push_back(cost_of([&] {
+            sink += field.cutting(pose, points.edges) + field.contact(pose, points.contact).x;
+            field.remove(pose);
+        }));
+    }
+}
+
+void print(const Costs& costs) {
+    const Baselines baselines{times_of(costs.papers), times_of(costs.dense)};
+    print("loop", costs.loop, &baselines);
+    print("+ points", costs.with_points, &baselines);
+    print("no lag", costs.no_lag);
+    print("all", costs.all, &baselines);
+    print("papers", costs.papers);
+    print(" points", costs.papers_force);
+    print(" removal", costs.papers_removal);
+    print("dense", costs.dense);
+    const Times stamped = times_of(costs.bricks);
+    std::printf("  bricks that a tick stamped, of %d as a rule: mean %.1f, p99.9 %.0f, most %.0f\n",
+                CutTracker::bricks_per_tick, stamped.mean, stamped.p999, stamped.longest);
+}
+
+void measure(double h) {
+    const Body body = test::shelled_block(low, high, 1.0_mm, h);
+    FedDrill fed(body);
+    if (!fed.approach_depth()) {
+        std::printf("the drill does not come so deep: it stands at %.1f mm\n", fed.at() / 1.0_mm);
+        return;
+    }
     bench::PlainPapers plain(low, high, h, 300.0, {radius, point_depth, depth + 3.0_mm});
     bench::DenseField field(low, high, h, {radius, point_depth, depth + 3.0_mm});
-    for (double z = 0.0; z < at(); z += 0.5 * h) {
+    for (double z = 0.0; z < fed.at(); z += 0.5 * h) {
         plain.remove(test::at_depth(z));
         field.remove(test::at_depth(z));
     }
 
-    std::vector<double> loop, no_lag, with_points, all, papers, dense, bricks;
-    std::vector<double> papers_force, papers_removal;
-    const Count own = points_of_law(simulation, setup);
+    const Count own = points_of_law(fed.simulation, fed.setup);
     ManyPoints points(own);
-    const double from = at();
-    for (int t = 0; t < ticks; t += turn) {
-        std::vector<Pose> poses;
-        for (int n = 0; n < turn; ++n) {
-            move(feed);
-            const DeviceSample sample{test::at_depth(hand)};
-            const double in_loop = cost_of([&] { sink += simulation.loop().tick(sample).thrust; });
-            const double by_worker = cost_of([&] { simulation.follow(); });
-            const double more = cost_of([&] {
-                points.ask_edges(simulation.bone(), points.edge_count());
-                points.ask_contact(simulation.bone());
-            });
-            loop.push_back(in_loop);
-            no_lag.push_back(by_worker);
-            bricks.push_back(simulation.tracker().last_bricks());
-            with_points.push_back(in_loop + more);
-            all.push_back(in_loop + by_worker + more);
-            poses.push_back(simulation.world_from_tool());
-        }
-        for (const Pose& pose : poses) {
-            const double force = cost_of([&] {
-                const Vec6 cut = plain.cutting(pose, feed * 0.03), touch = plain.contact(pose);
-                sink += cut[2] + touch[0];
-            });
-            const double removal = cost_of([&] { sink += static_cast<double>(plain.remove(pose)); });
-            papers_force.push_back(force);
-            papers_removal.push_back(removal);
-            papers.push_back(force + removal);
-            dense.push_back(cost_of([&] {
-                sink += field.cutting(pose, points.edges) + field.contact(pose, points.contact).x;
-                field.remove(pose);
-            }));
-        }
-    }
-    const Baselines baselines{times_of(papers), times_of(dense)};
-    std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s\n", h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm,
+    const double from = fed.at();
+    Costs costs;
+    for (int t = 0; t < ticks; t += turn) measure_turn(fed, points, plain, field, costs);
+    std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s\n", h / 1.0_mm, from / 1.0_mm, fed.at() / 1.0_mm,
                 block_kernel().name);
     std::printf("  the law asks about %zu edge and %zu contact points; of %zu other contact points a border is within "
                 "a voxel of %zu\n",
                 own.edges, own.contact, points.contact_count(), points.near(h));
-    print("loop", loop, &baselines);
-    print("+ points", with_points, &baselines);
-    print("no lag", no_lag);
-    print("all", all, &baselines);
-    print("papers", papers);
-    print(" points", papers_force);
-    print(" removal", papers_removal);
-    print("dense", dense);
-    const Times stamped = times_of(bricks);
-    std::printf("  bricks that a tick stamped, of %d as a rule: mean %.1f, p99.9 %.0f, most %.0f\n",
-                CutTracker::bricks_per_tick, stamped.mean, stamped.p999, stamped.longest);
-    compare_kernels(simulation.bone(), points);
+    print(costs);
+    compare_kernels(fed.simulation.bone(), points);
     std::fflush(stdout);
 }
 
@@ -234,7 +262,7 @@ void measure(double h) {
 
 int main(int argc, char** argv) {
     std::printf("asking for the processor's time takes %.2f us: taken off\n", cost_of.asking());
-    std::printf("[us]             mean    median     p99.9       max     papers/row       dense/row\n");
+    std::printf("%s     papers/row       dense/row\n", bench::times_header);
     for (const double h : {0.5_mm, 0.2_mm, 0.1_mm})
         if (argc < 2 || std::abs(std::atof(argv[1]) * 1.0_mm - h) < 1e-6) measure(h);
     return sink == 0.125 ? 1 : 0;  // so that no answer is left out

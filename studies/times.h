@@ -16,6 +16,11 @@ struct Times {
     double mean, median, p999, longest;  ///< [µs]
 };
 /// Pre: not empty.
+/// Returns the value below which this share of them lies. Pre: not empty.
+inline double quantile_of(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
 inline Times times_of(std::vector<double> microseconds) {
     std::sort(microseconds.begin(), microseconds.end());
     const auto at = [&](double share) {

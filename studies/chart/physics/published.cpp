@@ -108,9 +108,12 @@ std::vector<Prediction> predictions(const CuttingLaw& law) {
     return all;
 }
 
-std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWay> awl) {
-    std::vector<Check> checks;
-    const PublishedSeries human = published_series().front();
+namespace {
+
+using Checks = std::vector<Check>;
+
+/// B1-a: laws set in some spindle speeds, at another one.
+void add_feed_checks(const CuttingLaw& law, Checks& checks) {
     const auto predicted = predictions(law);
     const auto off = [&](const char* name, const char* quantity, double speed) {
         for (const Prediction& p : predicted)
@@ -139,20 +142,26 @@ std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWa
                                         "all three means: agreement, no prediction"
                                       : "two constants, two means"});
         }
+}
 
+/// B1-b: which tissue resists more.
+void add_tissue_checks(const CuttingLaw& law, Checks& checks) {
     const double cortical = shared_law_at(law, 0.12_mm, false), cancellous = law.resistance(353.0) * cortical;
     checks.push_back({"B1-b", "cortical resists more than cancellous bone",
                       figure(cortical) + " N at 1.85 g/cm3, " + figure(cancellous) + " N at 0.353 g/cm3",
                       "in this order", cortical > cancellous,
                       "cancellous by the square of density [carter-hayes-1977], not calibrated"});
-    const auto all = published_series();
+    const std::vector<PublishedSeries> all = published_series();
     const bool is_ordered = all[0].means[0].thrust > all[1].means[0].thrust &&
                             all[2].means[0].thrust > all[3].means[0].thrust &&
                             all[3].means[0].thrust > all[4].means[0].thrust;
     checks.push_back({"B1-b", "human over artificial; bovine over porcine over artificial",
                       "198 > 87 N; 20.1 > 11.3 > 5.6 N as measured", "in this order", is_ordered,
                       "the measurements among themselves, no check of a law: densities are not reported"});
+}
 
+/// B1-c: through a pedicle's wall over along its axis.
+void add_breach_checks(const CuttingLaw& law, std::span<const AwlWay> awl, Checks& checks) {
     // Past the shell that the drill enters by; the breach goes through the canal's wall after that.
     const Scene safe = pedicle_scene(0.0), breach = pedicle_scene(medial_breach);
     constexpr double past_entry = 6.0_mm, to = 26.0_mm;
@@ -183,7 +192,10 @@ std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWa
     compare("the same, mean of both", 0.5 * (mean_of(lateral) + mean_of(medial)), along_axis, measured_as);
     compare("thrust of a drill that goes 6.3 mm beside the axis over that along it", breach_peak, safe_peak,
             "measured with an awl; phantom with 1 mm of cortex and cancellous bone of 0.25 g/cm3");
+}
 
+/// B1-d: thrust against spindle speed.
+void add_speed_check(const CuttingLaw& law, const PublishedSeries& human, Checks& checks) {
     bool falls = true;
     std::string found;
     double last = 1e300;
@@ -195,7 +207,10 @@ std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWa
     }
     checks.push_back({"B1-d", "thrust falls as the spindle turns faster at 2 mm/s",
                       found + " N at 1000, 1250, 1500 rpm", "falling", falls, ""});
+}
 
+/// B1: how thrust and torque rise with the feed.
+void add_exponent_checks(const CuttingLaw& law, const PublishedSeries& human, Checks& checks) {
     // F ∝ f^e, from the slowest spindle to the fastest; its spread is that of the two means.
     const PublishedMean &slow = human.means.front(), &fast = human.means.back();
     const double feeds = std::log(human.feed(slow) / human.feed(fast));
@@ -213,7 +228,10 @@ std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWa
                           std::abs(exponent - measured) <= spread,
                           "from lines through the same means: agreement, no prediction"});
     }
+}
 
+/// B1-e: chisel edge and edge force.
+void add_edge_checks(const CuttingLaw& law, Checks& checks) {
     CuttingLaw no_chisel = law, edge_only = law;
     no_chisel.chisel = {};
     edge_only.thrust.chip = edge_only.chisel.chip = 0.0;
@@ -225,8 +243,10 @@ std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWa
     checks.push_back({"B1-e", "what remains of the thrust as the feed goes to nothing", figure(100.0 * remains) + " %",
                       "65 % of the line through the means", std::abs(remains - 0.65) < 0.01,
                       "put in: the same line at no feed, where nobody has measured; at standstill the law is zero"});
+}
 
-    const PublishedSeries& bovine = all[2];
+/// B1-f: against a study that the law was not fitted to.
+void add_bovine_check(const CuttingLaw& law, const PublishedSeries& bovine, Checks& checks) {
     const double gentle = shared_law_at(law, 0.01_mm, false, bovine_drill),
                  firm = shared_law_at(law, 0.1_mm, false, bovine_drill);
     const double least = gentle / bovine.means.front().thrust, most = firm / bovine.means.back().thrust;
@@ -237,6 +257,21 @@ std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWa
                       "within a factor of 2", least <= 2.0 && most <= 2.0,
                       "density, feed speed and drill are not reported [orelaja-2020]; studies of cortical bone differ "
                       "tenfold among themselves"});
+}
+
+}  // namespace
+
+std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWay> awl) {
+    const std::vector<PublishedSeries> all = published_series();
+    const PublishedSeries &human = all[0], &bovine = all[2];
+    Checks checks;
+    add_feed_checks(law, checks);
+    add_tissue_checks(law, checks);
+    add_breach_checks(law, awl, checks);
+    add_speed_check(law, human, checks);
+    add_exponent_checks(law, human, checks);
+    add_edge_checks(law, checks);
+    add_bovine_check(law, bovine, checks);
     return checks;
 }
 
