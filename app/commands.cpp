@@ -56,7 +56,8 @@ ExitCode validate(const ValidateOptions& options, const Environment& with) {
 ExitCode expand(const ExpandOptions& options, const Environment& with) {
     Diagnostics diagnostics;
     const auto procedure =
-        read_procedure(options.procedure, with.plugins.catalog(), {options.variant, options.settings}).take(diagnostics);
+        read_procedure(options.procedure, with.plugins.catalog(), {options.variant, options.settings})
+            .take(diagnostics);
     print_error(to_text(diagnostics));
     if (!procedure) return exit_bad_input;
     print(std::string("# ") + notice_line + "\n" + emitted(*procedure->document, true));

@@ -267,7 +267,7 @@ public:
 
 private:
     /// `begun` is what the line holds already.
-    void value(const Node& node, std::string begun, std::size_t indent) {
+    void value(const Node& node, const std::string& begun, std::size_t indent) {
         const bool is_empty = node.children.empty();
         if (node.kind == Node::Kind::scalar) {
             line(begun + (node.text.empty() && !node.is_quoted ? "" : " " + scalar(node.text)), node);

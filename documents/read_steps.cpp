@@ -58,7 +58,7 @@ std::vector<std::string> read_allowed(const Node& node, const Instrument& instru
 }
 
 /// What spoils the tool fails the step, unless the step allows it.
-void add_damage_limits(const Instrument& instrument, SourcePosition place, Step& step) {
+void add_damage_limits(const Instrument& instrument, const SourcePosition& place, Step& step) {
     for (const EventInfo& event : instrument.damages) {
         if (contains(step.allowed, event.id)) continue;
         Limit& limit = step.limits.emplace_back();

@@ -71,6 +71,7 @@ void search_nifti(const std::string& file, PrivacyReport& report) {
     };
     for (const Field& field : {Field{4, 10, "`data_type`"}, Field{14, 18, "`db_name`"}, Field{148, 80, "`descrip`"},
                                Field{228, 24, "`aux_file`"}, Field{328, 16, "`intent_name`"}}) {
+        // NOLINTNEXTLINE(readability-redundant-string-cstr): the value ends at its first NUL
         const std::string value = header.substr(field.at, field.size).c_str();
         if (!value.empty()) report.findings.push_back({std::string("text in the header's ") + field.name, value});
     }

@@ -83,11 +83,11 @@ Parameter settings_of(
             .member = in<T>(&T::settings)};
 }
 template <class T>
-Parameter out_of(Value value, const std::string& help, const std::string& default_value = "",
+Parameter out_of(const Value& value, const std::string& help, const std::string& default_value = "",
                  const std::string& note = "") {
     return {.name = "--out",
             .short_name = "-o",
-            .value = std::move(value),
+            .value = value,
             .help = help,
             .default_value = default_value,
             .note = note,

@@ -80,7 +80,7 @@ std::vector<double> wall_areas_of(const TaggedMesh& mesh, const Body& bone) {
         const double longest = std::max({length(ab), length(ac), length(c - b)});
         const int rows = static_cast<int>(std::clamp(std::ceil(longest / bone.grid().spacing), 1.0, max_rows));
         const double area = 0.5 * length(cross(ab, ac)) / (static_cast<double>(rows) * rows);
-        const auto add = [&](double row, double column) {
+        const auto add = [&, a = a](double row, double column) {
             double weight[KERF_MAX_TISSUES];
             material_weights(bone, locate(bone, a + (row / rows) * ab + (column / rows) * ac), weight);
             const auto tissue = std::max_element(weight, weight + bone.materials.size()) - weight;

@@ -74,7 +74,7 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double 
                 is_bone ? here >= threshold && there < threshold : here < threshold && there >= threshold;
             ++faces;
             crossings += crosses;
-            const auto value = [&](int steps, double otherwise) {
+            const auto value = [&, x = x, y = y, z = z](int steps, double otherwise) {
                 const int a = i + steps * x, b = j + steps * y, c = k + steps * z;
                 return image.has(a, b, c) ? static_cast<double>(image.at(a, b, c)) : otherwise;
             };

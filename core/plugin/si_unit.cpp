@@ -40,6 +40,7 @@ std::string si_unit(const kerf_dimension& dimension) {
         if (one.dimension == dimension) return one.name;
     std::string above, below;
     for (std::size_t i = 0; i < base_units.size(); ++i) {
+        // NOLINTNEXTLINE(bugprone-signed-char-misuse): a small signed number, not a character
         const auto exponent = static_cast<int>(dimension.exponent[i]);
         if (exponent > 0) above += (above.empty() ? "" : "*") + power(base_units[i], exponent);
         if (exponent < 0) below += "/" + power(base_units[i], -exponent);

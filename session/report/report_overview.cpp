@@ -92,11 +92,13 @@ std::string overview_html(const RunSummary& summary, const char* title, const ch
     if (steps.empty()) return {};
     std::string head = std::string("<th scope=\"col\">") + first + "</th><th scope=\"col\">Result</th>";
     std::vector<std::string> rows;
+    rows.reserve(steps.size());
     for (const StepRow* step : steps)
         rows.push_back("<th scope=\"row\">" + html_escaped(step->title.empty() ? step->id : step->title) + "</th>" +
                        outcome_html(*step));
     for (const Column& column : columns) {
         std::vector<const MetricRow*> metrics;
+        metrics.reserve(steps.size());
         for (const StepRow* step : steps) metrics.push_back(find_metric(summary, step->id, column.id));
         if (std::all_of(metrics.begin(), metrics.end(), [](const MetricRow* metric) { return metric == nullptr; }))
             continue;

@@ -100,6 +100,7 @@ awk '
     /^\{/ { entry = ""; file = "" }
     /^[\[\]]/ { next }
     { entry = entry $0 "\n" }
+    { gsub(/ -fno-gnu-unique/, "", entry) }   # an option of gcc that clang refuses
     /"file":/ { file = $2 }
     /^\}/ {
         sub(/\},?\n$/, "}", entry)

@@ -11,7 +11,8 @@ struct Split {
     double across = 0.0, along = 0.0;
 
     constexpr Split() = default;
-    constexpr Split(double both) : across(both), along(both) {}  // NOLINT: a number applies to all directions
+    constexpr Split(double both)
+        : across(both), along(both) {}  // NOLINT(google-explicit-constructor): a number applies to all directions
     constexpr Split(double is_across, double is_along) : across(is_across), along(is_along) {}
 };
 
