@@ -17,9 +17,6 @@ Result<Anatomy> read_anatomy(const std::string& file);
 
 /// Reads an anatomy from text in memory, such as that of a session. `file` is only its name in messages.   [main]
 Result<Anatomy> read_anatomy_text(const std::string& file, std::string text);
-inline std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string text, Diagnostics& diagnostics) {
-    return read_anatomy_text(file, std::move(text)).take(diagnostics);
-}
 
 /// The part of an anatomy that could be read, for checks that do not depend on its errors.
 struct AnatomyDraft {

@@ -30,7 +30,7 @@ const MapShape<Rehearsal> hand{
 
 const MapShape<Waypoint> stop{"stop",
                               "What makes the hand give up its way and go to the last waypoint.",
-                              {{required, "aside", &Waypoint::stop_aside, length(0.1_mm, 100.0_mm),
+                              {{required, "aside", &Waypoint::skip_distance, length(0.1_mm, 100.0_mm),
                                 "The tip is so far beside the way.", "1 mm"}}};
 
 const MapShape<Waypoint> until{

@@ -451,7 +451,7 @@ std::vector<std::uint64_t> add_markups(Anatomy& anatomy, Diagnostics& diagnostic
             because_of(in_anatomy(anatomy, {"landmarks", "markups"}, "the file is named here."), diagnostics, first);
         };
         std::optional<std::string> text;
-        if (is_data_file_inside(path, anatomy.file, diagnostics)) text = read_text_file(path, diagnostics);
+        if (is_data_file_inside(path, anatomy.file, diagnostics)) text = read_text_file(path).take(diagnostics);
         if (!text) {
             because_named();
             continue;

@@ -100,9 +100,6 @@ Document read_again(const std::string& file, const std::string& text);
 /// Reads a file of at most 1 MB as UTF-8 text. Of a larger file it returns one byte more, which `parse_document`
 /// refuses.   [main]
 Result<std::string> read_text_file(const std::string& file);
-inline std::optional<std::string> read_text_file(const std::string& file, Diagnostics& diagnostics) {
-    return read_text_file(file).take(diagnostics);
-}
 
 /// Reads YAML: one document, no anchors, aliases or tags, no key twice, at most 64 levels. It reports each breach.
 /// Whenever the text is YAML at all, a tree without the offending parts comes with the errors, so that a reader can

@@ -26,7 +26,7 @@ struct Way {
 
 Scene scene_on(const Way& way) {
     Diagnostics diagnostics;
-    const auto anatomy = read_anatomy_text("vertebra-l4-phantom.yaml", vertebra_phantom, diagnostics);
+    const auto anatomy = read_anatomy_text("vertebra-l4-phantom.yaml", vertebra_phantom).take(diagnostics);
     KERF_ASSERT(anatomy && anatomy->tissues.size() == 2 && !anatomy->axes.empty(),
                 "the anatomy in procedures/ reads without error");
     Scene scene;
