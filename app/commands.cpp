@@ -39,13 +39,14 @@ ExitCode validate(const ValidateOptions& options, const Environment& with) {
     std::vector<Findings> all;
     for (const auto& file : options.procedures) {
         Findings& one = all.emplace_back(Findings{file, {}});
-        const auto documents = check_documents(request_of(file, options, with.here), with.plugins, one.diagnostics);
+        const auto documents =
+            check_documents(request_of(file, options, with.here), with.plugins).take(one.diagnostics);
         if (options.variant.empty()) {
             const Diagnostics of_variants =
                 check_variants(request_of(file, options, with.here), one.diagnostics, with.plugins);
             one.diagnostics.insert(one.diagnostics.end(), of_variants.begin(), of_variants.end());
         }
-        if (documents && options.is_with_bone) print_notes(make_bone(*documents, file, one.diagnostics));
+        if (documents && options.is_with_bone) print_notes(make_bone(*documents, file).take(one.diagnostics));
     }
     print(findings_text(all, options.format));
     return std::any_of(all.begin(), all.end(), [](const Findings& f) { return has_error(f.diagnostics); })
@@ -112,7 +113,7 @@ ExitCode check_anatomy(const AnatomyOptions& options, const Environment& with) {
     DocumentOptions documents;
     documents.anatomy = options.anatomy;
     Diagnostics diagnostics;
-    const auto scene = make_scene(options.procedure, documents, with, diagnostics, {.with_shifts = true});
+    const auto scene = make_scene(options.procedure, documents, with, {.with_shifts = true}).take(diagnostics);
     if (scene) print(anatomy_text(*scene));
     std::vector<Findings> findings{{options.anatomy, diagnostics}};
     print(findings_text(findings, options.format));
@@ -124,7 +125,7 @@ ExitCode preview(const PreviewOptions& options, const Environment& with) {
         return complain(refusal, exit_bad_input);
     Diagnostics diagnostics;
     const auto scene =
-        make_scene(options.procedure, options, with, diagnostics, {.with_shifts = true, .with_scan = true});
+        make_scene(options.procedure, options, with, {.with_shifts = true, .with_scan = true}).take(diagnostics);
     print_error(to_text(diagnostics));
     if (!scene) return exit_bad_input;
     const std::string file = options.out.empty() ? "out/" + scene->procedure.id + "-preview.html" : options.out;

@@ -72,7 +72,7 @@ bool for_each_slab(const Scan& scan, Diagnostics& diagnostics, const Progress& p
     for (int k = 0; k < grid.size[2]; k += depth) {
         if (progress) progress(static_cast<double>(k) / grid.size[2], "reading voxels");
         const VoxelRange range{{0, 0, k}, {grid.size[0], grid.size[1], std::min(depth, grid.size[2] - k)}};
-        const auto image = scan.read(range, 0, {}, diagnostics);
+        const auto image = scan.read(range, 0, {}).take(diagnostics);
         if (!image) return false;
         take(image->values);
     }
@@ -100,8 +100,8 @@ std::string direction_text(const VoxelGrid& grid) {
 
 void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
     const Progress progress = [](double fraction, const std::string& what) { show_progress(fraction, what); };
-    const auto scan = open_scan(request.source, {request.series, request.acquisition, request.may_resample}, progress,
-                                outcome.diagnostics);
+    const auto scan = open_scan(request.source, {request.series, request.acquisition, request.may_resample}, progress)
+                          .take(outcome.diagnostics);
     if (!scan) return;
     for (const std::string& note : scan->notes()) add_line(outcome.text, "found", note);
     const VoxelGrid& grid = scan->grid();
@@ -133,7 +133,7 @@ void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
 // ---- surfaces -------------------------------------------------------------------------------------------------------
 
 void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
-    const auto surface = read_surface(request.source, outcome.diagnostics);
+    const auto surface = read_surface(request.source).take(outcome.diagnostics);
     if (!surface) return;
     Anatomy anatomy;
     anatomy.file = request.source;
@@ -142,7 +142,7 @@ void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
     mesh.is_ras = request.frame == "RAS";
     mesh.names_frame = !request.frame.empty();
     const StillWorking sign_of_life("checking the surface");
-    const auto bone = make_mesh_bone(anatomy, *surface, nullptr, outcome.diagnostics);
+    const auto bone = make_mesh_bone(anatomy, *surface, nullptr).take(outcome.diagnostics);
     if (!bone) return;
     bool is_first = true;
     for (const std::string& note : bone->report.notes) {

@@ -13,11 +13,10 @@ void print_notes(const std::optional<Scene>& scene) {
     for (const auto& note : scene->import.notes) print_error(note + "\n");
 }
 
-std::optional<Scene> make_bone(Documents documents, const std::string& file, Diagnostics& diagnostics,
-                               ImportOptions options) {
+Result<Scene> make_bone(Documents documents, const std::string& file, ImportOptions options) {
     StillWorking sign_of_life("making the bone of " + file);
     options.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
-    return make_scene(std::move(documents), diagnostics, options);
+    return make_scene(std::move(documents), options);
 }
 
 std::optional<Scene> with_findings(std::optional<Scene> scene, const Diagnostics& diagnostics) {

@@ -6,13 +6,13 @@
 
 #include "run/documents.h"
 #include "run/scene.h"
+#include "text/result.h"
 
 namespace kerf {
 
 /// Makes the scene, which may take minutes, and shows progress on stderr.   [main]
 /// @param file   name of the procedure, for the progress
-[[nodiscard]] std::optional<Scene> make_bone(Documents documents, const std::string& file, Diagnostics& diagnostics,
-                                             ImportOptions options = {});
+[[nodiscard]] Result<Scene> make_bone(Documents documents, const std::string& file, ImportOptions options = {});
 
 /// Prints the notes of import to stderr.   [main]
 void print_notes(const std::optional<Scene>& scene);

@@ -11,15 +11,19 @@ DocumentRequest request_of(const std::string& file, const DocumentOptions& optio
     return {file, options.anatomy, {options.variant, options.settings}, here.procedures()};
 }
 
-std::optional<Scene> make_scene(const std::string& file, const DocumentOptions& options, const Environment& with,
-                                Diagnostics& diagnostics, const ImportOptions& import_options) {
-    auto documents = check_documents(request_of(file, options, with.here), with.plugins, diagnostics);
-    return documents ? make_bone(std::move(*documents), file, diagnostics, import_options) : std::nullopt;
+Result<Scene> make_scene(const std::string& file, const DocumentOptions& options, const Environment& with,
+                         const ImportOptions& import_options) {
+    Diagnostics diagnostics;
+    auto documents = check_documents(request_of(file, options, with.here), with.plugins).take(diagnostics);
+    if (!documents) return diagnostics;
+    auto scene = make_bone(std::move(*documents), file, import_options).take(diagnostics);
+    if (!scene) return diagnostics;
+    return {std::move(*scene), std::move(diagnostics)};
 }
 
 std::optional<Scene> read_scene(const std::string& file, const DocumentOptions& options, const Environment& with) {
     Diagnostics diagnostics;
-    auto scene = make_scene(file, options, with, diagnostics);
+    auto scene = make_scene(file, options, with).take(diagnostics);
     return with_findings(std::move(scene), diagnostics);
 }
 

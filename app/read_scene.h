@@ -9,6 +9,7 @@
 #include "app/options.h"
 #include "run/documents.h"
 #include "run/scene.h"
+#include "text/result.h"
 
 /// The documents and the scene that the user names.
 namespace kerf {
@@ -19,9 +20,8 @@ namespace kerf {
 
 /// Reads a procedure and its anatomy, and makes the bone; shows signs of life. Nothing if a document has an error.
 /// [main]
-[[nodiscard]] std::optional<Scene> make_scene(const std::string& file, const DocumentOptions& options,
-                                              const Environment& with, Diagnostics& diagnostics,
-                                              const ImportOptions& import_options = {});
+[[nodiscard]] Result<Scene> make_scene(const std::string& file, const DocumentOptions& options, const Environment& with,
+                                       const ImportOptions& import_options = {});
 
 /// As make_scene(), and prints the diagnostics to stderr.   [main]
 [[nodiscard]] std::optional<Scene> read_scene(const std::string& file, const DocumentOptions& options,

@@ -160,7 +160,8 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
     Diagnostics diagnostics;
     auto documents =
         check_documents({file, options.anatomy, {recorded->variant, options.settings}, with.here.procedures()},
-                        with.plugins, diagnostics);
+                        with.plugins)
+            .take(diagnostics);
     if (!documents) {
         print_error(to_text(diagnostics));
         return exit_bad_input;
@@ -175,7 +176,7 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
         return exit_fault;
     }
     const Interruption interruption;
-    auto bone = make_bone(std::move(*documents), file, diagnostics);
+    auto bone = make_bone(std::move(*documents), file).take(diagnostics);
     if (!diagnostics.empty()) print_error(to_text(diagnostics));
     if (!bone) return exit_bad_input;
     if (recorded->anatomy_hash != bone->anatomy_hash)

@@ -175,7 +175,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         return complain(refusal, exit_bad_input);
     const std::string& file = options.procedure;
     Diagnostics diagnostics;
-    auto documents = check_documents(request_of(file, options, with.here), with.plugins, diagnostics);
+    auto documents = check_documents(request_of(file, options, with.here), with.plugins).take(diagnostics);
     if (!documents) {
         with_findings(std::nullopt, diagnostics);
         return exit_bad_input;
@@ -207,7 +207,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     }
     for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
     const Interruption interruption;  // a second Ctrl-C ends the program at once
-    auto made = make_bone(std::move(*documents), file, diagnostics);
+    auto made = make_bone(std::move(*documents), file).take(diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
     if (!scene) return exit_bad_input;
     if (interruption.has_come()) return complain("interrupted before anything was cut; nothing is written", exit_fault);

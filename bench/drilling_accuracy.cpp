@@ -171,7 +171,7 @@ VoxelImage border_of(const VoxelImage& image) {
     const Vec3 end = image.lps({image.size[0] - 1.0, image.size[1] - 1.0, image.size[2] - 1.0});
     anatomy.axes = {{"all", image.lps({0, 0, 0}), end, 0.0}};
     Diagnostics diagnostics;
-    auto bone = make_ct_bone(anatomy, image, nullptr, diagnostics);
+    auto bone = make_ct_bone(anatomy, image, nullptr).take(diagnostics);
     if (!bone) {
         std::fputs(to_text(diagnostics).c_str(), stderr);
         std::abort();
@@ -267,7 +267,7 @@ void repeatability(const char* name, int grids) {
         std::vector<std::vector<double>> thrusts;
         std::mt19937 random(42);
         for (int k = 0; k < grids; ++k) {
-            const auto body = make_body(begun_lower(*anatomy, h * random_offset(random)), h, diagnostics);
+            const auto body = make_body(begun_lower(*anatomy, h * random_offset(random)), h).take(diagnostics);
             if (!body) {
                 std::printf("%s: its scan is not there (KERF_DATA), left out\n", name);
                 return;

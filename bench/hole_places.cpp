@@ -52,8 +52,8 @@ Scene scene_of(const Bone& bone, std::vector<std::string> settings) {
     Diagnostics diagnostics;
     DocumentRequest request{.procedure = procedure_file, .anatomy = bone.anatomy};
     request.changes = {bone.variant, std::move(settings)};
-    auto documents = check_documents(request, plugins(), diagnostics);
-    auto scene = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    auto documents = check_documents(request, plugins()).take(diagnostics);
+    auto scene = documents ? make_scene(std::move(*documents)).take(diagnostics) : std::nullopt;
     if (!scene) throw std::runtime_error(to_text(diagnostics));
     return std::move(*scene);
 }

@@ -42,7 +42,7 @@ constexpr std::array screws{
 
 Scene vertebra(const PluginRegistry& plugins) {
     Diagnostics diagnostics;
-    auto scene = make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml", "", plugins, diagnostics);
+    auto scene = make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml", "", plugins).take(diagnostics);
     if (!scene) throw std::runtime_error(to_text(diagnostics));
     return std::move(*scene);
 }

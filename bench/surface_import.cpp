@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
     SurfaceMesh mesh;
     if (argc > 1) {
         Diagnostics diagnostics;
-        auto file = read_surface(argv[1], diagnostics);
+        auto file = read_surface(argv[1]).take(diagnostics);
         if (!file) {
             std::fprintf(stderr, "%s", to_text(diagnostics).c_str());
             return 2;

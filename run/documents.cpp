@@ -204,11 +204,11 @@ std::optional<AnatomyDraft> read_the_anatomy(const DocumentRequest& request, con
 
 }  // namespace
 
-std::optional<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins,
-                                         Diagnostics& diagnostics) {
+Result<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins) {
+    Diagnostics diagnostics;
     auto draft = read_procedure_draft(request.procedure, plugins.catalog(), request.changes).take(diagnostics);
     name_refused_plugins(plugins, diagnostics);
-    if (!draft) return std::nullopt;
+    if (!draft) return diagnostics;
     Documents documents;
     documents.procedure = draft->procedure;
     const std::size_t first = diagnostics.size();
@@ -234,8 +234,8 @@ std::optional<Documents> check_documents(const DocumentRequest& request, const P
         make_tools(documents, plugins, diagnostics);
     else
         check_tools(*draft, plugins, diagnostics);
-    if (has_error(diagnostics)) return std::nullopt;
-    return documents;
+    if (has_error(diagnostics)) return diagnostics;
+    return {std::move(documents), std::move(diagnostics)};
 }
 
 Diagnostics check_variants(const DocumentRequest& request, const Diagnostics& base, const PluginRegistry& plugins) {
@@ -250,9 +250,8 @@ Diagnostics check_variants(const DocumentRequest& request, const Diagnostics& ba
     for (const Variant& variant : draft->procedure.variants) {
         DocumentRequest changed = request;
         changed.changes.variant = variant.id;
-        Diagnostics of_variant;
-        (void)check_documents(changed, plugins, of_variant);
-        for (Diagnostic& d : of_variant) {
+        const auto of_variant = check_documents(changed, plugins);
+        for (Diagnostic d : of_variant.diagnostics()) {
             if (d.level == Diagnostic::Level::warning) continue;  // reported for the base, or harmless
             if (is_known(d)) continue;
             d.message = "In the variant `" + variant.id + "`: " + d.message;

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "core/plugin/loader.h"
 #include "documents/anatomy.h"
 #include "documents/read_procedure.h"
+#include "text/result.h"
 
 /// Reads a procedure with its anatomy and runs all checks that need no bone, in milliseconds.
 namespace kerf {
@@ -34,9 +34,8 @@ struct Documents {
 };
 
 /// Reads both documents and runs all checks that need no bone. A mistake in one value does not hide independent ones.
-/// Error: all mistakes are in `diagnostics`.   [main]
-[[nodiscard]] std::optional<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins,
-                                                       Diagnostics& diagnostics);
+/// Error: all mistakes.   [main]
+[[nodiscard]] Result<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins);
 
 /// Returns the mistakes of the variants that are not in `base`, the diagnostics of the procedure without a variant. The
 /// messages name the variant.   [main]

@@ -51,7 +51,8 @@ std::optional<Body> plate_body(const Implant& implant, const Procedure& procedur
     ImportReport read;
     auto body =
         make_body(surface, implant.is_made_of_parts() ? fitting_spacing(implant, procedure.spacing) : procedure.spacing,
-                  diagnostics, &read);
+                  &read)
+            .take(diagnostics);
     if (!body) return std::nullopt;
     body->id = implant.id;
     import.file_hashes.insert(import.file_hashes.end(), read.file_hashes.begin(), read.file_hashes.end());
@@ -208,7 +209,8 @@ const LandmarkPlane* plane_of(const Step& step, const Anatomy& anatomy) {
     return plane != anatomy.planes.end() ? &*plane : nullptr;
 }
 
-std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, const ImportOptions& options) {
+Result<Scene> make_scene(Documents documents, const ImportOptions& options) {
+    Diagnostics diagnostics;
     Scene scene;
     scene.procedure = std::move(documents.procedure);
     scene.anatomy = std::move(documents.anatomy);
@@ -217,8 +219,8 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     scene.tool_of_step = std::move(documents.tool_of_step);
 
     ImportReport& import = scene.import;
-    auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics, &import, options);
-    if (!body || has_error(diagnostics)) return std::nullopt;
+    auto body = make_body(scene.anatomy, scene.procedure.spacing, &import, options).take(diagnostics);
+    if (!body || has_error(diagnostics)) return diagnostics;
     scene.body = std::move(*body);
     use_fits(scene.anatomy, import);
     check_axes_in_planes(scene.procedure, scene.anatomy, diagnostics);
@@ -235,12 +237,12 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     }
     for (const Implant& implant : scene.procedure.implants) {
         auto metal = plate_body(implant, scene.procedure, diagnostics, import);
-        if (!metal) return std::nullopt;
+        if (!metal) return diagnostics;
         scene.implants.push_back(std::move(*metal));
     }
     plan_implants(scene, diagnostics);
     find_step_holes(scene, diagnostics);
-    if (has_error(diagnostics)) return std::nullopt;
+    if (has_error(diagnostics)) return diagnostics;
     import.file_hashes.insert(import.file_hashes.end(), documents.markup_hashes.begin(), documents.markup_hashes.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     std::vector<const ToolOutline*> outlines;
@@ -262,7 +264,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         if (found.entry >= 0.0)
             check_screw_in_bone(scene.procedure, outlines, index, scene.frames.back(), scene.body, diagnostics);
     }
-    if (has_error(diagnostics)) return std::nullopt;
+    if (has_error(diagnostics)) return diagnostics;
     std::vector<const ToolSolid*> cutting;
     for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s) cutting.push_back(&scene.tool(s).outline.cutting);
     check_waypoints_in_region(scene.procedure, scene.frames, cutting, scene.body, diagnostics);
@@ -275,21 +277,25 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         check_felt(scene.procedure, s, forces_along(scene, s), *scene.device, scene.gains.force_scale, diagnostics);
     if (scene.anatomy.fracture) {
         scene.whole = scene.body;
-        scene.fragment = break_bone(scene.body, scene.anatomy, import, diagnostics);
-        if (!scene.fragment) return std::nullopt;
+        scene.fragment = break_bone(scene.body, scene.anatomy, import).take(diagnostics);
+        if (!scene.fragment) return diagnostics;
         scene.world_from_fragment = world_from_fragment(*scene.anatomy.fracture);
     }
     measure_before_cuts(scene, diagnostics);
-    if (has_error(diagnostics)) return std::nullopt;
+    if (has_error(diagnostics)) return diagnostics;
     for (std::size_t r = 0; r < scene.procedure.rehearsals.size(); ++r)
         check_time(scene.procedure, r, min_time_of(plan_of(scene.procedure.rehearsals[r], scene)), diagnostics);
-    return scene;
+    return {std::move(scene), std::move(diagnostics)};
 }
 
-std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                                const PluginRegistry& plugins, Diagnostics& diagnostics, const ImportOptions& options) {
-    auto documents = check_documents({procedure_file, anatomy_file}, plugins, diagnostics);
-    return documents ? make_scene(std::move(*documents), diagnostics, options) : std::nullopt;
+Result<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
+                         const PluginRegistry& plugins, const ImportOptions& options) {
+    Diagnostics diagnostics;
+    auto documents = check_documents({procedure_file, anatomy_file}, plugins).take(diagnostics);
+    if (!documents) return diagnostics;
+    auto scene = make_scene(std::move(*documents), options).take(diagnostics);
+    if (!scene) return diagnostics;
+    return {std::move(*scene), std::move(diagnostics)};
 }
 
 HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {

@@ -17,6 +17,7 @@
 #include "run/documents.h"
 #include "run/plate.h"
 #include "run/verdict/step_monitor.h"
+#include "text/result.h"
 
 /// Builds the input of a run from documents and plugins.
 namespace kerf {
@@ -55,15 +56,13 @@ struct Scene {
 /// Returns the landmark plane of a step, or null.   [any] pure.
 [[nodiscard]] const LandmarkPlane* plane_of(const Step& step, const Anatomy& anatomy);
 
-/// Makes the bone of checked documents and runs the checks that need bone. Error: in `diagnostics`.
-[[nodiscard]] std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics,
-                                              const ImportOptions& options = {});
+/// Makes the bone of checked documents and runs the checks that need bone. Error: all that they found.
+[[nodiscard]] Result<Scene> make_scene(Documents documents, const ImportOptions& options = {});
 
 /// Reads and checks all documents and makes the scene. `anatomy_file` empty: the one that the procedure names. Error:
-/// all mistakes of the documents are in `diagnostics`.
-[[nodiscard]] std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                                              const PluginRegistry& plugins, Diagnostics& diagnostics,
-                                              const ImportOptions& options = {});
+/// all mistakes of the documents.
+[[nodiscard]] Result<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
+                                       const PluginRegistry& plugins, const ImportOptions& options = {});
 
 /// A rehearsal as legs of the simulated hand, with its start pose.
 struct HandPlan {

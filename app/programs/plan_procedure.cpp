@@ -115,7 +115,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         task.instrument = step.instrument;
         task.bone_at = [&](double spacing) {
             Diagnostics ignored;
-            return make_body(scene.anatomy, spacing, ignored);
+            return make_body(scene.anatomy, spacing).take(ignored);
         };
         task.setup = scene.tool(s).setup;
         task.tool = info_of(plugins, *instrument, KERF_KIND_TOOL);

@@ -10,8 +10,7 @@ std::optional<SurfaceMesh> base_surface(const Anatomy* own, const Body& bone, st
                                         std::string& error) {
     std::string flaw;
     if (own != nullptr) {
-        Diagnostics ignored;  // reported when the scene was made
-        if (const auto read = make_mesh_bone(*own, ignored)) {
+        if (const auto read = make_mesh_bone(*own)) {  // the scene has reported its diagnostics
             SurfaceMesh surface = whole_surface_of(*read);
             remove_flat_faces(surface);
             flaw = flaw_of_base(surface);

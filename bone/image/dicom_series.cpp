@@ -343,14 +343,16 @@ DicomSeries checked_series(const std::vector<DicomHeader>& headers, const Series
 
 }  // namespace
 
-std::optional<DicomSeries> series_of(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
-                                     const std::string& folder, Diagnostics& diagnostics) {
+Result<DicomSeries> series_of(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
+                              const std::string& folder) {
+    Diagnostics diagnostics;
     try {
-        return checked_series(headers, choice, folder, diagnostics);
+        DicomSeries series = checked_series(headers, choice, folder, diagnostics);
+        return {std::move(series), std::move(diagnostics)};
     } catch (const ReadError& refusal) {
         diagnostics.push_back(error_about(folder, refusal.code, refusal.message));
     }
-    return std::nullopt;
+    return diagnostics;
 }
 
 }  // namespace kerf

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "bone/image/dicom_file.h"
 #include "bone/image/slice_stack.h"
-#include "text/source.h"
+#include "text/result.h"
 
 /// Selects the slices of one volume from the files of a folder, sorts them, and checks that they form a volume. All are
 /// plain functions of headers; nothing here reads a file.
@@ -48,7 +47,7 @@ struct SeriesChoice {
 /// Returns the slices sorted by position along their normal, with checked distances, orientation and frame of
 /// reference. Order and names of files have no effect. `folder` is the folder's name in messages.
 /// Error: one of the codes above; nothing is guessed. A result may have warnings.   [main]
-[[nodiscard]] std::optional<DicomSeries> series_of(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
-                                                   const std::string& folder, Diagnostics& diagnostics);
+[[nodiscard]] Result<DicomSeries> series_of(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
+                                            const std::string& folder);
 
 }  // namespace kerf

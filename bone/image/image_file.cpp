@@ -95,16 +95,15 @@ ImageFile checked(const std::string& file) {
 
 }  // namespace
 
-std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics) {
+Result<ImageFile> check_image_file(const std::string& file) {
     try {
         return checked(file);
     } catch (const header::HeaderError& refusal) {
-        diagnostics.push_back(error_about(file, refusal.code, refusal.message + " " + refusal.advice));
+        return Diagnostics{error_about(file, refusal.code, refusal.message + " " + refusal.advice)};
     } catch (const std::exception& error) {  // out of memory, or an invalid path
-        diagnostics.push_back(
-            error_about(file, "E0620", std::string("the file cannot be checked: ") + error.what() + "."));
+        return Diagnostics{
+            error_about(file, "E0620", std::string("the file cannot be checked: ") + error.what() + ".")};
     }
-    return std::nullopt;
 }
 
 }  // namespace kerf

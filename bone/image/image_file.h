@@ -3,11 +3,10 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "text/source.h"
+#include "text/result.h"
 
 /// The contents of an image file's header, checked against the file before memory for voxels is allocated.
 ///
@@ -71,6 +70,6 @@ struct ImageFile {
 
 /// Reads the header and counts the bytes of the voxels. Compressed voxels are unpacked into a small buffer and dropped,
 /// so that their checksum is checked. Returns nothing, with one error, if a check fails. Never throws.   [main]
-[[nodiscard]] std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics);
+[[nodiscard]] Result<ImageFile> check_image_file(const std::string& file);
 
 }  // namespace kerf

@@ -109,20 +109,17 @@ std::vector<float> values_of(const ImageFile& header, const VoxelGrid& grid, con
 
 }  // namespace
 
-std::optional<VoxelImage> read_image(const std::string& file, Diagnostics& diagnostics) {
-    const std::optional<ImageFile> header = check_image_file(file, diagnostics);
-    if (!header) return std::nullopt;
-    if (header->layers > 1) {
-        diagnostics.push_back(
+Result<VoxelImage> read_image(const std::string& file) {
+    const Result<ImageFile> header = check_image_file(file);
+    if (!header) return header.diagnostics();
+    if (header->layers > 1)
+        return Diagnostics{
             refused(file, "E0623",
-                    "the voxels have too many numbers: got " + std::to_string(header->layers) + ", expected 1."));
-        return std::nullopt;
-    }
-    return read_image(file, *header, {{0, 0, 0}, header->size}, 0, diagnostics);
+                    "the voxels have too many numbers: got " + std::to_string(header->layers) + ", expected 1.")};
+    return read_image(file, *header, {{0, 0, 0}, header->size}, 0);
 }
 
-std::optional<VoxelImage> read_image(const std::string& file, const ImageFile& header, const VoxelRange& range,
-                                     int layer, Diagnostics& diagnostics) {
+Result<VoxelImage> read_image(const std::string& file, const ImageFile& header, const VoxelRange& range, int layer) {
     try {
         VoxelGrid grid;
         grid.size = header.size;
@@ -134,11 +131,10 @@ std::optional<VoxelImage> read_image(const std::string& file, const ImageFile& h
             throw ReadError{"E0629", "a voxel is not a finite number."};
         return image;
     } catch (const ReadError& refusal) {
-        diagnostics.push_back(refused(file, refusal.code, refusal.message));
+        return Diagnostics{refused(file, refusal.code, refusal.message)};
     } catch (const std::exception& error) {  // out of memory
-        diagnostics.push_back(refused(file, "E0628", std::string("reading stopped: ") + error.what() + "."));
+        return Diagnostics{refused(file, "E0628", std::string("reading stopped: ") + error.what() + ".")};
     }
-    return std::nullopt;
 }
 
 }  // namespace kerf

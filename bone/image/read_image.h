@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "bone/image/image_file.h"
 #include "bone/image/voxel_image.h"
-#include "text/source.h"
+#include "text/result.h"
 
 namespace kerf {
 
 /// Reads NIfTI-1 (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd): three dimensions, one number per
 /// voxel. `check_image_file()` checks the file first, so a false header costs no memory. Error (E062x, codes in
 /// bone/image/image_file.h): returns nothing. Never throws.   [main]
-[[nodiscard]] std::optional<VoxelImage> read_image(const std::string& file, Diagnostics& diagnostics);
+[[nodiscard]] Result<VoxelImage> read_image(const std::string& file);
 
 /// Reads a range of voxels of one layer from a file whose header is checked. Pre: the range lies in the image.   [main]
-[[nodiscard]] std::optional<VoxelImage> read_image(const std::string& file, const ImageFile& header,
-                                                   const VoxelRange& range, int layer, Diagnostics& diagnostics);
+[[nodiscard]] Result<VoxelImage> read_image(const std::string& file, const ImageFile& header, const VoxelRange& range,
+                                            int layer);
 
 }  // namespace kerf

@@ -117,32 +117,29 @@ std::string size_text(const VoxelGrid& grid) {
            " voxels of " + mm(0) + " × " + mm(1) + " × " + mm(2) + " mm";
 }
 
-std::optional<VoxelImage> read_slices(const DicomSeries& series, const VoxelGrid& grid, const VoxelRange& range,
-                                      const std::string& source, const Progress& progress, Diagnostics& diagnostics) {
+Result<VoxelImage> read_slices(const DicomSeries& series, const VoxelGrid& grid, const VoxelRange& range,
+                               const std::string& source, const Progress& progress) {
     std::string trouble;
     const auto read = [&](std::size_t n) {
         if (progress) progress(static_cast<double>(n) / static_cast<double>(series.slices.size()), "reading slices");
         return read_dicom_voxels(series.slices[n], trouble);
     };
     VoxelImage image = straightened(series.stack, series.shape, grid, range, read);
-    if (image.values.empty()) {
-        diagnostics.push_back(error_about(
-            source, "E0674", "a slice cannot be read: " + trouble + ". Export the series again, without compression."));
-        return std::nullopt;
-    }
+    if (image.values.empty())
+        return Diagnostics{error_about(
+            source, "E0674", "a slice cannot be read: " + trouble + ". Export the series again, without compression.")};
     return image;
 }
 
 }  // namespace
 
-std::optional<VoxelImage> Scan::read(const VoxelRange& range, int layer, const Progress& progress,
-                                     Diagnostics& diagnostics) const {
-    if (series_) return read_slices(*series_, grid_, range, source_, progress, diagnostics);
+Result<VoxelImage> Scan::read(const VoxelRange& range, int layer, const Progress& progress) const {
+    if (series_) return read_slices(*series_, grid_, range, source_, progress);
     const VoxelGrid stored = placed(*file_);
-    if (!stored.is_sheared()) return read_image(source_, *file_, range, layer, diagnostics);
+    if (!stored.is_sheared()) return read_image(source_, *file_, range, layer);
 
-    const std::optional<VoxelImage> image = read_image(source_, *file_, stored.all(), layer, diagnostics);
-    if (!image) return std::nullopt;
+    const Result<VoxelImage> image = read_image(source_, *file_, stored.all(), layer);
+    if (!image) return image.diagnostics();
     const StackOfImage of = stack_of(stored, *slices_of(stored));
     return straightened(of.stack, shape_of(of.stack), grid_, range,
                         [&](std::size_t slice) { return slice_of(*image, of, slice); });
@@ -165,34 +162,34 @@ std::optional<std::uint64_t> Scan::hash() const {
     return hashes.size() == 1 ? hashes.front() : hash_of_hashes(hashes);
 }
 
-std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choice, const Progress& progress,
-                              Diagnostics& diagnostics) {
+Result<Scan> open_scan(const std::string& path, const SeriesChoice& choice, const Progress& progress) {
+    Diagnostics diagnostics;
     Scan scan;
     scan.source_ = path;
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
         const auto files = files_in(path, diagnostics);
-        if (!files) return std::nullopt;
+        if (!files) return diagnostics;
         std::vector<DicomHeader> headers;
         for (const std::string& file : *files) {
             if (progress && headers.size() % 16 == 0)
                 progress(static_cast<double>(headers.size()) / static_cast<double>(files->size()), "reading headers");
             headers.push_back(read_dicom_header(file));
         }
-        scan.series_ = series_of(headers, choice, path, diagnostics);
-        if (!scan.series_) return std::nullopt;
+        scan.series_ = series_of(headers, choice, path).take(diagnostics);
+        if (!scan.series_) return diagnostics;
         scan.grid_ = straight_grid(scan.series_->stack, scan.series_->shape);
         scan.notes_ = scan.series_->notes;
-        return scan;
+        return {std::move(scan), std::move(diagnostics)};
     }
     if (read_dicom_elements(path).is_dicom) {
         diagnostics.push_back(error_about(
             path, "E0669",
             "this is one DICOM file; a volume needs all slices of its series. Name the folder that holds them."));
-        return std::nullopt;
+        return diagnostics;
     }
-    scan.file_ = check_image_file(path, diagnostics);
-    if (!scan.file_) return std::nullopt;
+    scan.file_ = check_image_file(path).take(diagnostics);
+    if (!scan.file_) return diagnostics;
     scan.segments_ = scan.file_->segments;
     scan.grid_ = placed(*scan.file_);
     const std::string sort = scan.segments_.empty() ? "" : ", a segmentation: labels, no values";
@@ -201,13 +198,13 @@ std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choic
         diagnostics.push_back(warning_about(path, "W0673", doubt));
         scan.notes_.push_back(doubt);
     }
-    if (!scan.grid_.is_sheared()) return scan;
+    if (!scan.grid_.is_sheared()) return {std::move(scan), std::move(diagnostics)};
 
     const auto order = slices_of(scan.grid_);
     if (!order) {
         diagnostics.push_back(error_about(
             path, "E0632", "no two of the image's axes are at right angles. Resample the image onto a straight grid."));
-        return std::nullopt;
+        return diagnostics;
     }
     const StackOfImage of = stack_of(scan.grid_, *order);
     const StackShape shape = shape_of(of.stack);
@@ -219,9 +216,9 @@ std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choic
     if (scan.grid_.size[0] == 0) {
         diagnostics.push_back(
             error_about(path, "E0669", "put straight, the volume has more than 512 million voxels. Crop the image."));
-        return std::nullopt;
+        return diagnostics;
     }
-    return scan;
+    return {std::move(scan), std::move(diagnostics)};
 }
 
 }  // namespace kerf

@@ -10,7 +10,7 @@
 #include "bone/image/image_file.h"
 #include "bone/image/voxel_image.h"
 #include "bone/report/import_report.h"
-#include "text/source.h"
+#include "text/result.h"
 
 namespace kerf {
 
@@ -34,15 +34,14 @@ public:
 
     /// Returns the voxels of a range of one layer. Reads and stores only the data that they need. Error (E062x, E067x):
     /// returns nothing. Never throws.   [main]
-    [[nodiscard]] std::optional<VoxelImage> read(const VoxelRange& range, int layer, const Progress& progress,
-                                                 Diagnostics& diagnostics) const;
+    [[nodiscard]] Result<VoxelImage> read(const VoxelRange& range, int layer, const Progress& progress) const;
 
     /// Returns the 64-bit FNV-1a of its files' bytes, slices in the order of the stack; nothing if a file cannot be
     /// read.   [main]
     [[nodiscard]] std::optional<std::uint64_t> hash() const;
 
 private:
-    friend std::optional<Scan> open_scan(const std::string&, const SeriesChoice&, const Progress&, Diagnostics&);
+    friend Result<Scan> open_scan(const std::string&, const SeriesChoice&, const Progress&);
 
     VoxelGrid grid_;
     std::string source_;
@@ -60,7 +59,6 @@ private:
 ///
 /// Error: these, E062x (bone/image/image_file.h) and E066x (bone/image/dicom_series.h). A result may have warnings.
 /// Never throws.   [main]
-[[nodiscard]] std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choice,
-                                            const Progress& progress, Diagnostics& diagnostics);
+[[nodiscard]] Result<Scan> open_scan(const std::string& path, const SeriesChoice& choice, const Progress& progress);
 
 }  // namespace kerf

@@ -59,7 +59,8 @@ std::string in_cm3(double volume) { return quantity_text(std::round(volume * 1e8
 
 }  // namespace
 
-std::optional<Body> break_bone(Body& bone, const Anatomy& anatomy, ImportReport& report, Diagnostics& diagnostics) {
+Result<Body> break_bone(Body& bone, const Anatomy& anatomy, ImportReport& report) {
+    Diagnostics diagnostics;
     const Fracture& fracture = *anatomy.fracture;
     Body fragment = part_of(bone, fracture, 1.0), rest = part_of(bone, fracture, -1.0);
     fragment.id = "fragment";
@@ -70,11 +71,11 @@ std::optional<Body> break_bone(Body& bone, const Anatomy& anatomy, ImportReport&
                                            " of it are in front of the plane, " + in_cm3(behind) +
                                            " behind. Each side needs 1 cm3. Move `at` into the bone (LPS, "
                                            "millimetres), or turn `normal`."));
-        return std::nullopt;
+        return diagnostics;
     }
     bone = std::move(rest);
     note_fragment(fragment, bone, anatomy, report, diagnostics);
-    return fragment;
+    return {std::move(fragment), std::move(diagnostics)};
 }
 
 }  // namespace kerf

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "bone/report/import_report.h"
 #include "core/field/grid/body.h"
 #include "documents/anatomy.h"
-#include "text/source.h"
+#include "text/result.h"
 
 namespace kerf {
 
 /// Splits the whole bone at the anatomy's fracture. Returns the fragment at its position in the whole bone; `bone`
 /// keeps the rest. Both keep the tissues of the whole bone, so the fracture has no new cortex. Error: E0605, one side
 /// of the fracture has no bone; then `bone` is unchanged.   [main]
-[[nodiscard]] std::optional<Body> break_bone(Body& bone, const Anatomy& anatomy, ImportReport& report,
-                                             Diagnostics& diagnostics);
+[[nodiscard]] Result<Body> break_bone(Body& bone, const Anatomy& anatomy, ImportReport& report);
 
 }  // namespace kerf

@@ -412,8 +412,8 @@ std::optional<CtBone> make_or_report(const Anatomy& anatomy, const Sources& sour
 
 }  // namespace
 
-std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image, const VoxelImage* labels,
-                                   Diagnostics& diagnostics, const ImportOptions& options) {
+Result<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image, const VoxelImage* labels,
+                            const ImportOptions& options) {
     Sources sources;
     sources.scan = image;
     sources.read_scan = [&](const VoxelRange& range) { return image.cropped(range); };
@@ -422,10 +422,14 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
         sources.labels = *labels;
         sources.read_labels = [labels](const VoxelRange& range, int) { return labels->cropped(range); };
     }
-    return make_or_report(anatomy, sources, diagnostics, options);
+    Diagnostics diagnostics;
+    auto bone = make_or_report(anatomy, sources, diagnostics, options);
+    if (!bone) return diagnostics;
+    return {std::move(*bone), std::move(diagnostics)};
 }
 
-std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics, const ImportOptions& options) {
+Result<CtBone> make_ct_bone(const Anatomy& anatomy, const ImportOptions& options) {
+    Diagnostics diagnostics;
     const CtSource& ct = *anatomy.ct;
     const auto opened = [&](const std::string& written, const SeriesChoice& choice,
                             const std::vector<std::string>& keys) {
@@ -433,33 +437,33 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnost
         const std::string file = found_data_file(written, anatomy.file);
         std::optional<Scan> scan;
         if (is_data_file_inside(file, anatomy.file, diagnostics))
-            scan = open_scan(file, choice, options.progress, diagnostics);
+            scan = open_scan(file, choice, options.progress).take(diagnostics);
         if (diagnostics.size() > first)
             because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
         return scan;
     };
     const auto scan = opened(ct.image, {ct.series, ct.acquisition, ct.may_resample}, {"ct", "image"});
-    if (!scan) return std::nullopt;
+    if (!scan) return diagnostics;
     if (!scan->segments().empty()) {
         diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "image"}), "E0623",
                                        "the image is a segmentation: it holds labels, no values. Name the scan that "
                                        "it was made on, and the segmentation under `ct.labels`."));
-        return std::nullopt;
+        return diagnostics;
     }
     std::optional<Scan> labels;
-    if (!ct.labels.empty() && !(labels = opened(ct.labels, {}, {"ct", "labels", "file"}))) return std::nullopt;
+    if (!ct.labels.empty() && !(labels = opened(ct.labels, {}, {"ct", "labels", "file"}))) return diagnostics;
     if (labels && labels->is_resampled()) {
         diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "labels", "file"}), "E0630",
                                        "the label map is sheared, and labels cannot be mixed. Make the labels on "
                                        "the image that `kerf import IMAGE -o straight.nrrd` writes."));
-        return std::nullopt;
+        return diagnostics;
     }
 
     Sources sources;
     sources.scan = scan->grid();
     const auto read = [&](const Scan& from, const VoxelRange& range, int layer, const std::vector<std::string>& keys) {
         const std::size_t first = diagnostics.size();
-        auto image = from.read(range, layer, options.progress, diagnostics);
+        auto image = from.read(range, layer, options.progress).take(diagnostics);
         if (diagnostics.size() > first)
             because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
         return image;
@@ -474,7 +478,7 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnost
         };
     }
     auto bone = make_or_report(anatomy, sources, diagnostics, options);
-    if (!bone) return std::nullopt;
+    if (!bone) return diagnostics;
     bone->report.notes.insert(bone->report.notes.begin(), scan->notes().begin(), scan->notes().end());
     for (const Scan* one : std::array<const Scan*, 2>{&*scan, labels ? &*labels : nullptr}) {
         if (one == nullptr) continue;
@@ -482,11 +486,11 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnost
         if (!hash) {
             diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "image"}), "E0620",
                                            "a file of the scan could be read once, but not again. Try again."));
-            return std::nullopt;
+            return diagnostics;
         }
         bone->report.file_hashes.push_back(*hash);
     }
-    return bone;
+    return {std::move(*bone), std::move(diagnostics)};
 }
 
 }  // namespace kerf

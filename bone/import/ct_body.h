@@ -10,6 +10,7 @@
 #include "bone/report/import_report.h"
 #include "core/field/grid/box.h"
 #include "documents/anatomy.h"
+#include "text/result.h"
 
 /// Makes bone from a CT: selects voxels, finds the border between them, computes densities.
 ///
@@ -43,12 +44,10 @@ struct CtBone {
 /// other side of the threshold (one voxel, never into another label). Then `distance_in_voxels` finds the border. A
 /// label map on another grid gives each voxel its nearest label. Error: E062x, E063x, E066x, E067x. Pre: `anatomy.ct`.
 /// [main]
-[[nodiscard]] std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics,
-                                                 const ImportOptions& options = {});
+[[nodiscard]] Result<CtBone> make_ct_bone(const Anatomy& anatomy, const ImportOptions& options = {});
 
 /// Makes the bone from images in memory. `labels` may be null.   [main]
-[[nodiscard]] std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image,
-                                                 const VoxelImage* labels, Diagnostics& diagnostics,
-                                                 const ImportOptions& options = {});
+[[nodiscard]] Result<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image, const VoxelImage* labels,
+                                          const ImportOptions& options = {});
 
 }  // namespace kerf

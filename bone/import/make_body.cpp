@@ -343,25 +343,25 @@ constexpr const char* sheet_note =
 
 }  // namespace
 
-std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostics& diagnostics, ImportReport* report,
-                              const ImportOptions& options) {
+Result<Body> make_body(const Anatomy& written, double spacing, ImportReport* report, const ImportOptions& options) {
+    Diagnostics diagnostics;
     std::optional<CtBone> ct;
-    if (written.ct && !(ct = make_ct_bone(written, diagnostics, options))) return std::nullopt;
+    if (written.ct && !(ct = make_ct_bone(written, options).take(diagnostics))) return diagnostics;
     std::optional<MeshBone> mesh;
-    if (written.mesh && !(mesh = make_mesh_bone(written, diagnostics))) return std::nullopt;
+    if (written.mesh && !(mesh = make_mesh_bone(written).take(diagnostics))) return diagnostics;
     ImportReport made = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(written);
     Anatomy anatomy = written;
     use_fits(anatomy, made);
-    if (!fit_landmarks(anatomy, phantom_shape(anatomy), made, diagnostics)) return std::nullopt;
+    if (!fit_landmarks(anatomy, phantom_shape(anatomy), made, diagnostics)) return diagnostics;
 
     const Box bounds = ct ? ct->region : mesh ? mesh->region : phantom_bounds(anatomy.phantom);
     if (!is_finite(bounds.low) || !is_finite(bounds.high)) {
         diagnostics.push_back(error_at(
             in_anatomy(anatomy, {"phantom", "parts"}), "E0601",
             "the phantom has no part that adds bone. Give `phantom.parts` at least one part without `subtract`."));
-        return std::nullopt;
+        return diagnostics;
     }
-    if (mesh && !check_thin_walls(mesh->walls, spacing, anatomy, diagnostics)) return std::nullopt;
+    if (mesh && !check_thin_walls(mesh->walls, spacing, anatomy, diagnostics)) return diagnostics;
 
     Body body;
     body.id = anatomy.id;
@@ -369,7 +369,7 @@ std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostic
     if (is_part) body.region = {bounds.low, bounds.high};
     BoneDistances distances(anatomy, ct ? &*ct : nullptr, mesh ? &*mesh : nullptr, spacing, body.region);
     const bool has_densities = ct && anatomy.ct->density;
-    if (!check_memory(bounds, spacing, distances.borders(), has_densities, anatomy, diagnostics)) return std::nullopt;
+    if (!check_memory(bounds, spacing, distances.borders(), has_densities, anatomy, diagnostics)) return diagnostics;
 
     const double margin = 6.0 * spacing;
     const Vec3 around{margin, margin, margin};
@@ -386,7 +386,7 @@ std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostic
         ProgressSource outside_for_walls = reporting(outside, walls);
         const double most = (min_wall_voxels + 1.0) * spacing;
         if (!check_thin_walls(phantom_walls(grid, as_function(outside_for_walls), most), spacing, anatomy, diagnostics))
-            return std::nullopt;
+            return diagnostics;
     }
     const auto field_of = [&](DistanceSource& distance, const std::string& what) {
         ProgressSource source = reporting(distance, what);
@@ -409,7 +409,7 @@ std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostic
         if (has_sheet) report->notes.emplace_back(sheet_note);
         note_tissues_and_axes(anatomy, body, *report);
     }
-    return body;
+    return {std::move(body), std::move(diagnostics)};
 }
 
 AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis) {

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "bone/report/import_report.h"
 #include "core/field/grid/body.h"
 #include "documents/anatomy.h"
+#include "text/result.h"
 
 namespace kerf {
 
 /// Returns the body of an anatomy, sampled at `spacing` [m]. `report`, if given, receives operations and decisions.
 /// `options.progress`, if given, is called often with the progress. Error (E06xx): no bone, a grid too large, a shell
 /// too thin for the spacing.   [main]
-[[nodiscard]] std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics,
-                                            ImportReport* report = nullptr, const ImportOptions& options = {});
+[[nodiscard]] Result<Body> make_body(const Anatomy& anatomy, double spacing, ImportReport* report = nullptr,
+                                     const ImportOptions& options = {});
 
 /// Intersection of an axis with bone.
 struct AxisInBone {

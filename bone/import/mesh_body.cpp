@@ -159,8 +159,8 @@ SurfaceMesh whole_surface_of(const MeshBone& bone) {
     return whole;
 }
 
-std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surface, const SurfaceFile* canal,
-                                       Diagnostics& diagnostics) {
+Result<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surface, const SurfaceFile* canal) {
+    Diagnostics diagnostics;
     Anatomy anatomy = planned;
     const MeshSource& source = *anatomy.mesh;
     MeshBone bone;
@@ -177,7 +177,7 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surfa
             because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
         return is_made;
     };
-    if (!is_sound(surface, canal, source.file, {"mesh", "file"})) return std::nullopt;
+    if (!is_sound(surface, canal, source.file, {"mesh", "file"})) return diagnostics;
     bone.surface = std::move(surface.mesh);
     if (SurfaceMesh cavities = taken_cavities(bone.surface); !cavities.triangles.empty())
         bone.inner_surfaces.push_back(std::move(cavities));
@@ -188,7 +188,7 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surfa
         outside.is_ras = frame_of_surface;
         if (is_in_ras(cavity, &outside, source) != is_in_ras(outside, canal, source))
             notes.push_back(frame_note(cavity, &outside, source));
-        if (!is_sound(cavity, &outside, source.canal_file, {"mesh", "canal", "file"})) return std::nullopt;
+        if (!is_sound(cavity, &outside, source.canal_file, {"mesh", "canal", "file"})) return diagnostics;
         bone.inner_surfaces.push_back(std::move(cavity.mesh));
     } else if (source.canal) {
         notes.push_back("Canal: a tube of " + millimetres(2.0 * source.canal->radius) + " diameter, " +
@@ -199,7 +199,7 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surfa
     if (has_fits(anatomy)) {
         const TriangleTree tree(bone.surface);
         const BoneShape shape{SignedDistance(tree), grown(bounds, 1.0 /* beyond it is only air */)};
-        if (!fit_landmarks(anatomy, shape, bone.report, diagnostics)) return std::nullopt;
+        if (!fit_landmarks(anatomy, shape, bone.report, diagnostics)) return diagnostics;
     }
     if (!anatomy.axes.empty()) {
         // A margin of air, so that a region around the whole bone ends outside it.
@@ -212,7 +212,7 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surfa
                                             ". Check that the axes are LPS, and `mesh.unit` and `mesh.frame`.");
             apart.reason = in_anatomy(anatomy, {"mesh", "file"}, "the surface is named here.");
             diagnostics.push_back(std::move(apart));
-            return std::nullopt;
+            return diagnostics;
         }
         const Vec3 extent = bone.region.high - bone.region.low;
         notes.push_back("Of it " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
@@ -224,16 +224,17 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surfa
     if (anatomy.tissues.size() == 1)
         notes.push_back("A surface shows no tissues, and none is given a thickness: all of the bone is " +
                         anatomy.tissues[0].id + ".");
-    return bone;
+    return {std::move(bone), std::move(diagnostics)};
 }
 
-std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diagnostics) {
+Result<MeshBone> make_mesh_bone(const Anatomy& anatomy) {
+    Diagnostics diagnostics;
     ImportReport files;
     const auto read = [&](const std::string& written, const std::vector<std::string>& keys) {
         const std::string file = found_data_file(written, anatomy.file);
         const std::size_t first = diagnostics.size();
         std::optional<SurfaceFile> surface;
-        if (is_data_file_inside(file, anatomy.file, diagnostics)) surface = read_surface(file, diagnostics);
+        if (is_data_file_inside(file, anatomy.file, diagnostics)) surface = read_surface(file).take(diagnostics);
         if (surface && !hash_of_file(file, files.file_hashes.emplace_back())) {
             diagnostics.push_back(error_about(file, "E0640", "the file could be read once, but not again. Try again."));
             surface.reset();
@@ -243,13 +244,14 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diag
         return surface;
     };
     auto surface = read(anatomy.mesh->file, {"mesh", "file"});
-    if (!surface) return std::nullopt;
+    if (!surface) return diagnostics;
     std::optional<SurfaceFile> canal;
     if (!anatomy.mesh->canal_file.empty() && !(canal = read(anatomy.mesh->canal_file, {"mesh", "canal", "file"})))
-        return std::nullopt;
-    auto bone = make_mesh_bone(anatomy, std::move(*surface), canal ? &*canal : nullptr, diagnostics);
-    if (bone) bone->report.file_hashes = std::move(files.file_hashes);
-    return bone;
+        return diagnostics;
+    auto bone = make_mesh_bone(anatomy, std::move(*surface), canal ? &*canal : nullptr).take(diagnostics);
+    if (!bone) return diagnostics;
+    bone->report.file_hashes = std::move(files.file_hashes);
+    return {std::move(*bone), std::move(diagnostics)};
 }
 
 }  // namespace kerf

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "bone/report/import_report.h"
@@ -10,6 +9,7 @@
 #include "bone/surface/thickness.h"
 #include "core/field/grid/box.h"
 #include "documents/anatomy.h"
+#include "text/result.h"
 
 /// Makes bone from a surface: reads, diagnoses and repairs it, and measures its walls.
 ///
@@ -35,10 +35,9 @@ struct MeshBone {
 
 /// Reads the files of `anatomy.mesh` and makes the bone.
 /// Error: E064x … E065x. Pre: `anatomy.mesh`.   [main]
-[[nodiscard]] std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diagnostics);
+[[nodiscard]] Result<MeshBone> make_mesh_bone(const Anatomy& anatomy);
 
 /// Makes the bone from surfaces in memory, as their files contain them. `canal` may be null.   [main]
-[[nodiscard]] std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surface,
-                                                     const SurfaceFile* canal, Diagnostics& diagnostics);
+[[nodiscard]] Result<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surface, const SurfaceFile* canal);
 
 }  // namespace kerf

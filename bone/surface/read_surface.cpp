@@ -23,10 +23,9 @@ bool ends_in(const std::string& name, std::string_view ending) {
 
 }  // namespace
 
-std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& diagnostics) {
+Result<SurfaceFile> read_surface(const std::string& file) {
     const auto refuse = [&](const SurfaceError& error) {
-        diagnostics.push_back(error_about(file, error.code, error.message + " " + error.advice));
-        return std::nullopt;
+        return Diagnostics{error_about(file, error.code, error.message + " " + error.advice)};
     };
     const bool is_stl = ends_in(file, ".stl"), is_obj = ends_in(file, ".obj"), is_ply = ends_in(file, ".ply");
     if (!is_stl && !is_obj && !is_ply)
@@ -49,7 +48,7 @@ std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& di
                                              : is_obj ? read_obj(bytes, error)
                                                       : read_ply(bytes, error);
         if (!surface) return refuse(error);
-        return surface;
+        return *std::move(surface);
     } catch (const std::exception& e) {
         return refuse(
             {"E0642", std::string("reading stopped: ") + e.what() + ".", "Export the surface with fewer faces."});

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "bone/surface/surface_mesh.h"
-#include "text/source.h"
+#include "text/result.h"
 
 /// Reads STL, OBJ and PLY as triangles. Every count is checked against the size of the file before memory is allocated.
 ///
@@ -44,7 +44,7 @@ struct SurfaceError {
 [[nodiscard]] std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error);
 
 /// Reads a file by the ending of its name, in upper or lower case. Never throws.   [main]
-[[nodiscard]] std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& diagnostics);
+[[nodiscard]] Result<SurfaceFile> read_surface(const std::string& file);
 
 inline constexpr std::size_t max_faces = 50'000'000;
 

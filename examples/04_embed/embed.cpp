@@ -13,10 +13,9 @@ int main(int argc, char** argv) {
     }
     kerf::PluginRegistry plugins;
     plugins.scan({argv[2]});
-    kerf::Diagnostics diagnostics;
-    const auto scene = kerf::make_scene(argv[1], "", plugins, diagnostics);  // an empty anatomy: the procedure's own
+    const auto scene = kerf::make_scene(argv[1], "", plugins);  // an empty anatomy: the procedure's own
     if (!scene) {
-        std::fputs(kerf::to_text(diagnostics).c_str(), stderr);
+        std::fputs(kerf::to_text(scene.diagnostics()).c_str(), stderr);
         return 2;
     }
     kerf::RunOutcome outcome;

@@ -226,7 +226,7 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     EXPECT_EQ(run.ticks[event->tick].step, bone.last_cut);
     for (const char* name : {"bone.stl", "bone-1.stl"}) {
         Diagnostics diagnostics;
-        auto surface = read_surface(request.out + "/" + name, diagnostics);
+        auto surface = read_surface(request.out + "/" + name).take(diagnostics);
         ASSERT_TRUE(surface) << to_text(diagnostics);
         weld(surface->mesh);
         EXPECT_TRUE(border_loops_of(half_edges_of(surface->mesh)).empty()) << name;

@@ -109,7 +109,7 @@ TEST(DentalImplantHole, IsRefusedWhereItIsWiderThanTheThread) {
     Diagnostics diagnostics;
     DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/dental-implant.yaml"};
     request.changes = {"", {"instruments.final.parameters.diameter=4.2 mm"}};
-    static_cast<void>(check_documents(request, test::plugins(), diagnostics));
+    static_cast<void>(check_documents(request, test::plugins()).take(diagnostics));
     EXPECT_NE(to_text(diagnostics).find("E0517"), std::string::npos) << to_text(diagnostics);
 }
 

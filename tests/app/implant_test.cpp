@@ -70,7 +70,7 @@ TEST(Implant, StopsTheDrillWhereItLies) {
     // Given a plate from 7 to 4 mm before the bone
     const WithPlate with(plate());
     Diagnostics diagnostics;
-    const auto scene = make_scene(with.file, "", test::plugins(), diagnostics);
+    const auto scene = make_scene(with.file, "", test::plugins()).take(diagnostics);
     ASSERT_TRUE(scene) << to_text(diagnostics);
     RunRequest request;
     request.out = with.folder / "run";
@@ -96,7 +96,7 @@ TEST(Implant, StopsTheDrillWhereItLies) {
 TEST(Implant, AnOpenSurfaceIsRefusedAtItsPlaceInTheProcedure) {
     const WithPlate with(plate(2));
     Diagnostics diagnostics;
-    EXPECT_FALSE(make_scene(with.file, "", test::plugins(), diagnostics));
+    EXPECT_FALSE(make_scene(with.file, "", test::plugins()).take(diagnostics));
     const std::string text = to_text(diagnostics);
     EXPECT_NE(text.find("E0649"), std::string::npos) << text;
     EXPECT_NE(text.find("plate: {mesh: {file: plate.stl"), std::string::npos) << text;
@@ -105,7 +105,7 @@ TEST(Implant, AnOpenSurfaceIsRefusedAtItsPlaceInTheProcedure) {
 TEST(Implant, AFileThatIsNotThereIsMissedBeforeAnythingIsMade) {
     const WithPlate with("");
     Diagnostics diagnostics;
-    EXPECT_FALSE(check_documents({with.file}, test::plugins(), diagnostics));
+    EXPECT_FALSE(check_documents({with.file}, test::plugins()).take(diagnostics));
     EXPECT_NE(to_text(diagnostics).find("E0620"), std::string::npos) << to_text(diagnostics);
 }
 

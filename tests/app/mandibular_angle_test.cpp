@@ -152,8 +152,8 @@ std::string said_of(const std::string& pattern, const std::string& by, std::vect
     DocumentRequest request{.procedure = procedure_file, .anatomy = folder / "jaw.yaml"};
     settings.push_back("accuracy.spacing=1 mm");  // it is refused before anything is cut
     request.changes = {"", settings};
-    auto documents = check_documents(request, test::plugins(), diagnostics);
-    if (documents) (void)make_scene(std::move(*documents), diagnostics);
+    auto documents = check_documents(request, test::plugins()).take(diagnostics);
+    if (documents) (void)make_scene(std::move(*documents)).take(diagnostics);
     return to_text(diagnostics);
 }
 

@@ -202,7 +202,7 @@ TEST(PedicleScrew, OnlyAnImplantIsReleasedAndOnlyWhereItBelongs) {
     Diagnostics diagnostics;
     DocumentRequest request{.procedure = procedure_file};
     request.changes = {"", {"rehearsals.expert.path=[{depth: -5 mm, do: release}, {depth: -6 mm}]"}};
-    static_cast<void>(check_documents(request, test::plugins(), diagnostics));
+    static_cast<void>(check_documents(request, test::plugins()).take(diagnostics));
     EXPECT_NE(to_text(diagnostics).find("E0518"), std::string::npos) << to_text(diagnostics);
     EXPECT_EQ(refusals("steps.insert.goals=[{entry: {}}, {depth: {at_least: 37 mm}}]"),
               "release: a goal of the step is not reached\n");
@@ -283,7 +283,8 @@ TEST(RealSurface, AHoleAlongTheNeckOfTheFemurEndsAsItSays) {
     if (const char* data = std::getenv("KERF_DATA"); !data || !std::filesystem::exists(std::string(data) + "/meshes"))
         GTEST_SKIP() << "KERF_DATA names no folder with meshes/";
     Diagnostics diagnostics;
-    const auto made = make_scene(KERF_SOURCE_DIR "/tests/real-data/neck-hole.yaml", "", test::plugins(), diagnostics);
+    const auto made =
+        make_scene(KERF_SOURCE_DIR "/tests/real-data/neck-hole.yaml", "", test::plugins()).take(diagnostics);
     ASSERT_TRUE(made) << to_text(diagnostics);
     const test::WatchedRun run = test::rehearsed(*made, "straight");
     EXPECT_EQ(run.summary.verdict, Verdict::pass);

@@ -51,7 +51,7 @@ void write_anatomy(const std::string& file) {
 
 std::optional<Scene> scene_of(const std::string& anatomy) {
     Diagnostics diagnostics;
-    auto scene = make_scene(procedure_file, anatomy, test::plugins(), diagnostics);
+    auto scene = make_scene(procedure_file, anatomy, test::plugins()).take(diagnostics);
     EXPECT_TRUE(scene) << to_text(diagnostics);
     return scene;
 }

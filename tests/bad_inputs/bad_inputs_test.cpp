@@ -91,7 +91,7 @@ std::string misplaced(const Body& body) {
 /// Values of the imported file between voxels, where no border is near.
 std::string misread(const std::string& file) {
     Diagnostics found;
-    const auto scan = open_scan(file, {}, {}, found);
+    const auto scan = open_scan(file, {}, {}).take(found);
     const auto image = scan ? scan->read(scan->grid().all(), 0, {}, found) : std::nullopt;
     if (!image) return "what import wrote cannot be read: " + to_text(found);
     for (const Vec3 mm :
@@ -117,7 +117,7 @@ Diagnostics make_bone(const std::string& folder, const std::string& source, std:
     write_file_of(folder + "/anatomy.yaml", anatomy_of(source));
     Diagnostics found;
     const auto anatomy = read_anatomy(folder + "/anatomy.yaml").take(found);
-    const auto body = anatomy ? make_body(*anatomy, spacing, found) : std::nullopt;
+    const auto body = anatomy ? make_body(*anatomy, spacing).take(found) : std::nullopt;
     if (body && wrong.empty()) wrong = misplaced(*body);
     if (!body && !has_error(found)) wrong = "no bone, and no word why";
     return found;
@@ -190,7 +190,7 @@ Ending as_markups(const Input& input, const std::string& folder) {
     write_file_of(folder + "/anatomy.yaml", anatomy);
     write_file_of(folder + "/hole.yaml", hole);
     Diagnostics found;
-    const auto documents = check_documents({folder + "/hole.yaml"}, plugins(), found);
+    const auto documents = check_documents({folder + "/hole.yaml"}, plugins()).take(found);
     Ending ending = ending_of(found);
     if (!documents) return ending;
     const auto& points = documents->anatomy.points;
@@ -211,10 +211,10 @@ Ending as_document(const Input& input, const std::string& folder) {
     else
         write_file_of(folder + "/anatomy.yaml", anatomy_of(phantom));
     const auto documents =
-        check_documents({folder + "/" + (is_anatomy ? "hole.yaml" : input.source)}, plugins(), found);
+        check_documents({folder + "/" + (is_anatomy ? "hole.yaml" : input.source)}, plugins()).take(found);
     Ending ending = ending_of(found);
     if (!documents) return ending;
-    const auto body = make_body(documents->anatomy, spacing, found);
+    const auto body = make_body(documents->anatomy, spacing).take(found);
     if (!body) return ending_of(found);
     ending.wrong = misplaced(*body);
     return ending;

@@ -56,7 +56,7 @@ bool reads(std::string_view input) {
     bool is_read = false;
     for (const bool may_resample : {false, true}) {
         Diagnostics diagnostics;
-        const auto series = series_of(headers, {.name = "", .may_resample = may_resample}, "folder", diagnostics);
+        const auto series = series_of(headers, {.name = "", .may_resample = may_resample}, "folder").take(diagnostics);
         require_reason(series.has_value(), diagnostics);
         if (!series) continue;
         is_read = true;

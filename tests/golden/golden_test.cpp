@@ -59,11 +59,11 @@ Diagnostics check(const std::string& file) {
     constexpr std::string_view with = "# with: --variant ";
     if (text.starts_with(with)) request.changes.variant = text.substr(with.size(), text.find('\n') - with.size());
     Diagnostics found;
-    auto documents = check_documents(request, test::plugins(), found);
+    auto documents = check_documents(request, test::plugins()).take(found);
     if (request.changes.variant.empty())
         for (Diagnostic& d : check_variants(request, found, test::plugins())) found.push_back(std::move(d));
     if (!documents) return found;
-    (void)make_scene(std::move(*documents), found);
+    (void)make_scene(std::move(*documents)).take(found);
     return found;
 }
 

@@ -403,13 +403,13 @@ const std::map<int, std::function<Diagnostics()>>& direct_causes() {
              Diagnostics found;
              Anatomy anatomy = block_of(0.02);
              anatomy.phantom.parts[0].subtract = true;
-             (void)make_body(anatomy, 1e-3, found);
+             (void)make_body(anatomy, 1e-3).take(found);
              return found;
          }},
         {602,
          [] {
              Diagnostics found;
-             (void)make_body(block_of(2.0), 0.05e-3, found);
+             (void)make_body(block_of(2.0), 0.05e-3).take(found);
              return found;
          }},
         {628,
@@ -420,10 +420,10 @@ const std::map<int, std::function<Diagnostics()>>& direct_causes() {
              std::filesystem::current_path(folder.path());
              Scan scan;
              scan.write_to("scan.mha");
-             const auto header = check_image_file("scan.mha", found);
+             const auto header = check_image_file("scan.mha").take(found);
              scan.missing = 1000;
              scan.write_to("scan.mha");
-             if (header) (void)read_image("scan.mha", *header, {{0, 0, 0}, header->size}, 0, found);
+             if (header) (void)read_image("scan.mha", *header, {{0, 0, 0}, header->size}, 0).take(found);
              std::filesystem::current_path(before);
              return found;
          }},

@@ -45,7 +45,7 @@ Diagnostics checked(const Anatomy& anatomy, double spacing) {
 TEST(BoneMemory, IsWhatTheFieldsTake) {
     const Anatomy anatomy = vertebra();
     Diagnostics diagnostics;
-    const auto body = make_body(anatomy, 0.5_mm, diagnostics);
+    const auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
     double bytes = static_cast<double>(body->surface.memory_bytes());
     for (const Material& material : body->materials) bytes += static_cast<double>(material.border.memory_bytes());

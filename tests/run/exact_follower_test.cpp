@@ -55,8 +55,9 @@ const Scene& leg() {
                                           "",
                                           {"reciprocating", {"accuracy.spacing=0.6 mm"}},
                                           KERF_SOURCE_DIR "/procedures"},
-                                         test::plugins(), diagnostics);
-        auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+                                         test::plugins())
+                             .take(diagnostics);
+        auto made = documents ? make_scene(std::move(*documents)).take(diagnostics) : std::nullopt;
         if (!made) throw std::runtime_error(to_text(diagnostics));
         return std::move(*made);
     }();

@@ -50,7 +50,7 @@ std::optional<Scene> scene_with(const std::string& normal, Diagnostics& diagnost
     anatomy.replace(anatomy.find("NORMAL"), 6, normal);
     std::ofstream(folder / "rod.yaml") << anatomy;
     std::ofstream(folder / "slot.yaml") << slot;
-    return make_scene(folder / "slot.yaml", "", test::plugins(), diagnostics);
+    return make_scene(folder / "slot.yaml", "", test::plugins()).take(diagnostics);
 }
 
 TEST(FittedLandmarks, GiveStepsTheirAxes) {

@@ -85,7 +85,7 @@ struct MeasuredRun {
     MeasuredRun(const std::string& goals, const std::string& limits = "") {
         std::ofstream(folder.path() + "/block.yaml") << anatomy_text;
         std::ofstream(folder.path() + "/hole.yaml") << procedure_text(goals, limits);
-        scene = make_scene(folder.path() + "/hole.yaml", "", test::plugins(), diagnostics);
+        scene = make_scene(folder.path() + "/hole.yaml", "", test::plugins()).take(diagnostics);
         EXPECT_TRUE(scene) << to_text(diagnostics);
         if (scene) run = test::watched_run(*scene, test::plugins(), {});
     }
@@ -206,7 +206,7 @@ TEST(Measures, GiveTheAnglesOfAJaw) {
     std::ofstream(folder.path() + "/jaw.yaml") << jaw_text;
     std::ofstream(folder.path() + "/procedure.yaml") << jaw_procedure_text;
     Diagnostics diagnostics;
-    const auto scene = make_scene(folder.path() + "/procedure.yaml", "", test::plugins(), diagnostics);
+    const auto scene = make_scene(folder.path() + "/procedure.yaml", "", test::plugins()).take(diagnostics);
     ASSERT_TRUE(scene) << to_text(diagnostics);
     ASSERT_EQ(scene->measured_before.size(), 2U);
     const MeasureReading &gonial = scene->measured_before[0], &plane = scene->measured_before[1];

@@ -104,7 +104,7 @@ public:
         std::ofstream(folder_ / "plating.yaml") << text;
     }
     [[nodiscard]] std::optional<Scene> scene(Diagnostics& found) const {
-        return make_scene(folder_ / "plating.yaml", "", test::plugins(), found);
+        return make_scene(folder_ / "plating.yaml", "", test::plugins()).take(found);
     }
     [[nodiscard]] Scene scene() const {
         Diagnostics found;

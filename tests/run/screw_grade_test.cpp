@@ -62,7 +62,7 @@ Body pedicle() {
                                      false, ""});
     anatomy.tissues.push_back({"bone", 1000.0, 0.0, ""});
     Diagnostics diagnostics;
-    auto body = make_body(anatomy, 0.25_mm, diagnostics);
+    auto body = make_body(anatomy, 0.25_mm).take(diagnostics);
     EXPECT_TRUE(body) << to_text(diagnostics);
     return std::move(*body);
 }

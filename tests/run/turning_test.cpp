@@ -75,7 +75,7 @@ std::optional<Scene> seat_with(const std::string& turn, const std::string& devic
     std::ofstream(folder / "bored.yaml") << bored_block;
     std::ofstream(folder / "seat.yaml") << text;
     Diagnostics diagnostics;
-    auto scene = make_scene(folder / "seat.yaml", "", test::plugins(), diagnostics);
+    auto scene = make_scene(folder / "seat.yaml", "", test::plugins()).take(diagnostics);
     if (!scene) ADD_FAILURE() << to_text(diagnostics);
     return scene;
 }

@@ -18,8 +18,8 @@ namespace kerf::test {
 /// Returns the scene of a request. Throws what is wrong with it, and the test fails with that.
 inline Scene scene_of(const DocumentRequest& request) {
     Diagnostics diagnostics;
-    auto documents = check_documents(request, plugins(), diagnostics);
-    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    auto documents = check_documents(request, plugins()).take(diagnostics);
+    auto made = documents ? make_scene(std::move(*documents)).take(diagnostics) : std::nullopt;
     if (!made) throw std::runtime_error(to_text(diagnostics));
     return std::move(*made);
 }

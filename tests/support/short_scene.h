@@ -19,8 +19,8 @@ inline Scene scene_with(const std::vector<std::string>& settings) {
     DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
     request.changes.settings = {"accuracy.spacing=0.5 mm", "time_limit=15 s"};
     request.changes.settings.insert(request.changes.settings.end(), settings.begin(), settings.end());
-    auto documents = check_documents(request, test::plugins(), diagnostics);
-    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    auto documents = check_documents(request, test::plugins()).take(diagnostics);
+    auto made = documents ? make_scene(std::move(*documents)).take(diagnostics) : std::nullopt;
     if (!made) throw std::runtime_error(to_text(diagnostics));
     return std::move(*made);
 }

@@ -68,7 +68,7 @@ struct Dicom : testing::Test {
         }
     }
     std::optional<VoxelImage> read(const SeriesChoice& choice = {}) {
-        const auto scan = open_scan(folder.path(), choice, {}, diagnostics);
+        const auto scan = open_scan(folder.path(), choice, {}).take(diagnostics);
         return scan ? scan->read(scan->grid().all(), 0, {}, diagnostics) : std::nullopt;
     }
     void expect_refused(const std::string& code, const std::string& words, const SeriesChoice& choice = {}) {
@@ -452,7 +452,7 @@ TEST_F(Dicom, RefusesAnEmptyFolderAndASingleSlice) {
     write(one);
     expect_refused("E0669", "at least 2");
     diagnostics.clear();
-    EXPECT_FALSE(open_scan(folder / "IM0", {}, {}, diagnostics));
+    EXPECT_FALSE(open_scan(folder / "IM0", {}, {}).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_NE(diagnostics[0].message.find("Name the folder"), std::string::npos);
 }
@@ -474,7 +474,7 @@ TEST_F(Dicom, SaysNothingOfWhoseItIs) {
             .text(0x00100020, "LO", "PAT-4711")
             .text(0x0008103e, "LO", "DOE HEAD");
     write(series);
-    const auto scan = open_scan(folder.path(), {}, {}, diagnostics);
+    const auto scan = open_scan(folder.path(), {}, {}).take(diagnostics);
     ASSERT_TRUE(scan);
     std::string all;
     for (const std::string& note : scan->notes()) all += note;
@@ -566,7 +566,7 @@ TEST_F(Dicom, JoinsAcquisitionsOneBehindTheOtherAndSaysSo) {
                 .text(0x00080032, "TM", "10070" + std::to_string(n));
         write(series);
         diagnostics.clear();
-        const auto scan = open_scan(folder.path(), {}, {}, diagnostics);
+        const auto scan = open_scan(folder.path(), {}, {}).take(diagnostics);
         ASSERT_TRUE(scan) << to_text(diagnostics);
         EXPECT_EQ(scan->grid().size[2], 4);
         EXPECT_EQ(diagnostics.size(), stops_each_time ? 0u : 1u) << to_text(diagnostics);
@@ -616,8 +616,8 @@ bool is_there(const std::string& name) { return !data(name).empty() && std::file
 
 TEST_F(Dicom, RealSpineIsTheSameAsItsVolume) {
     if (!is_there("dicom/spine_t11_t12_lidc0314")) GTEST_SKIP() << "no KERF_DATA";
-    const auto series = open_scan(data("dicom/spine_t11_t12_lidc0314"), {}, {}, diagnostics);
-    const auto volume = open_scan(data("volumes/spine_t9_t12_lidc0314.nrrd"), {}, {}, diagnostics);
+    const auto series = open_scan(data("dicom/spine_t11_t12_lidc0314"), {}, {}).take(diagnostics);
+    const auto volume = open_scan(data("volumes/spine_t9_t12_lidc0314.nrrd"), {}, {}).take(diagnostics);
     ASSERT_TRUE(series && volume) << to_text(diagnostics);
     const Box box{{-30.0_mm, 200.0_mm, -690.0_mm}, {10.0_mm, 245.0_mm, -650.0_mm}};
     const auto a = series->read(series->grid().range(box), 0, {}, diagnostics);
@@ -639,7 +639,7 @@ TEST_F(Dicom, RealSpineIsTheSameAsItsVolume) {
 
 TEST_F(Dicom, RealUnevenSeriesKeepsItsSlicesWhereTheyWere) {
     if (!is_there("dicom/uneven_vertex_harvard02")) GTEST_SKIP() << "no KERF_DATA";
-    EXPECT_FALSE(open_scan(data("dicom/uneven_vertex_harvard02"), {}, {}, diagnostics));
+    EXPECT_FALSE(open_scan(data("dicom/uneven_vertex_harvard02"), {}, {}).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0665");
     EXPECT_NE(diagnostics[0].message.find("got 2 gaps, 1.00 mm behind z -6.00 mm, 1.50 mm behind z -5.00 mm"),
@@ -648,7 +648,7 @@ TEST_F(Dicom, RealUnevenSeriesKeepsItsSlicesWhereTheyWere) {
     diagnostics.clear();
 
     const auto scan =
-        open_scan(data("dicom/uneven_vertex_harvard02"), {.name = "", .may_resample = true}, {}, diagnostics);
+        open_scan(data("dicom/uneven_vertex_harvard02"), {.name = "", .may_resample = true}, {}).take(diagnostics);
     ASSERT_TRUE(scan) << to_text(diagnostics);
     EXPECT_NEAR(scan->grid().spacing(2), 0.5_mm, 1e-9);
     EXPECT_EQ(scan->grid().size[2], 23);  // 20 slices, and three where there were none
@@ -657,11 +657,11 @@ TEST_F(Dicom, RealUnevenSeriesKeepsItsSlicesWhereTheyWere) {
 
 TEST_F(Dicom, RealTiltedSeriesAgreesWithItsGroundTruth) {
     if (!is_there("dicom/tilted_jaw_vhp_male_derived")) GTEST_SKIP() << "no KERF_DATA";
-    const auto tilted = open_scan(data("dicom/tilted_jaw_vhp_male_derived"), {}, {}, diagnostics);
+    const auto tilted = open_scan(data("dicom/tilted_jaw_vhp_male_derived"), {}, {}).take(diagnostics);
     ASSERT_TRUE(tilted) << to_text(diagnostics);
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_NE(diagnostics[0].message.find("18.0 deg"), std::string::npos) << diagnostics[0].message;
-    const auto truth = open_scan(data("volumes/jaw_teeth_vhp_male.nii.gz"), {}, {}, diagnostics);
+    const auto truth = open_scan(data("volumes/jaw_teeth_vhp_male.nii.gz"), {}, {}).take(diagnostics);
     ASSERT_TRUE(truth) << to_text(diagnostics);
     const auto a = tilted->read(tilted->grid().all(), 0, {}, diagnostics);
     const auto b = truth->read(truth->grid().all(), 0, {}, diagnostics);

@@ -53,7 +53,7 @@ struct Outcome {
 Outcome outcome_of(const std::string& path) {
     Outcome outcome;
     Diagnostics diagnostics;
-    const auto scan = open_scan(path, {}, {}, diagnostics);
+    const auto scan = open_scan(path, {}, {}).take(diagnostics);
     const auto image = scan ? scan->read(scan->grid().all(), 0, {}, diagnostics) : std::nullopt;
     if (!diagnostics.empty()) outcome.code = diagnostics[0].code;
     outcome.is_read = image.has_value();

@@ -113,14 +113,14 @@ struct ReadImage : testing::Test {
     void expect_refused(const std::string& code, const std::string& name, const std::string& bytes) {
         SCOPED_TRACE(name);
         Diagnostics diagnostics;
-        EXPECT_FALSE(read_image(write(name, bytes), diagnostics));
+        EXPECT_FALSE(read_image(write(name, bytes)).take(diagnostics));
         ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
         EXPECT_EQ(diagnostics[0].code, code) << to_text(diagnostics);
     }
     void expect_the_volume(const std::string& name, const std::string& bytes) {
         SCOPED_TRACE(name);
         Diagnostics diagnostics;
-        const auto image = read_image(write(name, bytes), diagnostics);
+        const auto image = read_image(write(name, bytes)).take(diagnostics);
         ASSERT_TRUE(image) << to_text(diagnostics);
         EXPECT_EQ(image->size, size);
         EXPECT_EQ(image->at(3, 2, 1), 321.0f);
@@ -193,7 +193,7 @@ TEST_F(ReadImage, DoubtsBytesBehindVoxelsInTheHeadersFile) {
                                       {"c.mha", meta_header + voxels() + "\n"}}) {
         SCOPED_TRACE(name);
         Diagnostics diagnostics;
-        const auto header = check_image_file(write(name, bytes), diagnostics);
+        const auto header = check_image_file(write(name, bytes)).take(diagnostics);
         ASSERT_TRUE(header) << to_text(diagnostics);
         ASSERT_EQ(header->doubts.size(), 1u);
         EXPECT_NE(header->doubts[0].find("1 bytes more"), std::string::npos) << header->doubts[0];
@@ -210,7 +210,7 @@ TEST_F(ReadImage, TurnsRasIntoLps) {
 TEST_F(ReadImage, KeepsTheShearOfATiltedScan) {
     Diagnostics diagnostics;
     const auto image =
-        read_image(write("tilted.nrrd", replaced(nrrd_header, "(0,0,2)", "(0,0.5,2)") + voxels()), diagnostics);
+        read_image(write("tilted.nrrd", replaced(nrrd_header, "(0,0,2)", "(0,0.5,2)") + voxels())).take(diagnostics);
     ASSERT_TRUE(image) << to_text(diagnostics);
     EXPECT_NEAR(length(image->lps({0, 0, 1}) - Vec3{10.0_mm, 20.5_mm, 32.0_mm}), 0.0, 1e-9);
     EXPECT_NEAR(image->sample_trilinear({10.0_mm, 20.5_mm, 32.0_mm}, -1.0), 1.0, 1e-6);
@@ -218,7 +218,7 @@ TEST_F(ReadImage, KeepsTheShearOfATiltedScan) {
 
 TEST_F(ReadImage, GivesTheBackgroundOutsideTheVolume) {
     Diagnostics diagnostics;
-    const auto image = read_image(write("a.mha", meta_header + voxels()), diagnostics);
+    const auto image = read_image(write("a.mha", meta_header + voxels())).take(diagnostics);
     ASSERT_TRUE(image) << to_text(diagnostics);
     EXPECT_EQ(image->sample_trilinear({9.9_mm, 20.0_mm, 30.0_mm}, -1024.0), -1024.0);
     EXPECT_EQ(image->sample_trilinear({10.0_mm, 20.0_mm, 32.1_mm}, -1024.0), -1024.0);
@@ -227,18 +227,18 @@ TEST_F(ReadImage, GivesTheBackgroundOutsideTheVolume) {
 
 TEST_F(ReadImage, AppliesTheScaleOfTheFile) {
     Diagnostics diagnostics;
-    const auto image = read_image(write("a.nii", Nifti().with(112, 2.0f).with(116, -1000.0f).file()), diagnostics);
+    const auto image = read_image(write("a.nii", Nifti().with(112, 2.0f).with(116, -1000.0f).file())).take(diagnostics);
     ASSERT_TRUE(image) << to_text(diagnostics);
     EXPECT_EQ(image->at(1, 0, 0), -800.0f);
 }
 
 TEST_F(ReadImage, RefusesWhatIsNoFile) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(read_image(folder / "missing.nii", diagnostics));
+    EXPECT_FALSE(read_image(folder / "missing.nii").take(diagnostics));
     std::filesystem::create_directory(folder / "folder.nii");
-    EXPECT_FALSE(read_image(folder / "folder.nii", diagnostics));
-    EXPECT_FALSE(read_image("", diagnostics));
-    EXPECT_FALSE(read_image("/dev/zero", diagnostics));
+    EXPECT_FALSE(read_image(folder / "folder.nii").take(diagnostics));
+    EXPECT_FALSE(read_image("").take(diagnostics));
+    EXPECT_FALSE(read_image("/dev/zero").take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 4u);
     for (const Diagnostic& d : diagnostics) EXPECT_EQ(d.code, "E0620") << to_text(diagnostics);
 }
@@ -249,7 +249,7 @@ TEST_F(ReadImage, RefusesAFifoWhateverItsName) {
         ASSERT_EQ(mkfifo((folder / name).c_str(), 0600), 0);
     for (const char* name : {"x.nrrd", "x.nhdr", "x.nii", "x.nii.gz", "x.mha", "x.mhd", "x"}) {
         Diagnostics diagnostics;
-        EXPECT_FALSE(open_scan(folder / name, {}, {}, diagnostics));
+        EXPECT_FALSE(open_scan(folder / name, {}, {}).take(diagnostics));
         ASSERT_EQ(diagnostics.size(), 1u);
         EXPECT_EQ(diagnostics[0].code, "E0620") << to_text(diagnostics);
     }
@@ -384,7 +384,7 @@ TEST_F(ReadImage, ShowsNoControlCharacterOfAHeader) {
          {std::pair<const char*, std::string>{"a.nrrd", replaced(nrrd_header, "short", "\x1b[31m\xe2\x80\xae")},
           {"b.mha", replaced(meta_header, "MET_SHORT", "\x1b]0;title\x07")}}) {
         Diagnostics diagnostics;
-        EXPECT_FALSE(read_image(write(name, bytes), diagnostics));
+        EXPECT_FALSE(read_image(write(name, bytes)).take(diagnostics));
         EXPECT_NE(to_text(diagnostics).find("\\x1b"), std::string::npos) << to_text(diagnostics);
         for (const char* raw : {"\x1b", "\x07", "\xe2\x80\xae"})
             EXPECT_EQ(to_text(diagnostics).find(raw), std::string::npos);
@@ -408,7 +408,7 @@ TEST_F(ReadImage, SurvivesADamagedHeader) {
             spoilt[at] = static_cast<char>(spoilt[at] ^ 0x55);
             Diagnostics diagnostics;
             EXPECT_NO_THROW({
-                const bool is_read = read_image(write(name, spoilt), diagnostics).has_value();
+                const bool is_read = read_image(write(name, spoilt)).take(diagnostics).has_value();
                 EXPECT_NE(is_read, has_error(diagnostics)) << name << " byte " << at;
             });
         }
@@ -426,8 +426,8 @@ TEST(RealData, TheSameCtInTwoFormatsHasTheSameValuesAtTheSamePlaces) {
     if (real_data("lumbar_l3_tptbox_ct.nii.gz").empty())
         GTEST_SKIP() << "KERF_DATA names no folder with volumes/lumbar_l3_tptbox_ct.nii.gz, so no real CT was read.";
     Diagnostics diagnostics;
-    const auto nifti = read_image(real_data("lumbar_l3_tptbox_ct.nii.gz"), diagnostics);
-    const auto meta = read_image(real_data("lumbar_l3_tptbox_axial.mhd"), diagnostics);
+    const auto nifti = read_image(real_data("lumbar_l3_tptbox_ct.nii.gz")).take(diagnostics);
+    const auto meta = read_image(real_data("lumbar_l3_tptbox_axial.mhd")).take(diagnostics);
     ASSERT_TRUE(nifti && meta) << to_text(diagnostics);
 
     // Then every voxel of the one is the voxel of the other at the same place in the patient

@@ -30,7 +30,7 @@ struct ScanFile : testing::Test {
     std::optional<Scan> open(const std::string& name, const std::string& bytes) {
         std::ofstream(folder / name, std::ios::binary) << bytes;
         diagnostics.clear();
-        return open_scan(folder / name, {}, {}, diagnostics);
+        return open_scan(folder / name, {}, {}).take(diagnostics);
     }
     std::optional<VoxelImage> read(const std::optional<Scan>& scan, int layer = 0) {
         return scan ? scan->read(scan->grid().all(), layer, {}, diagnostics) : std::nullopt;
@@ -249,7 +249,7 @@ TEST_F(ScanFile, IsReadAsItWasWritten) {
         writer.add({image.values.data(), 20});
         writer.add({image.values.data() + 20, 40});
         ASSERT_EQ(writer.finish(), "");
-        const auto scan = open_scan(folder / "out.nrrd", {}, {}, diagnostics);
+        const auto scan = open_scan(folder / "out.nrrd", {}, {}).take(diagnostics);
         const auto again = read(scan);
         ASSERT_TRUE(again) << to_text(diagnostics);
         EXPECT_TRUE(on_one_grid(image, *again));

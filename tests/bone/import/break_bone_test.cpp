@@ -29,10 +29,10 @@ TEST(BreakBone, PartsItAtThePlaneAndLosesTheGap) {
     const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}, .gap = 1.0_mm});
     Diagnostics diagnostics;
     ImportReport report;
-    auto body = make_body(anatomy, 0.5_mm, diagnostics);
+    auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
     ASSERT_TRUE(body);
     const double whole = volume_of(*body);
-    const auto fragment = break_bone(*body, anatomy, report, diagnostics);
+    const auto fragment = break_bone(*body, anatomy, report).take(diagnostics);
     ASSERT_TRUE(fragment) << to_text(diagnostics);
     const double section = 20.0_mm * 20.0_mm;
     EXPECT_NEAR(volume_of(*fragment), section * 19.5_mm, 0.01 * section * 19.5_mm);
@@ -44,8 +44,8 @@ TEST(BreakBone, HasNoNewCortexAtTheBreak) {
     const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}});
     Diagnostics diagnostics;
     ImportReport report;
-    auto body = make_body(anatomy, 0.5_mm, diagnostics);
-    const auto fragment = break_bone(*body, anatomy, report, diagnostics);
+    auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
+    const auto fragment = break_bone(*body, anatomy, report).take(diagnostics);
     ASSERT_TRUE(fragment);
     const auto is_cortical = [&](Vec3 at) { return fragment->materials[0].border.at(locate(*fragment, at)) < 0.0; };
     EXPECT_FALSE(is_cortical({0, 0, 11.0_mm})) << "the middle of the break";
@@ -58,8 +58,8 @@ TEST(BreakBone, NotesWhereTheFragmentLiesAndWarnsOfItInTheRest) {
         const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}, .shift = {0, 0, shift}});
         Diagnostics diagnostics;
         ImportReport report;
-        auto body = make_body(anatomy, 0.5_mm, diagnostics);
-        ASSERT_TRUE(break_bone(*body, anatomy, report, diagnostics));
+        auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
+        ASSERT_TRUE(break_bone(*body, anatomy, report).take(diagnostics));
         ASSERT_EQ(report.notes.size(), 1u);
         EXPECT_NE(report.notes[0].find("lies 5.0 mm from its place"), std::string::npos) << report.notes[0];
         EXPECT_EQ(diagnostics.size(), shift < 0.0 ? 1u : 0u) << to_text(diagnostics);
@@ -70,9 +70,9 @@ TEST(BreakBone, IsRefusedWhereOneSideHasNoBone) {
     const Anatomy anatomy = rod({.at = {0, 0, 31.0_mm}, .normal = {0, 0, 1}});
     Diagnostics diagnostics;
     ImportReport report;
-    auto body = make_body(anatomy, 0.5_mm, diagnostics);
+    auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
     const double whole = volume_of(*body);
-    EXPECT_FALSE(break_bone(*body, anatomy, report, diagnostics));
+    EXPECT_FALSE(break_bone(*body, anatomy, report).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0605");
     EXPECT_EQ(volume_of(*body), whole) << "it stays whole";

@@ -77,7 +77,7 @@ Anatomy anatomy() {
 
 TEST(CtBody, PutsTheBorderBetweenTheVoxels) {
     Diagnostics diagnostics;
-    const auto bone = make_ct_bone(anatomy(), ball(), nullptr, diagnostics);
+    const auto bone = make_ct_bone(anatomy(), ball(), nullptr).take(diagnostics);
     ASSERT_TRUE(bone) << to_text(diagnostics);
 
     // A hundred directions, at the border and a voxel beside it
@@ -102,7 +102,7 @@ TEST(CtBody, KeepsOneBoneApartFromTheNextThatTouchesIt) {
     const VoxelImage labels = image_of([](Vec3 p) { return p.x < 0.5 * spacing ? 1.0 : 2.0; });
 
     Diagnostics diagnostics;
-    const auto bone = make_ct_bone(one, image, &labels, diagnostics);
+    const auto bone = make_ct_bone(one, image, &labels).take(diagnostics);
 
     // Then the border lies where the labels meet: half way between voxels 0 and 1
     ASSERT_TRUE(bone) << to_text(diagnostics);
@@ -116,7 +116,7 @@ TEST(CtBody, MovesTheLabelsBorderToWhereTheGreyValuesCross) {
     const VoxelImage labels = image_of([](Vec3 p) { return length(p) < radius - 0.7 * spacing ? 1.0 : 0.0; });
 
     Diagnostics diagnostics;
-    const auto bone = make_ct_bone(one, ball(), &labels, diagnostics);
+    const auto bone = make_ct_bone(one, ball(), &labels).take(diagnostics);
 
     ASSERT_TRUE(bone) << to_text(diagnostics);
     EXPECT_NEAR(bone->distance.sample_trilinear({radius, 0.0, 0.0}, 1.0), 0.0, 0.1 * spacing);
@@ -127,7 +127,7 @@ TEST(CtBody, FillsACavityOnlyWhenTold) {
         Anatomy one = anatomy();
         one.ct->fill = fill;
         Diagnostics diagnostics;
-        const auto bone = make_ct_bone(one, hollow_ball(), nullptr, diagnostics);
+        const auto bone = make_ct_bone(one, hollow_ball(), nullptr).take(diagnostics);
         ASSERT_TRUE(bone) << to_text(diagnostics);
         EXPECT_EQ(bone->distance.sample_trilinear({0.0, 0.0, 0.0}, 1.0) < 0.0, fill);
     }
@@ -142,7 +142,7 @@ TEST(CtBody, ClosesASlitNarrowerThanTwiceItsRadius) {
         const VoxelImage labels =
             image_of([](Vec3 p) { return length(p) < radius && std::abs(p.x) > 0.5 * spacing ? 1.0 : 0.0; });
         Diagnostics diagnostics;
-        const auto bone = make_ct_bone(one, image, &labels, diagnostics);
+        const auto bone = make_ct_bone(one, image, &labels).take(diagnostics);
         ASSERT_TRUE(bone) << to_text(diagnostics);
         EXPECT_EQ(bone->distance.sample_trilinear({0.0, 0.0, 0.0}, 1.0) < 0.0, closing > 0.0);
     }
@@ -162,7 +162,7 @@ TEST(CtBody, TakesTheNearestLabelWhereTheLabelsHaveAnotherGrid) {
     });
 
     Diagnostics diagnostics;
-    const auto bone = make_ct_bone(one, ball(), &labels, diagnostics);
+    const auto bone = make_ct_bone(one, ball(), &labels).take(diagnostics);
 
     // Then the bone is the ball all the same, and the notes say so
     ASSERT_TRUE(bone) << to_text(diagnostics);
@@ -185,7 +185,7 @@ TEST(CtBody, KeepsTheLargestPieceOrTheOneAtALandmark) {
     for (const bool is_named : {false, true}) {
         one.ct->component_at = is_named ? "small" : "";
         Diagnostics diagnostics;
-        const auto bone = make_ct_bone(one, two_balls(), nullptr, diagnostics);
+        const auto bone = make_ct_bone(one, two_balls(), nullptr).take(diagnostics);
         ASSERT_TRUE(bone) << to_text(diagnostics);
         EXPECT_EQ(bone->distance.sample_trilinear({-(5.0_mm), 0.0, 0.0}, 1.0) < 0.0, !is_named);
         EXPECT_EQ(bone->distance.sample_trilinear({9.0_mm, 0.0, 0.0}, 1.0) < 0.0, is_named);
@@ -202,7 +202,7 @@ TEST(CtBody, VoxelsOfExactlyTheThresholdAreBone) {
             return is_between ? std::max(ball, value) : ball;
         });
         Diagnostics diagnostics;
-        const auto bone = make_ct_bone(anatomy(), image, nullptr, diagnostics);
+        const auto bone = make_ct_bone(anatomy(), image, nullptr).take(diagnostics);
         EXPECT_TRUE(bone) << to_text(diagnostics);
         return bone && bone->distance.sample_trilinear({9.0_mm, 0.0, 0.0}, 1.0) < 0.0;
     };
@@ -215,7 +215,7 @@ TEST(CtBody, DoubtsValuesThatAreNoHounsfieldUnits) {
     Anatomy one = anatomy();
     one.ct->intensity = CtSource::Intensity::hounsfield;
     Diagnostics diagnostics;
-    EXPECT_TRUE(make_ct_bone(one, ball(), nullptr, diagnostics));
+    EXPECT_TRUE(make_ct_bone(one, ball(), nullptr).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, "W0675");
     EXPECT_NE(diagnostics[0].message.find("ct.intensity: grey"), std::string::npos);
@@ -232,7 +232,7 @@ TEST(CtBody, WarnsOfMetal) {
         for (int j = 11; j < 14; ++j)
             for (int i = 11; i < 14; ++i) image.values[image.offset(i, j, k)] = 3071.0f;
     Diagnostics diagnostics;
-    EXPECT_TRUE(make_ct_bone(one, image, nullptr, diagnostics));
+    EXPECT_TRUE(make_ct_bone(one, image, nullptr).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_NE(diagnostics[0].message.find("91 mm3"), std::string::npos) << diagnostics[0].message;
 }
@@ -242,7 +242,7 @@ TEST(CtBody, TellsHowFarTheEntryMovesWithTheThreshold) {
     Anatomy one = anatomy();
     one.axes = {{"axis", {-(16.0_mm), 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0}};
     Diagnostics diagnostics;
-    const auto bone = make_ct_bone(one, ball(), nullptr, diagnostics, {.with_shifts = true});
+    const auto bone = make_ct_bone(one, ball(), nullptr, {.with_shifts = true}).take(diagnostics);
     ASSERT_TRUE(bone) << to_text(diagnostics);
     ASSERT_EQ(bone->report.shifts.size(), 1u);
     ASSERT_TRUE(bone->report.shifts[0].lower && bone->report.shifts[0].upper);
@@ -252,7 +252,7 @@ TEST(CtBody, TellsHowFarTheEntryMovesWithTheThreshold) {
 
 void expect_refused(const std::string& code, const Anatomy& one, const VoxelImage& image, const VoxelImage* labels) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(make_ct_bone(one, image, labels, diagnostics));
+    EXPECT_FALSE(make_ct_bone(one, image, labels).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, code) << to_text(diagnostics);
 }
@@ -338,7 +338,7 @@ TEST(CtBody, KeepsTheOneStructureThatIsMeantOrNone) {
         bone.ct->keep = one.keep;
         bone.ct->keep_named = one.named;
         Diagnostics diagnostics;
-        const auto made = make_ct_bone(bone, diagnostics);
+        const auto made = make_ct_bone(bone).take(diagnostics);
         ASSERT_EQ(made.has_value(), one.code.empty()) << to_text(diagnostics);
         if (!made) {
             EXPECT_EQ(diagnostics.back().code, one.code) << to_text(diagnostics);
@@ -355,7 +355,7 @@ TEST(CtBody, RefusesASegmentationAsTheScan) {
     bone.file = folder / "bone.yaml";
     bone.ct->image = "labels.seg.nrrd";
     Diagnostics diagnostics;
-    EXPECT_FALSE(make_ct_bone(bone, diagnostics));
+    EXPECT_FALSE(make_ct_bone(bone).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0623") << to_text(diagnostics);
 }
@@ -370,7 +370,7 @@ TEST(CtBody, NeverFollowsALinkOutOfTheFolder) {
         bone.file = folder / "bone.yaml";
         bone.ct->image = name;
         Diagnostics diagnostics;
-        EXPECT_FALSE(make_ct_bone(bone, diagnostics));
+        EXPECT_FALSE(make_ct_bone(bone).take(diagnostics));
         ASSERT_EQ(diagnostics.size(), 1u);
         EXPECT_EQ(diagnostics[0].code, "E0619") << to_text(diagnostics);
     }
@@ -390,7 +390,7 @@ TEST(CtBody, BecomesABodyWithAPrescribedCortexAndTheDensityOfItsVoxels) {
     one.ct->density = DensityLine{.at_zero = 50.0, .per_unit = 0.5, .floor = 100.0, .source = ""};
 
     Diagnostics diagnostics;
-    const auto body = make_body(one, 0.5_mm, diagnostics);
+    const auto body = make_body(one, 0.5_mm).take(diagnostics);
 
     ASSERT_TRUE(body) << to_text(diagnostics);
     const auto place = [&](double x) { return locate(body->grid(), {x, 0.0, 0.0}); };
@@ -415,7 +415,7 @@ TEST(CtBody, FitsLandmarksToTheBorderOfItsVoxels) {
 
     // When it becomes a bone
     Diagnostics diagnostics;
-    const auto bone = make_ct_bone(one, diagnostics);
+    const auto bone = make_ct_bone(one).take(diagnostics);
 
     // Then the point is the ball's centre, to a fraction of a voxel
     ASSERT_TRUE(bone) << to_text(diagnostics);
@@ -438,7 +438,7 @@ std::optional<Body> labelled_ball(const VoxelImage& values, Diagnostics& diagnos
     one.ct->threshold = -4000.0;
     one.ct->density = DensityLine{.at_zero = 0.0, .per_unit = 1.0, .floor = 100.0, .source = ""};
     one.tissues[0].thickness = cortex;
-    return make_body(one, 0.5_mm, diagnostics);
+    return make_body(one, 0.5_mm).take(diagnostics);
 }
 
 std::string joined(const std::vector<std::string>& notes) {
@@ -457,7 +457,7 @@ TEST(CtBody, SaysWhatItDidAndNothingOfWhereItLooked) {
     one.ct->density = DensityLine{.at_zero = 50.0, .per_unit = 0.5, .floor = 100.0, .source = "A phantom."};
     Diagnostics diagnostics;
     ImportReport report;
-    const auto body = make_body(one, 0.5_mm, diagnostics, &report);
+    const auto body = make_body(one, 0.5_mm, &report).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
 
     const std::string notes = joined(report.notes);
@@ -482,7 +482,7 @@ TEST(CtBody, HashesTheBytesOfItsFiles) {
     const auto hashes = [&] {
         Diagnostics diagnostics;
         ImportReport report;
-        EXPECT_TRUE(make_body(one, 1.0_mm, diagnostics, &report)) << to_text(diagnostics);
+        EXPECT_TRUE(make_body(one, 1.0_mm, &report).take(diagnostics)) << to_text(diagnostics);
         return report.file_hashes;
     };
     const auto first = hashes();
@@ -515,7 +515,7 @@ TEST(CtBody, GoesOnBeyondTheBoxAroundItsAxes) {
     one.axes = {{"axis", {-(1.0_mm), 0.0, 0.0}, {1.0_mm, 0.0, 0.0}, 0.0}};
 
     Diagnostics diagnostics;
-    const auto body = make_body(one, 0.5_mm, diagnostics);
+    const auto body = make_body(one, 0.5_mm).take(diagnostics);
 
     // Then it is bone as far as the box goes, 15 mm, and beyond
     ASSERT_TRUE(body) << to_text(diagnostics);
@@ -588,7 +588,7 @@ TEST(CtBody, RefusesAMissingImageByName) {
     Anatomy one = anatomy();
     one.ct->image = "missing.nii.gz";
     Diagnostics diagnostics;
-    EXPECT_FALSE(make_body(one, 0.5_mm, diagnostics));
+    EXPECT_FALSE(make_body(one, 0.5_mm).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0620");
     EXPECT_NE(diagnostics[0].place.file.find("missing.nii.gz"), std::string::npos);
@@ -602,7 +602,7 @@ TEST_P(RealVertebra, HasItsPlannedAxesInBoneAndItsCanalEmpty) {
     Diagnostics diagnostics;
     const auto one = read_anatomy(std::string(KERF_SOURCE_DIR) + "/tests/real-data/" + GetParam()).take(diagnostics);
     ASSERT_TRUE(one) << to_text(diagnostics);
-    const auto body = make_body(*one, 0.5_mm, diagnostics);
+    const auto body = make_body(*one, 0.5_mm).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
 
     for (const LandmarkAxis& axis : one->axes) {
@@ -632,7 +632,7 @@ TEST(CtBody, MoreVoxelsThanMemoryMayHoldAreRefusedBeforeOneIsRead) {
     large.axes = {{"way", {0, 0, 12.0_mm}, {0, 0, -12.0_mm}, 1.0_mm}};
 
     Diagnostics diagnostics;
-    EXPECT_FALSE(make_ct_bone(large, diagnostics));
+    EXPECT_FALSE(make_ct_bone(large).take(diagnostics));
     ASSERT_FALSE(diagnostics.empty());
     EXPECT_EQ(diagnostics.back().code, "E0602") << to_text(diagnostics);
     EXPECT_NE(diagnostics.back().message.find("GB of memory, must be at most 4 GB"), std::string::npos)

@@ -332,7 +332,7 @@ TEST(FittedLandmarks, AreCheckedAsIfTheyWereWritten) {
     // When it becomes a body
     Diagnostics diagnostics;
     ImportReport report;
-    ASSERT_TRUE(make_body(ball, 0.5_mm, diagnostics, &report)) << to_text(diagnostics);
+    ASSERT_TRUE(make_body(ball, 0.5_mm, &report).take(diagnostics)) << to_text(diagnostics);
 
     // Then the point lies in bone, where the guess did not
     EXPECT_FALSE(has_error(diagnostics)) << to_text(diagnostics);
@@ -352,7 +352,7 @@ TEST(FittedLandmarks, AreComparedAsAPair) {
     balls.points = {{"left_ball", {1.0_mm, 0, 0}, 1.0_mm, LandmarkPoint::Lies::anywhere, sphere},
                     {"right_ball", {-(1.0_mm), 40.0_mm, 0}, 1.0_mm, LandmarkPoint::Lies::anywhere, sphere}};
     Diagnostics diagnostics;
-    (void)make_body(balls, 0.5_mm, diagnostics);
+    (void)make_body(balls, 0.5_mm).take(diagnostics);
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, "E0612");
 }

@@ -79,7 +79,7 @@ struct Result {
 
 std::optional<Result> fit(Anatomy anatomy) {
     Diagnostics diagnostics;
-    const auto bone = make_mesh_bone(anatomy, diagnostics);
+    const auto bone = make_mesh_bone(anatomy).take(diagnostics);
     EXPECT_TRUE(bone) << to_text(diagnostics);
     if (!bone) return std::nullopt;
     use_fits(anatomy, bone->report);

@@ -24,7 +24,7 @@ Anatomy block() {
 
 std::string findings_of(const Anatomy& anatomy) {
     Diagnostics diagnostics;
-    const auto body = make_body(anatomy, 0.5_mm, diagnostics);
+    const auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
     std::string codes;
     for (const Diagnostic& d : diagnostics) codes += (codes.empty() ? "" : " ") + d.code;
     return codes;
@@ -75,7 +75,7 @@ TEST(LandmarkChecks, DoubtAZoneThatIsMostlyBone) {
         return anatomy;
     }();
     Diagnostics diagnostics;
-    const auto body = make_body(half, 0.5_mm, diagnostics);
+    const auto body = make_body(half, 0.5_mm).take(diagnostics);
     EXPECT_NEAR(fraction_in_bone(*body, half.zones[0]), 0.5, 0.07 /* points 1 mm apart */);
 }
 

@@ -35,7 +35,7 @@ TEST(MakeBody, TellsHowFarItIsWithEachOfItsParts) {
 
     // When a bone of two tissues is made
     Diagnostics diagnostics;
-    ASSERT_TRUE(make_body(shelled_block(), 0.5_mm, diagnostics, nullptr, options)) << to_text(diagnostics);
+    ASSERT_TRUE(make_body(shelled_block(), 0.5_mm, nullptr, options).take(diagnostics)) << to_text(diagnostics);
 
     // Then each part was told in its turn, from near its start to near its end, and begun anew once at most
     EXPECT_EQ(parts, (std::vector<std::string>{"how thick its walls are", "distances to its surface",
@@ -58,7 +58,7 @@ TEST(MakeBody, PutsATissueWhereItsSolidsAre) {
                        {"cancellous", 250.0, 0.0, ""}};
     Diagnostics diagnostics;
     ImportReport report;
-    const auto body = make_body(anatomy, 0.5_mm, diagnostics, &report);
+    const auto body = make_body(anatomy, 0.5_mm, &report).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
     const auto is_in = [&](std::size_t tissue, Vec3 at) {
         return body->materials[tissue].border.at(locate(*body, at)) < 0.0;

@@ -39,7 +39,7 @@ public:
         anatomy.mesh.emplace().file = "bone.stl";
         anatomy.tissues = {{"cortical", 1850.0, 2.0_mm, ""}, {"cancellous", 250.0, 0.0, ""}};
     }
-    std::optional<Body> body(double spacing) { return make_body(anatomy, spacing, diagnostics, &report); }
+    std::optional<Body> body(double spacing) { return make_body(anatomy, spacing, &report).take(diagnostics); }
     void add_canal(const SurfaceMesh& canal) {
         std::ofstream(folder_ / "canal.stl", std::ios::binary) << test::binary_stl(canal);
         anatomy.mesh->canal_file = "canal.stl";
@@ -177,7 +177,7 @@ TEST(MeshBody, RefusesAFileThatContradictsTheDocument) {
         bone.anatomy.mesh->names_frame = one.names_frame;
         bone.anatomy.mesh->is_ras = one.is_ras;
         bone.anatomy.mesh->unit = one.unit;
-        const bool is_made = make_mesh_bone(bone.anatomy, bone.diagnostics).has_value();
+        const bool is_made = make_mesh_bone(bone.anatomy).take(bone.diagnostics).has_value();
         EXPECT_EQ(is_made, one.words[0] == '\0') << to_text(bone.diagnostics);
         if (is_made) continue;
         ASSERT_EQ(bone.diagnostics.size(), 1u);
@@ -190,7 +190,7 @@ TEST(MeshBody, NeverFollowsALinkOutOfTheFolder) {
     MeshAnatomy bone(cube(20.0)), other(cube(20.0));
     bone.link("link.stl", other.anatomy.file.substr(0, other.anatomy.file.rfind('/')) + "/bone.stl");
     bone.anatomy.mesh->file = "link.stl";
-    EXPECT_FALSE(make_mesh_bone(bone.anatomy, bone.diagnostics));
+    EXPECT_FALSE(make_mesh_bone(bone.anatomy).take(bone.diagnostics));
     ASSERT_EQ(bone.diagnostics.size(), 1u);
     EXPECT_EQ(bone.diagnostics[0].code, "E0619") << to_text(bone.diagnostics);
 }
@@ -319,7 +319,7 @@ TEST(MeshBone, KeepsItsCavitiesAsRoomsAndGivesThemBackWithTheWhole) {
     Anatomy anatomy;
     anatomy.mesh.emplace();
     Diagnostics diagnostics;
-    const auto bone = make_mesh_bone(anatomy, file, nullptr, diagnostics);
+    const auto bone = make_mesh_bone(anatomy, file, nullptr).take(diagnostics);
     ASSERT_TRUE(bone) << to_text(diagnostics);
     EXPECT_NEAR(signed_volume_of(bone->surface), 8e-6, 1e-15);
     ASSERT_EQ(bone->inner_surfaces.size(), 1u);
@@ -359,7 +359,7 @@ TEST(MeshBody, APhantomsThinWallHasTwoFieldsToo) {
         anatomy.phantom.parts = {{"body", BoxSolid{{}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""},
                                  {"room", BoxSolid{{}, {room, room, room}}, true, ""}};
         Diagnostics diagnostics;
-        return make_body(anatomy, 0.5_mm, diagnostics);
+        return make_body(anatomy, 0.5_mm).take(diagnostics);
     };
     const auto sheet = bone(19.4_mm), wall = bone(10.0_mm);
     ASSERT_TRUE(sheet && wall);

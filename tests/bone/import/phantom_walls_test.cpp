@@ -48,11 +48,11 @@ TEST(PhantomWalls, ABodyWithAPlateThatItsSpacingCannotCarryIsRefused) {
     const Anatomy plate = phantom({{"body", BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""},
                                    {"plate", BoxSolid{{0, 18.0_mm, 0}, {12.0_mm, 20.0_mm, 1.0_mm}}, false, ""}});
     Diagnostics coarse, fine;
-    EXPECT_FALSE(make_body(plate, 0.5_mm, coarse));
+    EXPECT_FALSE(make_body(plate, 0.5_mm).take(coarse));
     ASSERT_EQ(coarse.size(), 1u);
     EXPECT_EQ(coarse[0].code, "E0655");
     EXPECT_EQ(coarse[0].write, "accuracy: {spacing: 0.33 mm}");
-    EXPECT_TRUE(make_body(plate, 0.33_mm, fine));
+    EXPECT_TRUE(make_body(plate, 0.33_mm).take(fine));
     EXPECT_TRUE(fine.empty()) << to_text(fine);
 }
 
@@ -60,7 +60,7 @@ TEST(PhantomWalls, AThinSheetAroundARoomHasTwoFieldsAndIsCarried) {
     const Anatomy sheet = phantom({{"body", BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""},
                                    {"room", BoxSolid{{0, 0, 0}, {19.0_mm, 16.0_mm, 16.0_mm}}, true, ""}});
     Diagnostics diagnostics;
-    const auto body = make_body(sheet, 0.5_mm, diagnostics);
+    const auto body = make_body(sheet, 0.5_mm).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
     EXPECT_FALSE(body->hollow.is_empty());
 }

@@ -30,7 +30,7 @@ TEST_P(RealAnatomy, BecomesABoneWithItsLandmarksWhereTheySay) {
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
 
     // `lies` of every point, sides and zones are checked when the bone is made.
-    const auto body = make_body(*anatomy, 0.5_mm, diagnostics);
+    const auto body = make_body(*anatomy, 0.5_mm).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
     EXPECT_FALSE(has_error(diagnostics)) << to_text(diagnostics);
     for (const LandmarkAxis& axis : anatomy->axes) {
@@ -50,7 +50,7 @@ TEST(RealScans, AllOpenAndAreRead) {
         if (entry.path().extension() == ".raw") continue;
         SCOPED_TRACE(entry.path().filename().string());
         Diagnostics diagnostics;
-        const auto scan = open_scan(entry.path().string(), {}, {}, diagnostics);
+        const auto scan = open_scan(entry.path().string(), {}, {}).take(diagnostics);
         ASSERT_TRUE(scan) << to_text(diagnostics);
         const auto image = scan->read(scan->grid().all(), 0, {}, diagnostics);
         ASSERT_TRUE(image) << to_text(diagnostics);

@@ -25,7 +25,7 @@ TEST(RealMandible, HasTheStatedGonialAngles) {
     const std::filesystem::path file = data / "meshes/mandible_harvard02_isosurface.obj";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "KERF_DATA names no folder with meshes/.";
     Diagnostics diagnostics;
-    auto read = read_surface(file.string(), diagnostics);
+    auto read = read_surface(file.string()).take(diagnostics);
     ASSERT_TRUE(read) << to_text(diagnostics);
     for (Vec3& v : read->mesh.vertices) v = 1e-3 * v;
     constexpr double half_voxel = 0.25_mm;

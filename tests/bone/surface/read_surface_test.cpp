@@ -422,9 +422,9 @@ TEST(ReadSurface, KnowsTheFormatByTheEnding) {
     const test::TemporaryFolder folder;
     Diagnostics diagnostics;
     std::ofstream(folder / "BONE.STL", std::ios::binary) << test::binary_stl(corner_mesh());
-    EXPECT_TRUE(read_surface(folder / "BONE.STL", diagnostics)) << to_text(diagnostics);
+    EXPECT_TRUE(read_surface(folder / "BONE.STL").take(diagnostics)) << to_text(diagnostics);
     std::ofstream(folder / "bone.step") << "ISO-10303-21;";
-    EXPECT_FALSE(read_surface(folder / "bone.step", diagnostics));
+    EXPECT_FALSE(read_surface(folder / "bone.step").take(diagnostics));
     EXPECT_EQ(diagnostics.at(0).code, "E0641");
 }
 TEST(ReadSurface, RefusesWhatIsNoFile) {
@@ -432,7 +432,7 @@ TEST(ReadSurface, RefusesWhatIsNoFile) {
     std::filesystem::create_directory(folder / "bone.ply");
     for (const char* name : {"none.stl", "bone.ply"}) {
         Diagnostics diagnostics;
-        EXPECT_FALSE(read_surface(folder / name, diagnostics));
+        EXPECT_FALSE(read_surface(folder / name).take(diagnostics));
         ASSERT_EQ(diagnostics.size(), 1u);
         EXPECT_EQ(diagnostics[0].code, "E0640");
     }

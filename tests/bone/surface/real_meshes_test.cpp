@@ -43,7 +43,7 @@ TEST_P(RealMeshes, AreSoundAndHaveTheirVolume) {
     const std::string file = data_file(std::string("meshes/") + GetParam().name);
     if (file.empty()) GTEST_SKIP() << "KERF_DATA names no folder with meshes/, so no real surface was read.";
     Diagnostics diagnostics;
-    auto surface = read_surface(file, diagnostics);
+    auto surface = read_surface(file).take(diagnostics);
     ASSERT_TRUE(surface) << to_text(diagnostics);
     EXPECT_EQ(surface->mesh.triangles.size(), GetParam().faces);
 
@@ -86,7 +86,7 @@ TEST_P(RealLandmarks, LieOnTheBoneTheyName) {
     const std::string file = data_file(std::string("meshes/") + GetParam().mesh), list = data_file("landmarks.json");
     if (file.empty() || list.empty()) GTEST_SKIP() << "KERF_DATA names no folder with meshes/ and landmarks.json.";
     Diagnostics diagnostics;
-    auto surface = read_surface(file, diagnostics);
+    auto surface = read_surface(file).take(diagnostics);
     ASSERT_TRUE(surface) << to_text(diagnostics);
     for (Vec3& v : surface->mesh.vertices) v = 1e-3 * v;
     const TriangleTree tree(surface->mesh);
@@ -131,7 +131,7 @@ TEST(RealFemur, GivesTheNeckOfTheFemurWithItsCortex) {
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     if (data_file(anatomy->mesh->file).empty()) GTEST_SKIP() << "KERF_DATA names no folder with the femur.";
     ImportReport report;
-    const auto body = make_body(*anatomy, 1.0_mm, diagnostics, &report);
+    const auto body = make_body(*anatomy, 1.0_mm, &report).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
     EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
     EXPECT_EQ(report.file_hashes.size(), 1u);

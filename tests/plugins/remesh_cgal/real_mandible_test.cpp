@@ -42,7 +42,7 @@ TEST(RealMandible, LosesAnAngleToASaw) {
         std::filesystem::path(folder != nullptr ? folder : "") / "meshes/mandible_harvard02_isosurface.obj";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "KERF_DATA names no folder with meshes/.";
     Diagnostics diagnostics;
-    auto read = read_surface(file.string(), diagnostics);
+    auto read = read_surface(file.string()).take(diagnostics);
     ASSERT_TRUE(read) << to_text(diagnostics);
     for (Vec3& v : read->mesh.vertices) v = 1e-3 * v;
     remove_flat_faces(read->mesh);
