@@ -25,7 +25,7 @@
 #include "documents/patch.h"
 #include "documents/read_procedure.h"
 #include "documents/schema.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "run/run_checks.h"
 #include "session/recorder.h"
 #include "session/report/read_run.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "documents/yaml/read_map.h"
 #include "text/printable.h"
 

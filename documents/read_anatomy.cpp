@@ -7,7 +7,7 @@
 #include "documents/read_bone_source.h"
 #include "documents/read_landmarks.h"
 #include "documents/read_solids.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "documents/yaml/correct_keys.h"
 #include "kerf/abi.h"
 

@@ -2,7 +2,7 @@
 #include "documents/read_bone_source.h"
 
 #include "documents/read_solids.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 
 namespace kerf {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "documents/names.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "documents/signal_need.h"
 #include "text/look_alike.h"
 #include "text/printable.h"

@@ -6,7 +6,7 @@
 
 #include "documents/read_bone_source.h"
 #include "documents/read_solids.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 

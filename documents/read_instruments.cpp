@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "documents/names.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "kerf/units.hpp"
 #include "text/printable.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "documents/read_solids.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "text/printable.h"
 
 namespace kerf {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "documents/names.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 

@@ -15,7 +15,7 @@
 #include "documents/read_measures.h"
 #include "documents/read_rehearsals.h"
 #include "documents/read_steps.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "documents/yaml/correct_keys.h"
 #include "text/printable.h"
 

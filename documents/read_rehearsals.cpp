@@ -9,7 +9,7 @@
 
 #include "documents/names.h"
 #include "documents/read_instruments.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "documents/waypoint_nodes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"

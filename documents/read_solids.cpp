@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 
 namespace kerf {
 namespace {

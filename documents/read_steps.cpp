@@ -8,7 +8,7 @@
 #include "documents/read_bounds.h"
 #include "documents/read_implants.h"
 #include "documents/read_instruments.h"
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 

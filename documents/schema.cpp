@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "documents/signal_need.h"
 #include "text/quantity.h"
 

@@ -8,7 +8,7 @@
 #include "text/quantity.h"
 
 /// The keys and values of a map of a document, as data. Readers use it, and `kerf schema` prints it.
-/// The shapes are in documents/shapes.h.
+/// The shapes are in documents/shapes/shapes.h.
 namespace kerf {
 
 struct Shape;

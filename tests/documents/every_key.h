@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 
 /// Documents made of the examples that the shapes give: with every key there is, or with one of them left out.
 namespace kerf {

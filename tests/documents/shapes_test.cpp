@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of what documents may say, held against the readers.
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "documents/shapes.h"
+#include "documents/shapes/shapes.h"
 #include "session/content_hash.h"
 #include "session/record_checksum.h"
 #include "session/recorder.h"

@@ -6,20 +6,20 @@
 #include "documents/yaml/map_shape.h"
 
 /// The one table of the keys of all documents. A row names a key, and the member that it fills; a row without a member
-/// is read by the code of its section. Shapes are in `*_shapes.cpp`, next to their readers. A reader asserts that its
+/// is read by the code of its section. One file has the shapes of one section. A reader asserts that its
 /// shape has each key that it reads, and that it has read each key of its shape.
 namespace kerf::shapes {
 
-// procedure_shapes.cpp
+// procedure.cpp
 extern const MapShape<Procedure> metadata, needs, accuracy, budget, haptics;
 extern const MapShape<Variant> variant;
 extern const Shape procedure;
 
-// instrument_shapes.cpp
+// instrument.cpp
 extern const MapShape<Sleeve> guide;
 extern const MapShape<Instrument> instrument;
 
-// bound_shapes.cpp
+// bound.cpp
 extern const Shape entry_goal, depth_bound, clearance_bound, separated_goal, held_goal, moved_bound, thrust_bound,
     angle_bound, offset_bound, reduction_offset_bound, reduction_angle_bound, axes_angle_bound, tip_apex_bound,
     flatness_bound, hole_angle_bound, hole_offset_bound, excess_bound, plunge_bound, air_bound, torque_bound,
@@ -27,27 +27,27 @@ extern const Shape entry_goal, depth_bound, clearance_bound, separated_goal, hel
 extern const MapShape<Limit> breach_bound;
 extern const QuantityNeed angle_of_measure, angle_of_difference, length_of_measure;
 
-// step_shapes.cpp
+// step.cpp
 extern const Shape goal;
 extern const MapShape<Limit> limit;
 extern const MapShape<Step> step;
 
-// rehearsal_shapes.cpp
+// rehearsal.cpp
 extern const MapShape<Rehearsal> expectation, hand, rehearsal;
 extern const MapShape<Waypoint> stop, until, turn, waypoint;
 extern const Shape follow;
 
-// implant_shapes.cpp
+// implant.cpp
 extern const MapShape<ImplantHole> implant_hole;
 extern const MapShape<ImplantPlace> implant_place;
 extern const MapShape<Implant> implant;
 
-// measure_shapes.cpp
+// measure.cpp
 extern const Shape mirror, axis_entry, construction, angle_measure, distance_measure, thickness_measure,
     surface_measure, roughness_measure, difference_measure, measure;
 extern const MapShape<Construction> tangent;
 
-// solid_shapes.cpp
+// solid.cpp
 extern const MapShape<BoxSolid> box;
 extern const MapShape<TubeSolid> tube;
 extern const MapShape<EllipticTubeSolid> elliptic_tube;
@@ -55,13 +55,13 @@ extern const MapShape<SphereSolid> sphere;
 extern const Shape tissue_solid, zone_solid;
 extern const MapShape<PhantomPart> part;
 
-// bone_source_shapes.cpp
+// bone_source.cpp
 extern const Shape phantom;
 extern const MapShape<CtSource> labels, kept_piece, ct;
 extern const MapShape<DensityLine> density_line;
 extern const MapShape<MeshSource> repair, canal, mesh;
 
-// landmark_shapes.cpp
+// landmark.cpp
 extern const MapShape<LandmarkFit> fit_residual, sphere_fit, tube_fit, neck_fit, condyles_fit, point_fit, axis_fit;
 extern const MapShape<LandmarkPoint> point;
 extern const MapShape<LandmarkAxis> axis;
@@ -69,7 +69,7 @@ extern const MapShape<LandmarkPlane> plane;
 extern const Shape markup_name, landmarks;
 extern const MapShape<MarkupsFile> markups;
 
-// anatomy_shapes.cpp
+// anatomy.cpp
 extern const MapShape<Anatomy> anatomy_metadata;
 extern const MapShape<Tissue> tissue;
 extern const MapShape<Fracture> fracture_turn, fracture;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "documents/shapes.h"
-#include "documents/value_shapes.h"
+#include "documents/shapes/shapes.h"
+#include "documents/shapes/values.h"
 
 namespace kerf::shapes {
 

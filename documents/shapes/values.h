@@ -9,8 +9,8 @@
 #include "documents/yaml/map_shape.h"
 #include "kerf/units.hpp"
 
-/// Values of the rows of documents/shapes.h. The ranges of quantities are the plausible ones: any other value is a slip
-/// of the pen or has a wrong unit.
+/// Values of the rows of documents/shapes/shapes.h. The ranges of quantities are the plausible ones: any other value is
+/// a slip of the pen or has a wrong unit.
 namespace kerf::shapes {
 
 using namespace literals;
