@@ -5,10 +5,10 @@
 
 #include "run/scene.h"
 
-namespace kerf {
+namespace kerf::app {
 
 /// Returns the text that `kerf anatomy check` prints for an anatomy without errors: the notes of import, the positions
 /// of landmarks and zones relative to the bone, and the uncertainty of its border.   [main]
-[[nodiscard]] std::string anatomy_text(const Scene& scene);
+[[nodiscard]] std::string anatomy_text(const run::Scene& scene);
 
-}  // namespace kerf
+}  // namespace kerf::app

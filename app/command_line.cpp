@@ -12,7 +12,7 @@
 #include "run/shipped.h"
 #include "session/recorder.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
@@ -60,7 +60,7 @@ std::string complaint_about(const Value& value, const std::string& word) {
             return word.empty() ? "is empty. Write " + value.expects + "." : std::string();
         case ValueKind::words: {
             const bool is_known = std::find(value.words.begin(), value.words.end(), word) != value.words.end();
-            return is_known ? std::string() : "is `" + word + "`. Write " + listed(value.words) + ".";
+            return is_known ? std::string() : "is `" + word + "`. Write " + documents::listed(value.words) + ".";
         }
         case ValueKind::number:
             return is_number(value, word) ? std::string() : "is `" + word + "`. Write " + numbers_of(value) + ".";
@@ -124,7 +124,7 @@ std::string examples_text(const Command& command) {
 
 /// Adds a command. `options` outlives the parser, which fills it.
 void add_command(CLI::App& app, const Command& command, Options& options) {
-    const std::string notice = std::string(notice_line) + ".";
+    const std::string notice = std::string(session::notice_line) + ".";
     CLI::App* with_parameters = app.add_subcommand(command.name, command.summary);
     with_parameters->group(command.group)->footer(notice);
     if (!command.action.empty()) {
@@ -141,7 +141,7 @@ void prepare(CLI::App& app) {
     app.formatter(std::make_shared<HelpFormatter>());
     app.set_help_flag("-h,--help", help_summary);
     app.set_version_flag("--version", "kerf " KERF_VERSION)->description(version_summary);
-    app.footer(std::string("`kerf COMMAND --help` explains a command.\n") + notice_line + ".");
+    app.footer(std::string("`kerf COMMAND --help` explains a command.\n") + session::notice_line + ".");
     app.require_subcommand(1);
     app.fallthrough();
 }
@@ -153,9 +153,9 @@ std::string quoted(const std::string& word) { return "`" + word + "`"; }
 std::string about_unknown_command(const std::string& word) {
     std::vector<std::string> known;
     for (const Command& command : command_table()) known.push_back(command.name);
-    const std::string meant = closest(word, known);
+    const std::string meant = documents::closest(word, known);
     return "there is no command " + quoted(word) + ". Write " +
-           (meant.empty() ? listed(known) : quoted("kerf " + meant)) + ".";
+           (meant.empty() ? documents::listed(known) : quoted("kerf " + meant)) + ".";
 }
 
 std::string about_unknown_option(const std::string& word, const Command* command) {
@@ -164,10 +164,10 @@ std::string about_unknown_option(const std::string& word, const Command* command
         for (const Parameter& option : command->options) known.push_back(option.name);
     known.emplace_back("--version");
     const std::string given = word.substr(0, word.find('='));
-    const std::string meant = closest(given, known);
+    const std::string meant = documents::closest(given, known);
     return "there is no option " + quoted(given) +
            (command != nullptr ? " of " + quoted("kerf " + command->full_name()) : "") + ". Write " +
-           (meant.empty() ? listed(known) : quoted(meant)) + ".";
+           (meant.empty() ? documents::listed(known) : quoted(meant)) + ".";
 }
 
 /// An argument that nothing expects.
@@ -263,12 +263,12 @@ void resolve_shipped_files(CommandLine& line, const std::string& shipped) {
     const auto resolve = [&](const Parameter& parameter) {
         if (!parameter.value.may_be_shipped) return;
         const Member member = parameter.member(line.options);
-        if (auto* const* file = std::get_if<std::string*>(&member)) **file = shipped_or_own(**file, shipped);
+        if (auto* const* file = std::get_if<std::string*>(&member)) **file = run::shipped_or_own(**file, shipped);
         if (auto* const* files = std::get_if<std::vector<std::string>*>(&member))
-            for (std::string& file : **files) file = shipped_or_own(file, shipped);
+            for (std::string& file : **files) file = run::shipped_or_own(file, shipped);
     };
     for (const Parameter& argument : line.command->arguments) resolve(argument);
     for (const Parameter& option : line.command->options) resolve(option);
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -7,7 +7,7 @@
 #include "app/exit_code.h"
 #include "app/options.h"
 
-namespace kerf {
+namespace kerf::app {
 
 /// A command line of `kerf` that was read.
 struct CommandLine {
@@ -24,4 +24,4 @@ struct CommandLine {
 /// @param shipped   the folder of the shipped procedures
 void resolve_shipped_files(CommandLine& line, const std::string& shipped);
 
-}  // namespace kerf
+}  // namespace kerf::app

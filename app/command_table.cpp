@@ -6,7 +6,7 @@
 
 #include "app/table/rows.h"
 
-namespace kerf {
+namespace kerf::app {
 
 bool Command::has_many(const Parameter& parameter) const {
     Options any = defaults;
@@ -40,4 +40,4 @@ std::string help_text(const Parameter& parameter) {
     return parameter.note.empty() ? text : text + ". " + parameter.note;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

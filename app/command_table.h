@@ -12,7 +12,7 @@
 #include "app/options.h"
 
 /// The commands of `kerf`, as one table. The parser, the help, the shell completion and the man page come from it.
-namespace kerf {
+namespace kerf::app {
 
 /// A value is checked and completed by its kind.
 enum class ValueKind {
@@ -99,4 +99,4 @@ inline constexpr const char* program_summary = "Kerf: haptic simulation of bone 
 inline constexpr const char* help_summary = "Print this help";
 inline constexpr const char* version_summary = "Print the version";
 
-}  // namespace kerf
+}  // namespace kerf::app

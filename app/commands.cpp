@@ -33,35 +33,35 @@
 #include "text/codes.h"
 #include "text/printable_lines.h"
 
-namespace kerf::commands {
+namespace kerf::app::commands {
 
 ExitCode validate(const ValidateOptions& options, const Environment& with) {
     std::vector<Findings> all;
     for (const auto& file : options.procedures) {
         Findings& one = all.emplace_back(Findings{file, {}});
         const auto documents =
-            check_documents(request_of(file, options, with.here), with.plugins).take(one.diagnostics);
+            run::check_documents(request_of(file, options, with.here), with.plugins).take(one.diagnostics);
         if (options.variant.empty()) {
-            const Diagnostics of_variants =
-                check_variants(request_of(file, options, with.here), one.diagnostics, with.plugins);
+            const text::Diagnostics of_variants =
+                run::check_variants(request_of(file, options, with.here), one.diagnostics, with.plugins);
             one.diagnostics.insert(one.diagnostics.end(), of_variants.begin(), of_variants.end());
         }
         if (documents && options.is_with_bone) print_notes(make_bone(*documents, file).take(one.diagnostics));
     }
     print(findings_text(all, options.format));
-    return std::any_of(all.begin(), all.end(), [](const Findings& f) { return has_error(f.diagnostics); })
+    return std::any_of(all.begin(), all.end(), [](const Findings& f) { return text::has_error(f.diagnostics); })
                ? exit_bad_input
                : exit_pass;
 }
 
 ExitCode expand(const ExpandOptions& options, const Environment& with) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure =
-        read_procedure(options.procedure, with.plugins.catalog(), {options.variant, options.settings})
+        documents::read_procedure(options.procedure, with.plugins.catalog(), {options.variant, options.settings})
             .take(diagnostics);
     print_error(to_text(diagnostics));
     if (!procedure) return exit_bad_input;
-    print(std::string("# ") + notice_line + "\n" + emitted(*procedure->document, true));
+    print(std::string("# ") + session::notice_line + "\n" + documents::emitted(*procedure->document, true));
     return exit_pass;
 }
 
@@ -75,19 +75,20 @@ ExitCode describe(const DescribeOptions& options, const Environment& with) {
 
 ExitCode explain(const ExplainOptions& options, const Environment& /*with*/) {
     if (options.code.empty()) {
-        print(list_of_codes());
+        print(text::list_of_codes());
         return exit_pass;
     }
-    const CodeEntry* entry = find_code(options.code);
+    const text::CodeEntry* entry = text::find_code(options.code);
     if (entry == nullptr)
         return complain("there is no code `" + options.code + "`. Write `kerf explain` to see all.", exit_bad_input);
-    print(explanation_of(*entry));
+    print(text::explanation_of(*entry));
     return exit_pass;
 }
 
 ExitCode print_schema(const SchemaOptions& options, const Environment& with) {
-    const Shape& shape = options.kind == "anatomy" ? shapes::anatomy : shapes::procedure;
-    print(printable_json(schema_text(shape, with.plugins.catalog(), notice_line)));
+    const documents::Shape& shape =
+        options.kind == "anatomy" ? documents::shapes::anatomy : documents::shapes::procedure;
+    print(text::printable_json(documents::schema_text(shape, with.plugins.catalog(), session::notice_line)));
     return exit_pass;
 }
 
@@ -103,27 +104,27 @@ ExitCode import(const ImportSourceOptions& options, const Environment& /*with*/)
                                                  .frame = options.frame});
     print(outcome.text);
     print_error(to_text(outcome.diagnostics));
-    if (has_error(outcome.diagnostics)) return exit_bad_input;
+    if (text::has_error(outcome.diagnostics)) return exit_bad_input;
     if (!outcome.error.empty()) return complain(outcome.error, exit_bad_input);
-    print(std::string(notice_line) + ".\n");
+    print(std::string(session::notice_line) + ".\n");
     return exit_pass;
 }
 
 ExitCode check_anatomy(const AnatomyOptions& options, const Environment& with) {
     DocumentOptions documents;
     documents.anatomy = options.anatomy;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto scene = make_scene(options.procedure, documents, with, {.with_shifts = true}).take(diagnostics);
     if (scene) print(anatomy_text(*scene));
     std::vector<Findings> findings{{options.anatomy, diagnostics}};
     print(findings_text(findings, options.format));
-    return has_error(diagnostics) ? exit_bad_input : exit_pass;
+    return text::has_error(diagnostics) ? exit_bad_input : exit_pass;
 }
 
 ExitCode preview(const PreviewOptions& options, const Environment& with) {
     if (const std::string refusal = options.out.empty() ? "" : refusal_of_page(options.out); !refusal.empty())
         return complain(refusal, exit_bad_input);
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto scene =
         make_scene(options.procedure, options, with, {.with_shifts = true, .with_scan = true}).take(diagnostics);
     print_error(to_text(diagnostics));
@@ -150,9 +151,9 @@ ExitCode report(const ReportOptions& options, const Environment& /*with*/) {
         return complain("the page would overwrite its session. Give another file with `--out`.", exit_bad_input);
 
     std::string error;
-    const auto run = read_run(options.session, error);
+    const auto run = session::read_run(options.session, error);
     if (!run) return complain(error, exit_bad_input);
-    if (error = write_page(file, report_html(run->summary, run->drawn, run->procedure)); !error.empty())
+    if (error = write_page(file, session::report_html(run->summary, run->drawn, run->procedure)); !error.empty())
         return complain(error + (options.out.empty() ? " Give another file with `--out`." : ""), exit_bad_input);
     if (!run->missing.empty()) print_error(run->missing + "\n");
     print(file + "\n");
@@ -201,4 +202,4 @@ ExitCode print_man_page(const ManOptions& /*options*/) {
     return exit_pass;
 }
 
-}  // namespace kerf::commands
+}  // namespace kerf::app::commands

@@ -7,7 +7,7 @@
 #include "app/options.h"
 #include "core/plugin/loader.h"
 
-namespace kerf {
+namespace kerf::app {
 
 /// The plugins and files that a command works with.
 struct Environment {
@@ -38,4 +38,4 @@ namespace commands {
 [[nodiscard]] ExitCode print_man_page(const ManOptions& options);
 
 }  // namespace commands
-}  // namespace kerf
+}  // namespace kerf::app

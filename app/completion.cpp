@@ -6,7 +6,7 @@
 
 #include "app/command_table.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
@@ -276,4 +276,4 @@ std::string completion_script(const std::string& shell) {
     return shell == "zsh" ? zsh_script() : shell == "fish" ? fish_script() : bash_script();
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -3,11 +3,11 @@
 
 #include <string>
 
-namespace kerf {
+namespace kerf::app {
 
 /// Returns a script that completes commands, options, words and file names of `kerf`, from the table of commands.
 /// [any]
 /// @param shell   bash, zsh or fish
 [[nodiscard]] std::string completion_script(const std::string& shell);
 
-}  // namespace kerf
+}  // namespace kerf::app

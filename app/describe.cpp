@@ -11,12 +11,12 @@
 #include "text/quantity.h"
 #include "text/source.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
 /// Escapes control characters: the text comes from a plugin.
-std::string shown_text(const std::string& text) { return kerf::shown(text); }
+std::string shown_text(const std::string& text) { return kerf::text::shown(text); }
 
 const char* kind_of(const ComponentInfo& component) {
     return component.kind == KERF_KIND_TOOL ? "tool" : component.kind == KERF_KIND_FORCE ? "force" : "strategy";
@@ -29,7 +29,7 @@ std::string full_id(const ComponentInfo& component) {
 
 /// In the plugin's own unit; SI if it is unknown.
 std::string shown(double value, const std::string& unit) {
-    return quantity_text(value, unit.empty() || parse_unit(unit) ? unit : "(SI)");
+    return text::quantity_text(value, unit.empty() || parse_unit(unit) ? unit : "(SI)");
 }
 
 /// Whether `wanted` names a component. The last words of its id name a strategy, as in a procedure.
@@ -62,7 +62,8 @@ std::string about(const ComponentInfo& component) {
                 (component.kernel.empty() ? "" : "; results depend on " + component.kernel) + "\n";
     if (component.feed == KERF_FEED_SIDE) text += "  fed across its axis, towards its x\n";
     if (component.feed == KERF_FEED_TURN) text += "  fed by turning\n";
-    if (!component.strategies.empty()) text += "  strategies that suit it: " + listed(component.strategies) + "\n";
+    if (!component.strategies.empty())
+        text += "  strategies that suit it: " + documents::listed(component.strategies) + "\n";
     text += about_values("parameters, with default and range", component.parameters);
     text += about_values("drives, with default and range", component.drives);
     if (!component.signals.empty()) text += "  signals, recorded each tick\n";
@@ -103,17 +104,17 @@ std::optional<std::string> description_of(const PluginRegistry& plugins, const s
                 components += "\n" + about(component);
         if (!components.empty()) text += (text.empty() ? "" : "\n") + about(plugin) + components;
     }
-    if (!text.empty()) return shown_text(text) + "\n" + notice_line + ".\n";
+    if (!text.empty()) return shown_text(text) + "\n" + session::notice_line + ".\n";
 
     std::vector<std::string> known;
     for (const PluginText& plugin : plugins.listed()) known.push_back(plugin.id);
     for (const ComponentInfo& component : plugins.catalog()) known.push_back(full_id(component));
-    const std::string meant = closest(wanted, known);
+    const std::string meant = documents::closest(wanted, known);
     error =
-        "there is no plugin or component `" + kerf::shown(wanted) + "`. Write " +
-        (meant.empty() ? listed(known) : "`" + meant + "`") + "." +
+        "there is no plugin or component `" + kerf::text::shown(wanted) + "`. Write " +
+        (meant.empty() ? documents::listed(known) : "`" + meant + "`") + "." +
         (plugins.plugins().empty() ? " No plugin was found: name the folder that holds some in KERF_PLUGIN_PATH." : "");
     return std::nullopt;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

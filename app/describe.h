@@ -7,7 +7,7 @@
 #include "core/plugin/loader.h"
 
 /// Describes plugins and their components, for people.
-namespace kerf {
+namespace kerf::app {
 
 /// Returns one line for each component.   [main]
 [[nodiscard]] std::string list_of_components(const PluginRegistry& plugins);
@@ -17,4 +17,4 @@ namespace kerf {
 [[nodiscard]] std::optional<std::string> description_of(const PluginRegistry& plugins, const std::string& wanted,
                                                         std::string& error);
 
-}  // namespace kerf
+}  // namespace kerf::app

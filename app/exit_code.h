@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace kerf {
+namespace kerf::app {
 
 /// Exit codes of every program of Kerf; scripts depend on them.
 enum ExitCode : int {
@@ -11,4 +11,4 @@ enum ExitCode : int {
     exit_fault = 3,  ///< the machine or the program failed, or the user interrupted it
 };
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -7,12 +7,12 @@
 #include "text/source.h"
 
 /// Prints the findings of `kerf validate` in one of three formats.
-namespace kerf {
+namespace kerf::app {
 
 /// The findings in one procedure and its anatomy.
 struct Findings {
     std::string file;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
 };
 
 /// Returns the findings as text.   [any] pure.
@@ -20,4 +20,4 @@ struct Findings {
 ///                 document, schema 1. "github": workflow commands, which GitHub shows next to the lines.
 [[nodiscard]] std::string findings_text(const std::vector<Findings>& all, const std::string& format);
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -17,7 +17,7 @@
 #include "text/printable.h"
 #include "text/write_file.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 constexpr int slab = 16;  // slices in memory at once
@@ -66,12 +66,13 @@ struct Values {
 
 /// Passes all voxels to `take`, some slices at a time. Returns false if they cannot be read.
 template <class Take>
-bool for_each_slab(const Scan& scan, Diagnostics& diagnostics, const Progress& progress, const Take& take) {
-    const VoxelGrid& grid = scan.grid();
+bool for_each_slab(const bone::Scan& scan, text::Diagnostics& diagnostics, const bone::Progress& progress,
+                   const Take& take) {
+    const bone::VoxelGrid& grid = scan.grid();
     const int depth = scan.reads_by_slices() ? slab : grid.size[2];
     for (int k = 0; k < grid.size[2]; k += depth) {
         if (progress) progress(static_cast<double>(k) / grid.size[2], "reading voxels");
-        const VoxelRange range{{0, 0, k}, {grid.size[0], grid.size[1], std::min(depth, grid.size[2] - k)}};
+        const bone::VoxelRange range{{0, 0, k}, {grid.size[0], grid.size[1], std::min(depth, grid.size[2] - k)}};
         const auto image = scan.read(range, 0, {}).take(diagnostics);
         if (!image) return false;
         take(image->values);
@@ -79,39 +80,40 @@ bool for_each_slab(const Scan& scan, Diagnostics& diagnostics, const Progress& p
     return true;
 }
 
-std::string extent_text(const VoxelGrid& grid) {
+std::string extent_text(const bone::VoxelGrid& grid) {
     const Box box = grid.box();
     const auto from_to = [](const char* axis, double low, double high) {
-        return std::string(axis) + " " + rounded(low * 1e3, 1) + " … " + rounded(high * 1e3, 1);
+        return std::string(axis) + " " + bone::rounded(low * 1e3, 1) + " … " + bone::rounded(high * 1e3, 1);
     };
     return from_to("x", box.low.x, box.high.x) + ", " + from_to("y", box.low.y, box.high.y) + ", " +
            from_to("z", box.low.z, box.high.z) + " mm (LPS)";
 }
 
 /// Names the plane of the slices.
-std::string direction_text(const VoxelGrid& grid) {
+std::string direction_text(const bone::VoxelGrid& grid) {
     const Vec3 d = normalized(grid.step(2));
     const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
     const double largest = std::max({x, y, z});
     const std::string plane = largest == z ? "axial" : largest == y ? "coronal" : "sagittal";
     const double off = std::acos(std::min(1.0, largest)) * 180.0 / 3.14159265358979323846;
-    return plane + (off > 0.5 ? ", turned by " + rounded(off, 1) + " deg" : "");
+    return plane + (off > 0.5 ? ", turned by " + bone::rounded(off, 1) + " deg" : "");
 }
 
 void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
-    const Progress progress = [](double fraction, const std::string& what) { show_progress(fraction, what); };
-    const auto scan = open_scan(request.source, {request.series, request.acquisition, request.may_resample}, progress)
-                          .take(outcome.diagnostics);
+    const bone::Progress progress = [](double fraction, const std::string& what) { show_progress(fraction, what); };
+    const auto scan =
+        bone::open_scan(request.source, {request.series, request.acquisition, request.may_resample}, progress)
+            .take(outcome.diagnostics);
     if (!scan) return;
     for (const std::string& note : scan->notes()) add_line(outcome.text, "found", note);
-    const VoxelGrid& grid = scan->grid();
+    const bone::VoxelGrid& grid = scan->grid();
     add_line(outcome.text, "",
              std::to_string(grid.size[0]) + " × " + std::to_string(grid.size[1]) + " × " +
                  std::to_string(grid.size[2]) + " voxels at right angles, " + extent_text(grid) + ".");
     add_line(outcome.text, "", "Slices as they lie: " + direction_text(grid) + ".");
-    for (const Segment& segment : scan->segments())
+    for (const bone::Segment& segment : scan->segments())
         add_line(outcome.text, "",
-                 "Structure `" + excerpt(segment.name) + "`: label " + std::to_string(segment.label) +
+                 "Structure `" + text::excerpt(segment.name) + "`: label " + std::to_string(segment.label) +
                      (segment.layer > 0 ? " in layer " + std::to_string(segment.layer) : "") + ".");
     Values values;
     const bool is_read =
@@ -119,11 +121,12 @@ void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
     if (!is_read) return;
     if (scan->segments().empty())
         add_line(outcome.text, "",
-                 "Values " + rounded(values.smallest, 0) + " … " + rounded(values.largest, 0) + "; 1 % under " +
-                     std::to_string(values.quantile(0.01)) + ", half under " + std::to_string(values.quantile(0.5)) +
-                     ", 1 % over " + std::to_string(values.quantile(0.99)) + ".");
+                 "Values " + bone::rounded(values.smallest, 0) + " … " + bone::rounded(values.largest, 0) +
+                     "; 1 % under " + std::to_string(values.quantile(0.01)) + ", half under " +
+                     std::to_string(values.quantile(0.5)) + ", 1 % over " + std::to_string(values.quantile(0.99)) +
+                     ".");
     if (request.out.empty()) return;
-    NrrdWriter writer(request.out, grid, notice_line, values.fits_short);
+    bone::NrrdWriter writer(request.out, grid, session::notice_line, values.fits_short);
     if (!for_each_slab(*scan, outcome.diagnostics, progress, [&](const std::vector<float>& some) { writer.add(some); }))
         return;
     outcome.error = writer.finish();
@@ -133,16 +136,16 @@ void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
 // ---- surfaces -------------------------------------------------------------------------------------------------------
 
 void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
-    const auto surface = read_surface(request.source).take(outcome.diagnostics);
+    const auto surface = bone::read_surface(request.source).take(outcome.diagnostics);
     if (!surface) return;
-    Anatomy anatomy;
+    documents::Anatomy anatomy;
     anatomy.file = request.source;
-    MeshSource& mesh = anatomy.mesh.emplace();
+    documents::MeshSource& mesh = anatomy.mesh.emplace();
     mesh.unit = request.unit == "cm" ? 1e-2 : request.unit == "m" ? 1.0 : request.unit == "um" ? 1e-6 : 1e-3;
     mesh.is_ras = request.frame == "RAS";
     mesh.names_frame = !request.frame.empty();
     const StillWorking sign_of_life("checking the surface");
-    const auto bone = make_mesh_bone(anatomy, *surface, nullptr).take(outcome.diagnostics);
+    const auto bone = bone::make_mesh_bone(anatomy, *surface, nullptr).take(outcome.diagnostics);
     if (!bone) return;
     bool is_first = true;
     for (const std::string& note : bone->report.notes) {
@@ -151,10 +154,10 @@ void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
     }
     if (request.out.empty()) return;
     Mesh written;
-    SurfaceMesh whole = whole_surface_of(*bone);
+    bone::SurfaceMesh whole = bone::whole_surface_of(*bone);
     written.vertices = std::move(whole.vertices);
     written.triangles = std::move(whole.triangles);
-    outcome.error = write_file(request.out, stl_bytes(written));
+    outcome.error = text::write_file(request.out, bone::stl_bytes(written));
     if (outcome.error.empty()) add_line(outcome.text, "wrote", request.out + ", millimetres, LPS");
 }
 
@@ -176,4 +179,4 @@ ImportOutcome import_source(const ImportRequest& request) {
     return outcome;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

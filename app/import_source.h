@@ -5,7 +5,7 @@
 
 #include "text/source.h"
 
-namespace kerf {
+namespace kerf::app {
 
 /// The input of `kerf import`.
 struct ImportRequest {
@@ -19,13 +19,13 @@ struct ImportRequest {
 };
 
 struct ImportOutcome {
-    std::string text;         ///< the findings and the processing, for people
-    Diagnostics diagnostics;  ///< errors and warnings
-    std::string error;        ///< why nothing could be written; empty on success
+    std::string text;               ///< the findings and the processing, for people
+    text::Diagnostics diagnostics;  ///< errors and warnings
+    std::string error;              ///< why nothing could be written; empty on success
 };
 
 /// Reads a scan or a surface, checks all of it, and writes it in standard form: LPS, at right angles, closed. Copies no
 /// personal data.   [main]
 [[nodiscard]] ImportOutcome import_source(const ImportRequest& request);
 
-}  // namespace kerf
+}  // namespace kerf::app

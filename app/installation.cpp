@@ -3,7 +3,7 @@
 
 #include <system_error>
 
-namespace kerf {
+namespace kerf::app {
 
 Installation this_installation() {
     std::error_code error;
@@ -12,4 +12,4 @@ Installation this_installation() {
     return {is_helper ? folder.parent_path().parent_path() : folder.parent_path()};
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

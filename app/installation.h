@@ -7,7 +7,7 @@
 #include "core/plugin/loader.h"
 #include "run/exact/exact_strategies.h"
 
-namespace kerf {
+namespace kerf::app {
 
 /// The files of this Kerf, below one prefix, which the user may move as a whole.
 struct Installation {
@@ -25,7 +25,7 @@ struct Installation {
     [[nodiscard]] std::string printed_laws() const { return (prefix / "lib" / "kerf-papers").string(); }
     [[nodiscard]] std::string procedures() const { return (prefix / "share" / "kerf" / "procedures").string(); }
     /// The program that calls the remeshing strategies of `plugins`.
-    [[nodiscard]] StrategyHost strategies(const PluginRegistry& plugins) const {
+    [[nodiscard]] run::StrategyHost strategies(const PluginRegistry& plugins) const {
         return {helper("kerf-remesh"), &plugins.catalog()};
     }
 };
@@ -33,4 +33,4 @@ struct Installation {
 /// Returns the installation of the program that runs, which is in its bin or its libexec/kerf.   [main]
 [[nodiscard]] Installation this_installation();
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
@@ -31,4 +31,4 @@ Interruption::~Interruption() {
 
 bool Interruption::has_come() const noexcept { return is_noted != 0; }
 
-}  // namespace kerf
+}  // namespace kerf::app

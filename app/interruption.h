@@ -4,7 +4,7 @@
 #include <array>
 #include <csignal>
 
-namespace kerf {
+namespace kerf::app {
 
 /// While this lives, the first Ctrl-C (SIGINT, SIGTERM, SIGHUP) only sets a flag, so that a run can end in order. A
 /// second one ends the program. A signal that was ignored before, as by `nohup`, stays ignored.   [main] one at a time
@@ -23,4 +23,4 @@ private:
     std::array<bool, signals.size()> is_taken_{};
 };
 
-}  // namespace kerf
+}  // namespace kerf::app

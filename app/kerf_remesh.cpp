@@ -10,9 +10,10 @@
 #include "bone/remesh/remesh_server.h"
 
 int main(int argc, char** argv) {
-    if (argc != 3 || fcntl(kerf::remesh_channel::socket_fd, F_GETFD) < 0) {
+    if (argc != 3 || fcntl(kerf::bone::remesh_channel::socket_fd, F_GETFD) < 0) {
         std::fputs("kerf-remesh is started by kerf. Write `kerf remesh SESSION.db`.\n", stderr);
         return 2;
     }
-    return kerf::serve_remeshing(argv[1], argv[2], kerf::begin_request_memory, kerf::end_request_memory);
+    return kerf::bone::serve_remeshing(argv[1], argv[2], kerf::app::begin_request_memory,
+                                       kerf::app::end_request_memory);
 }

@@ -16,7 +16,7 @@
 
 #include "app/standard_streams.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
@@ -88,4 +88,4 @@ bool is_stack_large_enough() {
     return false;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

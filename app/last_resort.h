@@ -6,7 +6,7 @@
 #include "app/exit_code.h"
 
 /// Ends the program with a message and exit code 3 if memory, threads or stack run out.
-namespace kerf {
+namespace kerf::app {
 
 /// Runs `work` and returns its result. An exception becomes a line on stderr and exit_fault.   [main]
 [[nodiscard]] ExitCode run_guarded(const std::function<ExitCode()>& work);
@@ -18,4 +18,4 @@ void install_terminate_handler();
 /// Returns whether the stack is large enough. Raises its limit if possible; else prints a line to stderr.   [main]
 [[nodiscard]] bool is_stack_large_enough();
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -3,7 +3,7 @@
 #include "app/program.h"
 
 int main(int argc, char** argv) {
-    using namespace kerf;
+    using namespace kerf::app;
     return run_program(argc, argv, [](const CommandLine& line, const Invocation& call) {
         return line.command->run(line.options, call);
     });

@@ -6,23 +6,23 @@
 #include "app/progress.h"
 #include "app/standard_streams.h"
 
-namespace kerf {
+namespace kerf::app {
 
-void print_notes(const std::optional<Scene>& scene) {
+void print_notes(const std::optional<run::Scene>& scene) {
     if (!scene) return;
     for (const auto& note : scene->import.notes) print_error(note + "\n");
 }
 
-Result<Scene> make_bone(Documents documents, const std::string& file, ImportOptions options) {
+text::Result<run::Scene> make_bone(run::Documents documents, const std::string& file, bone::ImportOptions options) {
     StillWorking sign_of_life("making the bone of " + file);
     options.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
     return make_scene(std::move(documents), options);
 }
 
-std::optional<Scene> with_findings(std::optional<Scene> scene, const Diagnostics& diagnostics) {
+std::optional<run::Scene> with_findings(std::optional<run::Scene> scene, const text::Diagnostics& diagnostics) {
     if (!diagnostics.empty()) print_error(to_text(diagnostics));
     print_notes(scene);
     return scene;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

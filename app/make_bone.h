@@ -8,16 +8,17 @@
 #include "run/scene.h"
 #include "text/result.h"
 
-namespace kerf {
+namespace kerf::app {
 
 /// Makes the scene, which may take minutes, and shows progress on stderr.   [main]
 /// @param file   name of the procedure, for the progress
-[[nodiscard]] Result<Scene> make_bone(Documents documents, const std::string& file, ImportOptions options = {});
+[[nodiscard]] text::Result<run::Scene> make_bone(run::Documents documents, const std::string& file,
+                                                 bone::ImportOptions options = {});
 
 /// Prints the notes of import to stderr.   [main]
-void print_notes(const std::optional<Scene>& scene);
+void print_notes(const std::optional<run::Scene>& scene);
 
 /// Prints the diagnostics and the notes of import to stderr. Returns `scene`.   [main]
-std::optional<Scene> with_findings(std::optional<Scene> scene, const Diagnostics& diagnostics);
+std::optional<run::Scene> with_findings(std::optional<run::Scene> scene, const text::Diagnostics& diagnostics);
 
-}  // namespace kerf
+}  // namespace kerf::app

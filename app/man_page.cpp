@@ -7,7 +7,7 @@
 #include "app/command_table.h"
 #include "session/recorder.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
@@ -104,7 +104,7 @@ std::string examples() {
 }  // namespace
 
 std::string man_page() {
-    const std::string notice = std::string(notice_line) + ".";
+    const std::string notice = std::string(session::notice_line) + ".";
     std::string commands, sections;
     for (const Command& command : command_table()) {
         commands += ".TP\n" + bold(command.full_name()) + "\n" + roff(command.summary) + ".\n";
@@ -132,4 +132,4 @@ std::string man_page() {
            examples();
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

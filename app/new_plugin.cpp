@@ -10,7 +10,7 @@
 
 #include "app/new_plugin_files.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::string write_new_plugin(const std::string& name, const std::string& wanted,
     return {};
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

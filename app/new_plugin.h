@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace kerf {
+namespace kerf::app {
 
 /// Writes an example under another name into a new folder, as a plugin that builds and runs.
 /// @param name    a-z, 0-9 and _, beginning with a letter
@@ -13,4 +13,4 @@ namespace kerf {
 [[nodiscard]] std::string write_new_plugin(const std::string& name, const std::string& folder,
                                            bool is_strategy = false);
 
-}  // namespace kerf
+}  // namespace kerf::app

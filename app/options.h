@@ -6,7 +6,7 @@
 #include <vector>
 
 /// The arguments and options of each command, one struct a command. app/command_table.cpp fills them.
-namespace kerf {
+namespace kerf::app {
 
 /// Changes to a procedure.
 struct ChangeOptions {
@@ -144,4 +144,4 @@ using Options = std::variant<RunOptions, ValidateOptions, RehearseOptions, Expan
                              RemeshOptions, PrivacyOptions, ListOptions, DescribeOptions, CheckOptions,
                              NewPluginOptions, StabilityOptions, ChartOptions, CompletionOptions, ManOptions>;
 
-}  // namespace kerf
+}  // namespace kerf::app

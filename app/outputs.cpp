@@ -8,7 +8,7 @@
 
 #include "text/write_file.h"
 
-namespace kerf {
+namespace kerf::app {
 
 std::string refusal_of_folder(const std::string& folder) {
     namespace fs = std::filesystem;
@@ -31,12 +31,12 @@ std::string refusal_of_page(const std::string& file) {
 }
 
 std::string write_page(const std::string& file, const std::string& page) {
-    MadeFolders made;
+    text::MadeFolders made;
     const std::string folder = std::filesystem::path(file).parent_path().string();
     std::string error = folder.empty() ? std::string() : made.make(folder);
-    if (error.empty()) error = write_file(file, page);
+    if (error.empty()) error = text::write_file(file, page);
     if (error.empty()) made.keep();
     return error;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

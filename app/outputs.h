@@ -4,7 +4,7 @@
 #include <string>
 
 /// Files and folders for results.
-namespace kerf {
+namespace kerf::app {
 
 /// Returns why no file can be written into `folder`, which need not exist yet; empty if one can. Call it before work
 /// that takes minutes.   [main]
@@ -17,4 +17,4 @@ namespace kerf {
 /// [main]
 [[nodiscard]] std::string write_page(const std::string& file, const std::string& page);
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace kerf {
+namespace kerf::app {
 
 namespace fs = std::filesystem;
 
@@ -47,4 +47,4 @@ PluginFolders plugin_folders(std::string_view plugin_path, const std::string& ow
     return found;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

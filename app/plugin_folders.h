@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kerf {
+namespace kerf::app {
 
 /// The folders that are searched for plugins, and the mistakes in KERF_PLUGIN_PATH.
 struct PluginFolders {
@@ -16,4 +16,4 @@ struct PluginFolders {
 /// Returns the folders of `plugin_path`, which `:` separates, then `own`.   [main]
 [[nodiscard]] PluginFolders plugin_folders(std::string_view plugin_path, const std::string& own);
 
-}  // namespace kerf
+}  // namespace kerf::app

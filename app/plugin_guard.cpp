@@ -14,7 +14,7 @@
 #include "core/plugin/plugin_call.h"
 #include "session/recorder.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
@@ -89,7 +89,8 @@ const char* name_of_signal(int signal) noexcept {
     detail << (name.plugin != nullptr ? name.plugin->id.c_str() : "a plugin") << ": `" << to_text(now.call) << "` of `"
            << name.component << "` " << what;
     if (*words != '\0') detail << ": " << words;
-    const SavedRecord saved = Recorder::save_what_is_open(plugin_failed_event, detail.c_str());
+    const session::SavedRecord saved =
+        session::Recorder::save_what_is_open(session::plugin_failed_event, detail.c_str());
 
     static FixedText<6000> text;
     text << "kerf: plugin " << (name.plugin != nullptr ? name.plugin->file.c_str() : "") << " ("
@@ -185,11 +186,11 @@ void PluginGuard::watch() {
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::app
 
 // A plugin that calls one of these reaches Kerf's version; the system's would end a run as if it had passed.
 extern "C" void _exit(int status) {
-    if (kerf::is_calling_plugin()) kerf::end_by("ended the program (`_exit`)", "");
-    kerf::leave(status);
+    if (kerf::is_calling_plugin()) kerf::app::end_by("ended the program (`_exit`)", "");
+    kerf::app::leave(status);
 }
 extern "C" void _Exit(int status) noexcept { _exit(status); }

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <thread>
 
-namespace kerf {
+namespace kerf::app {
 
 /// While this lives, a plugin that crashes, throws, aborts, exits or does not return from a call within 5 s ends the
 /// program in order: the guard closes the record of the run, names plugin, path and call on stderr, and exits with 3.
@@ -35,4 +35,4 @@ private:
     std::thread watchdog_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -16,7 +16,7 @@
 #include "app/plugin_guard.h"
 #include "app/standard_streams.h"
 
-namespace kerf {
+namespace kerf::app {
 
 int run_program(int argc, char** argv, const std::function<ExitCode(const CommandLine&, const Invocation&)>& run) {
     occupy_closed_streams();
@@ -67,4 +67,4 @@ ExitCode become_program_of(const std::string& command, const Installation& here,
                     exit_fault);
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -11,7 +11,7 @@
 #include "core/plugin/loader.h"
 
 /// Code shared by `kerf` and the programs that it starts: from `main` to the exit code.
-namespace kerf {
+namespace kerf::app {
 
 /// Reads the command line and calls `run`; prints help or mistakes instead where they are the answer. Occupies closed
 /// streams first, resolves the names of shipped documents, and turns a lack of memory, threads or stack into a message
@@ -43,4 +43,4 @@ template <class T>
 /// started, and prints how to get it.   [main]
 [[nodiscard]] ExitCode become_program_of(const std::string& command, const Installation& here, char** argv);
 
-}  // namespace kerf
+}  // namespace kerf::app

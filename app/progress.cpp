@@ -10,7 +10,7 @@
 
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
@@ -36,21 +36,21 @@ std::string percent(double fraction) { return std::to_string(static_cast<int>(10
 
 void show_progress(double fraction, const std::string& what) {
     if (is_on_terminal()) {
-        std::fprintf(stderr, "%s%3.0f %%  %s", clear_line, 100.0 * fraction, printable(what).c_str());
+        std::fprintf(stderr, "%s%3.0f %%  %s", clear_line, 100.0 * fraction, text::printable(what).c_str());
         if (fraction >= 1.0) std::fputc('\n', stderr);
     } else if (is_line_due()) {
-        std::fprintf(stderr, "%s  %s\n", percent(fraction).c_str(), printable(what).c_str());
+        std::fprintf(stderr, "%s  %s\n", percent(fraction).c_str(), text::printable(what).c_str());
     }
 }
 
 void show_work(const std::string& what) {
     if (is_on_terminal())
-        std::fprintf(stderr, "%s%s%s", clear_line, printable(what).c_str(), what.empty() ? "" : " …");
+        std::fprintf(stderr, "%s%s%s", clear_line, text::printable(what).c_str(), what.empty() ? "" : " …");
     else if (!what.empty() && is_line_due())
-        std::fprintf(stderr, "%s …\n", printable(what).c_str());
+        std::fprintf(stderr, "%s …\n", text::printable(what).c_str());
 }
 
-StillWorking::StillWorking(const std::string& what) : what_(printable(what)) {
+StillWorking::StillWorking(const std::string& what) : what_(text::printable(what)) {
     const bool is_written_over = is_on_terminal();
     if (is_written_over) std::fprintf(stderr, "%s%s …", clear_line, what_.c_str());
     try {
@@ -75,7 +75,7 @@ void StillWorking::show_until_over(bool is_written_over) noexcept {
 void StillWorking::is_at(double fraction, const std::string& part) {
     const std::lock_guard lock(mutex_);
     fraction_ = fraction;
-    part_ = printable(part);
+    part_ = text::printable(part);
 }
 
 std::string StillWorking::text(int seconds) const {
@@ -93,4 +93,4 @@ StillWorking::~StillWorking() {
     if (is_on_terminal()) std::fputs(clear_line, stderr);
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

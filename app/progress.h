@@ -8,7 +8,7 @@
 
 /// Shows progress on stderr. A terminal gets one line, which is overwritten. A log gets a line after every half minute
 /// of work, and none for shorter work.
-namespace kerf {
+namespace kerf::app {
 
 /// Shows the percentage and the work.   [main]
 /// @param fraction   done, 0 … 1 [–]
@@ -42,4 +42,4 @@ private:
     std::thread clock_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -27,13 +27,14 @@
 #include "text/printable_lines.h"
 #include "text/write_file.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Returns the shipped procedure whose text is in the session; empty: none.
-std::string shipped_procedure(const RemeshOptions& options, const Environment& with, const RecordedInputs& recorded) {
+std::string shipped_procedure(const RemeshOptions& options, const Environment& with,
+                              const session::RecordedInputs& recorded) {
     std::vector<std::string> files;
     std::error_code error;
     for (auto entry = fs::directory_iterator(with.here.procedures(), error);
@@ -41,24 +42,25 @@ std::string shipped_procedure(const RemeshOptions& options, const Environment& w
         if (entry->path().extension() == ".yaml") files.push_back(entry->path().string());
     std::sort(files.begin(), files.end());
     for (const std::string& file : files) {
-        const auto procedure = read_procedure(file, with.plugins.catalog(), {recorded.variant, options.settings});
+        const auto procedure =
+            documents::read_procedure(file, with.plugins.catalog(), {recorded.variant, options.settings});
         if (procedure && procedure->text == recorded.procedure_text) return file;
     }
     return {};
 }
 
-std::string json_of(const ExactSurface& made, const ExactStrategies& strategies) {
-    const ExactRow row = exact_row(made, strategies);
-    nlohmann::ordered_json all{{"notice", notice_line}};
-    all.update(exact_summary(row));
-    return printable_json(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
+std::string json_of(const bone::ExactSurface& made, const run::ExactStrategies& strategies) {
+    const session::ExactRow row = run::exact_row(made, strategies);
+    nlohmann::ordered_json all{{"notice", session::notice_line}};
+    all.update(session::exact_summary(row));
+    return text::printable_json(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
-void print_table(const ExactSurface& made, double seconds) {
+void print_table(const bone::ExactSurface& made, double seconds) {
     for (const std::string& note : made.notes) print(note + "\n");
     print(formatted("  %zu records in %zu straight stretches, %.1f s\n\n", made.records, made.stretches, seconds));
     print("  body   triangles   mesh, mm3   field, mm3\n");
-    for (const ExactPiece& piece : made.pieces)
+    for (const bone::ExactPiece& piece : made.pieces)
         print(formatted("  %4zu %11zu %11.1f  %11.1f\n", piece.body, piece.mesh.mesh.triangles.size(),
                         piece.volume * 1e9, piece.field_volume * 1e9));
     print(formatted("\n  removed: mesh %.2f mm3, field %.2f mm3; a difference of %.2f mm3 is expected of the field\n",
@@ -69,7 +71,7 @@ void print_table(const ExactSurface& made, double seconds) {
     if (made.crumbs > 0)
         print(formatted("  %zu crumbs of %.3f mm3 that are no body of the field are left out\n", made.crumbs,
                         made.crumb_volume * 1e9));
-    print("  digest " + hex16(made.digest) + "\n");
+    print("  digest " + session::hex16(made.digest) + "\n");
 }
 
 /// Returns the full id of the strategy that the user names. If none or several match, `error` lists the ids.
@@ -81,54 +83,55 @@ std::optional<std::string> full_id_of(const std::string& wanted, const Component
         if (component.matches_id(wanted)) meant.push_back(known.back());
     }
     if (meant.size() == 1) return meant.front();
-    error = "the strategy `" + shown(wanted) + "` ";
+    error = "the strategy `" + text::shown(wanted) + "` ";
     if (meant.size() > 1) {
-        error += "has " + std::to_string(meant.size()) + " owners: expected one of " + listed(meant) +
+        error += "has " + std::to_string(meant.size()) + " owners: expected one of " + documents::listed(meant) +
                  ". Write its full id.";
         return std::nullopt;
     }
-    const std::string closest_one = closest(wanted, known);
-    error += known.empty() ? "is not installed: no plugin with strategies is. Install the package `kerf-remesh-cgal`."
-                           : "is unknown: expected " + listed(known) + "." + or_choose(closest_one);
+    const std::string closest_one = documents::closest(wanted, known);
+    error += known.empty()
+                 ? "is not installed: no plugin with strategies is. Install the package `kerf-remesh-cgal`."
+                 : "is unknown: expected " + documents::listed(known) + "." + documents::or_choose(closest_one);
     return std::nullopt;
 }
 
 /// Makes the surface when the session has been repeated, while its bone is still in memory.
-class Remesher final : public RunObserver {
+class Remesher final : public run::RunObserver {
 public:
-    Remesher(const Scene& scene, const ExactStrategies& strategies, const Interruption& interruption)
+    Remesher(const run::Scene& scene, const run::ExactStrategies& strategies, const Interruption& interruption)
         : scene_(&scene), strategies_(&strategies), interruption_(&interruption) {}
 
     void on_progress(double fraction, const std::string& /*what*/) override {
         show_progress(0.9 * fraction, "repeating the session");
     }
-    [[nodiscard]] std::optional<RunEnd> end() override {
-        return interruption_->has_come() ? std::optional(RunEnd::interrupted) : std::nullopt;
+    [[nodiscard]] std::optional<run::RunEnd> end() override {
+        return interruption_->has_come() ? std::optional(run::RunEnd::interrupted) : std::nullopt;
     }
-    [[nodiscard]] std::string on_result(const RunSummary& /*summary*/, const Simulation& simulation) override {
+    [[nodiscard]] std::string on_result(const session::RunSummary& /*summary*/, const Simulation& simulation) override {
         if (interruption_->has_come()) return {};
         show_work("");
         StillWorking sign_of_life("making the exact surface");
-        ExactTools tools = strategies_->tools(*scene_);
+        bone::ExactTools tools = strategies_->tools(*scene_);
         tools.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
         tools.is_cancelled = [&] { return interruption_->has_come(); };
-        made = exact_surface(simulation, std::move(tools));
+        made = bone::exact_surface(simulation, std::move(tools));
         return {};
     }
 
-    ExactSurface made;
+    bone::ExactSurface made;
 
 private:
-    const Scene* scene_;
-    const ExactStrategies* strategies_;
+    const run::Scene* scene_;
+    const run::ExactStrategies* strategies_;
     const Interruption* interruption_;
 };
 
-std::string write_pieces(const std::string& folder, const ExactSurface& made, const std::string& json) {
-    MadeFolders folders;
+std::string write_pieces(const std::string& folder, const bone::ExactSurface& made, const std::string& json) {
+    text::MadeFolders folders;
     std::string error = folders.make(folder);
-    if (error.empty()) error = write_exact_surfaces(folder, made);
-    if (error.empty()) error = write_file(folder + "/remesh.json", json);
+    if (error.empty()) error = run::write_exact_surfaces(folder, made);
+    if (error.empty()) error = text::write_file(folder + "/remesh.json", json);
     if (error.empty()) folders.keep();
     return error;
 }
@@ -143,7 +146,7 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
         if (!id) return complain("--strategy: " + error, exit_bad_input);
         wanted = *id;
     }
-    const auto recorded = read_session(options.session, error);
+    const auto recorded = session::read_session(options.session, error);
     if (!recorded) return complain(error, exit_bad_input);
     std::string folder = options.out;
     if (folder.empty()) folder = fs::path(options.session).parent_path().string();
@@ -157,10 +160,10 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
                             "`--procedure amputation.yaml`, with the `--set` it was run with.",
                         exit_bad_input);
 
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     auto documents =
-        check_documents({file, options.anatomy, {recorded->variant, options.settings}, with.here.procedures()},
-                        with.plugins)
+        run::check_documents({file, options.anatomy, {recorded->variant, options.settings}, with.here.procedures()},
+                             with.plugins)
             .take(diagnostics);
     if (!documents) {
         print_error(to_text(diagnostics));
@@ -169,10 +172,10 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
     if (error = refusal_of_replay(*recorded, options.session, documents->procedure); !error.empty())
         return complain(error, exit_bad_input);
     // While this process has one thread and little memory.
-    ExactStrategies strategies(with.here.strategies(with.plugins));
+    run::ExactStrategies strategies(with.here.strategies(with.plugins));
     if (error = strategies.start(documents->procedure, wanted); !error.empty()) {
-        print_error(
-            to_text({error_about(file, code_text(Code::no_strategy), "No exact surface can be made: " + error)}));
+        print_error(text::to_text({text::error_about(file, text::code_text(text::Code::no_strategy),
+                                                     "No exact surface can be made: " + error)}));
         return exit_fault;
     }
     const Interruption interruption;
@@ -182,20 +185,20 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
     if (recorded->anatomy_hash != bone->anatomy_hash)
         return complain(refusal_of_other_text(options.session), exit_bad_input);
 
-    RunRequest request;
+    run::RunRequest request;
     if (error = repeat(*recorded, options.session, request); !error.empty()) return complain(error, exit_bad_input);
     Remesher remesher(*bone, strategies, interruption);
     request.observers = {&remesher};
     const auto start = std::chrono::steady_clock::now();
-    const RunOutcome outcome = run_procedure(*bone, with.plugins, request);
+    const run::RunOutcome outcome = run::run_procedure(*bone, with.plugins, request);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     if (interruption.has_come()) return complain("interrupted; nothing is written", exit_fault);
-    if (!recorded->hash.empty() && recorded->hash != hex16(outcome.summary.hash))
-        return complain(options.session + ": the replay hash differs: got " + hex16(outcome.summary.hash) +
+    if (!recorded->hash.empty() && recorded->hash != session::hex16(outcome.summary.hash))
+        return complain(options.session + ": the replay hash differs: got " + session::hex16(outcome.summary.hash) +
                             ", expected " + recorded->hash + ". The recorded cuts cannot be used.",
                         exit_fault);
-    const ExactSurface& made = remesher.made;
+    const bone::ExactSurface& made = remesher.made;
     if (!made.error.empty()) {
         for (const std::string& note : made.notes) print_error(note + "\n");
         return complain(made.error, exit_fault);
@@ -203,8 +206,8 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
     print_table(made, seconds);
     if (error = write_pieces(folder, made, json_of(made, strategies)); !error.empty())
         return complain(error, exit_fault);
-    print("  " + folder + "/remesh.json\n" + notice_line + ".\n");
+    print("  " + folder + "/remesh.json\n" + session::notice_line + ".\n");
     return exit_pass;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

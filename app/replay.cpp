@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/replay.h"
 
-namespace kerf {
+namespace kerf::app {
 
-std::string refusal_of_replay(const RecordedInputs& recorded, const std::string& session, const Procedure& procedure) {
+std::string refusal_of_replay(const session::RecordedInputs& recorded, const std::string& session,
+                              const documents::Procedure& procedure) {
     if (recorded.variant != procedure.variant)
         return session + ": was recorded " +
                (recorded.variant.empty()
@@ -18,17 +19,17 @@ std::string refusal_of_other_text(const std::string& session) {
            "same.";
 }
 
-std::string repeat(const RecordedInputs& recorded, const std::string& session, RunRequest& request) {
+std::string repeat(const session::RecordedInputs& recorded, const std::string& session, run::RunRequest& request) {
     request.rehearsal = recorded.rehearsal;
     request.replay = recorded.device_from_handle;
     request.adoptions = recorded.adoptions;
     request.missed = recorded.missed;
     for (const auto& [tick, text] : recorded.hand_inputs) {
-        const auto input = hand_input(text);
+        const auto input = documents::hand_input(text);
         if (!input) return session + ": the hand requested `" + text + "`, which this Kerf does not know.";
         request.hand_inputs.emplace_back(tick, *input);
     }
     return {};
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

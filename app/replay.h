@@ -8,17 +8,18 @@
 #include "session/read_session.h"
 
 /// Feeds a recorded session to a run.
-namespace kerf {
+namespace kerf::app {
 
 /// Returns why a session cannot be repeated with this procedure, for people; empty if it can.   [any] pure.
-[[nodiscard]] std::string refusal_of_replay(const RecordedInputs& recorded, const std::string& session,
-                                            const Procedure& procedure);
+[[nodiscard]] std::string refusal_of_replay(const session::RecordedInputs& recorded, const std::string& session,
+                                            const documents::Procedure& procedure);
 
 /// Returns the message for a session that was recorded with other documents.   [any] pure.
 [[nodiscard]] std::string refusal_of_other_text(const std::string& session);
 
 /// Copies the inputs of a session to a request. Returns why a run cannot repeat them, for people; empty if it can.
 /// [any]
-[[nodiscard]] std::string repeat(const RecordedInputs& recorded, const std::string& session, RunRequest& request);
+[[nodiscard]] std::string repeat(const session::RecordedInputs& recorded, const std::string& session,
+                                 run::RunRequest& request);
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <new>
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 constexpr std::size_t unit = 16, page = 4096;
@@ -144,11 +144,11 @@ void begin_request_memory() noexcept {
 
 void end_request_memory() noexcept { current = nullptr; }
 
-}  // namespace kerf
+}  // namespace kerf::app
 
-void* operator new(std::size_t bytes) { return kerf::allocate(bytes); }
-void* operator new[](std::size_t bytes) { return kerf::allocate(bytes); }
-void operator delete(void* bytes) noexcept { kerf::release(bytes); }
-void operator delete[](void* bytes) noexcept { kerf::release(bytes); }
-void operator delete(void* bytes, std::size_t) noexcept { kerf::release(bytes); }
-void operator delete[](void* bytes, std::size_t) noexcept { kerf::release(bytes); }
+void* operator new(std::size_t bytes) { return kerf::app::allocate(bytes); }
+void* operator new[](std::size_t bytes) { return kerf::app::allocate(bytes); }
+void operator delete(void* bytes) noexcept { kerf::app::release(bytes); }
+void operator delete[](void* bytes) noexcept { kerf::app::release(bytes); }
+void operator delete(void* bytes, std::size_t) noexcept { kerf::app::release(bytes); }
+void operator delete[](void* bytes, std::size_t) noexcept { kerf::app::release(bytes); }

@@ -29,23 +29,24 @@
 #include "session/record_checksum.h"
 #include "session/recorder.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
-std::string text_of(const ExactRow& exact) {
+std::string text_of(const session::ExactRow& exact) {
     constexpr std::string_view none = "no exact surface";
     if (!exact.why_not.empty())
         return "  " + (exact.why_not.starts_with(none) ? "" : std::string(none) + ": ") + exact.why_not + "\n";
     std::size_t triangles = 0;
-    for (const ExactRow::Piece& piece : exact.pieces) triangles += piece.triangles;
-    std::string text = formatted("  exact surface: %zu %s, %zu triangles, digest %s\n", exact.pieces.size(),
-                                 exact.pieces.size() == 1 ? "body" : "bodies", triangles, hex16(exact.digest).c_str());
+    for (const session::ExactRow::Piece& piece : exact.pieces) triangles += piece.triangles;
+    std::string text =
+        formatted("  exact surface: %zu %s, %zu triangles, digest %s\n", exact.pieces.size(),
+                  exact.pieces.size() == 1 ? "body" : "bodies", triangles, session::hex16(exact.digest).c_str());
     for (const std::string& note : exact.notes) text += "    " + note + "\n";
     return text;
 }
 
-std::string text_of(const ClockRow& clock) {
+std::string text_of(const session::ClockRow& clock) {
     std::string text = formatted(
         "  clock: %llu ticks, %llu late, %llu pauses; compute median %.0f us, 99.9 %% within %.0f us, worst %.2f ms\n",
         static_cast<unsigned long long>(clock.ticks), static_cast<unsigned long long>(clock.late_ticks),
@@ -56,7 +57,7 @@ std::string text_of(const ClockRow& clock) {
 }
 
 /// Two decimals, or two significant digits.
-std::string text_of(const MetricRow& m) {
+std::string text_of(const session::MetricRow& m) {
     double value = m.value / m.per_unit;
     if (std::abs(value) < 5e-7) value = 0.0;
     const bool is_small = value != 0.0 && std::abs(value) < 0.1;
@@ -64,16 +65,16 @@ std::string text_of(const MetricRow& m) {
            (m.unit.empty() ? "" : " " + m.unit) + (m.status.starts_with("grade") ? "  " + m.status : "") + "\n";
 }
 
-void print_summary(const RunSummary& s) {
+void print_summary(const session::RunSummary& s) {
     print(std::string("verdict: ") + to_text(s.verdict) + "\n");
     for (const auto& reason : s.reasons) print("  " + reason + "\n");
     // A measure without a limit of its step is only in summary.json.
-    const auto is_shown = [](const MetricRow& m) {
+    const auto is_shown = [](const session::MetricRow& m) {
         return m.status != "info" || m.id.find(".measure.") == std::string::npos;
     };
     const auto print_metrics = [&](bool of_simulation) {
         for (const auto& m : s.metrics)
-            if (is_of_simulation(m) == of_simulation && is_shown(m)) print(text_of(m));
+            if (session::is_of_simulation(m) == of_simulation && is_shown(m)) print(text_of(m));
     };
     print_metrics(false);
     print(formatted("  removed %.1f mm3, %.1f s simulated, force scale 1/%.0f, hash %016llx\n", s.removed * 1e9,
@@ -84,12 +85,12 @@ void print_summary(const RunSummary& s) {
 }
 
 /// Shows the progress of a run, and ends the run at the first Ctrl-C.
-class ShownRun final : public RunObserver {
+class ShownRun final : public run::RunObserver {
 public:
     explicit ShownRun(const Interruption& interruption) : interruption_(interruption) {}
     void on_progress(double fraction, const std::string& what) override { show_progress(fraction, what); }
-    std::optional<RunEnd> end() override {
-        return interruption_.has_come() ? std::optional(RunEnd::interrupted) : std::nullopt;
+    std::optional<run::RunEnd> end() override {
+        return interruption_.has_come() ? std::optional(run::RunEnd::interrupted) : std::nullopt;
     }
 
 private:
@@ -98,16 +99,16 @@ private:
 
 // ---- rehearse ----------------------------------------------------------------------------------------------------
 
-std::string expectation_of(const Rehearsal& rehearsal) {
+std::string expectation_of(const documents::Rehearsal& rehearsal) {
     if (rehearsal.expect != "fail") return rehearsal.expect;
     return "fail by the limit `" + rehearsal.expect_limit +
            (rehearsal.expects_others ? "`, and others may break" : "` alone") +
            (rehearsal.expect_step.empty() ? "" : ", in the step `" + rehearsal.expect_step + "`");
 }
 
-std::string ending_of(const RunSummary& summary) {
+std::string ending_of(const session::RunSummary& summary) {
     std::string text = to_text(summary.verdict);
-    for (const auto& reason : summary.reasons) text += "\n            " + shown(reason);
+    for (const auto& reason : summary.reasons) text += "\n            " + text::shown(reason);
     return text;
 }
 
@@ -119,12 +120,12 @@ ExitCode rehearse_file(const std::string& file, const DocumentOptions& options, 
 
     int as_expected = 0;
     for (const auto& rehearsal : scene->procedure.rehearsals) {
-        RunRequest request;
+        run::RunRequest request;
         request.rehearsal = rehearsal.id;
         const Interruption interruption;
         ShownRun shown_run(interruption);
         request.observers = {&shown_run};
-        const RunOutcome outcome = run_procedure(*scene, with.plugins, request);
+        const run::RunOutcome outcome = run::run_procedure(*scene, with.plugins, request);
         if (outcome.was_interrupted) return complain("interrupted", exit_fault);
         if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
         print(rehearsal.id + ": " + (outcome.is_as_expected ? "ended as expected" : "NOT AS EXPECTED") +
@@ -139,7 +140,7 @@ ExitCode rehearse_file(const std::string& file, const DocumentOptions& options, 
 // ---- run ---------------------------------------------------------------------------------------------------------
 
 /// Prints whether a replay ended as its recording did, and whether the recording is unchanged.
-ExitCode compare(const RecordedInputs& recorded, const RunSummary& replayed) {
+ExitCode compare(const session::RecordedInputs& recorded, const session::RunSummary& replayed) {
     ExitCode code = exit_pass;
     const auto report = [&](const char* what, ExitCode result) {
         print(std::string("  replay: ") + what + "\n");
@@ -147,15 +148,15 @@ ExitCode compare(const RecordedInputs& recorded, const RunSummary& replayed) {
     };
     if (recorded.hash.empty())
         report("nothing to compare with: the recording ends without a result", exit_not_passed);
-    else if (recorded.hash == hex16(replayed.hash))
+    else if (recorded.hash == session::hex16(replayed.hash))
         report("the same bits", exit_pass);
     else
         report("NOT the same bits", exit_fault);
-    if (recorded.rows == RecordCheck::changed)
+    if (recorded.rows == session::RecordCheck::changed)
         report("the recording was CHANGED after its run wrote it: its rows do not give its checksum", exit_fault);
-    if (recorded.rows == RecordCheck::unknown && recorded.is_old)
+    if (recorded.rows == session::RecordCheck::unknown && recorded.is_old)
         report("the rows of the recording were not checked: this old session has no checksum", exit_pass);
-    else if (recorded.rows == RecordCheck::unknown && !recorded.hash.empty())
+    else if (recorded.rows == session::RecordCheck::unknown && !recorded.hash.empty())
         report("the rows of the recording were not checked: it is incomplete", exit_not_passed);
     return code;
 }
@@ -174,8 +175,8 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (const std::string refusal = options.out.empty() ? "" : refusal_of_folder(options.out); !refusal.empty())
         return complain(refusal, exit_bad_input);
     const std::string& file = options.procedure;
-    Diagnostics diagnostics;
-    auto documents = check_documents(request_of(file, options, with.here), with.plugins).take(diagnostics);
+    text::Diagnostics diagnostics;
+    auto documents = run::check_documents(request_of(file, options, with.here), with.plugins).take(diagnostics);
     if (!documents) {
         with_findings(std::nullopt, diagnostics);
         return exit_bad_input;
@@ -185,10 +186,10 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         return complain("a replay has no clock. Leave out `--live` or `--replay`.", exit_bad_input);
     // Checked before the bone is made, which may take minutes.
     std::string rehearsal = options.hand;
-    std::optional<RecordedInputs> recorded;
+    std::optional<session::RecordedInputs> recorded;
     if (!options.replay.empty()) {
         std::string error;
-        recorded = read_session(options.replay, error);
+        recorded = session::read_session(options.replay, error);
         if (recorded) error = refusal_of_replay(*recorded, options.replay, documents->procedure);
         if (recorded && error.empty() && !options.hand.empty() && options.hand != recorded->rehearsal)
             error = options.replay + ": was recorded with the rehearsal `" + recorded->rehearsal +
@@ -196,13 +197,13 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         if (!error.empty()) return complain(error, exit_bad_input);
         rehearsal = recorded->rehearsal;
     }
-    if (const std::string refusal = refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
+    if (const std::string refusal = run::refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
         return complain(refusal, exit_bad_input);
     // Started while this process has one thread and little memory.
-    ExactStrategies strategies(with.here.strategies(with.plugins));
+    run::ExactStrategies strategies(with.here.strategies(with.plugins));
     if (const std::string error = strategies.start(documents->procedure); !error.empty()) {
-        Diagnostics missing;  // printed at once: the run continues without it
-        report_strategy(documents->procedure, strategies.instrument_without(), error, missing);
+        text::Diagnostics missing;  // printed at once: the run continues without it
+        run::report_strategy(documents->procedure, strategies.instrument_without(), error, missing);
         print_error(to_text(missing));
     }
     for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
@@ -214,7 +215,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (recorded && recorded->anatomy_hash != scene->anatomy_hash)
         return complain(refusal_of_other_text(options.replay), exit_bad_input);
 
-    RunRequest request;
+    run::RunRequest request;
     ShownRun shown_run(interruption);
     request.observers = {&shown_run};
     request.strategies = &strategies;
@@ -229,15 +230,15 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (!options.replay.empty() && std::filesystem::equivalent(options.replay, request.out + "/session.db", ignored))
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
 
-    const RunOutcome outcome =
-        options.is_live ? run_live(*scene, with.plugins, request) : run_procedure(*scene, with.plugins, request);
+    const run::RunOutcome outcome = options.is_live ? run::run_live(*scene, with.plugins, request)
+                                                    : run::run_procedure(*scene, with.plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print_summary(outcome.summary);
     if (outcome.summary.clock) print(text_of(*outcome.summary.clock));
     for (const std::string& message : outcome.over_budget) print_error("kerf: " + message + "\n");
     print("  " + request.out + "/report.html\n");
     if (outcome.was_interrupted) return complain("interrupted; the results up to now are written", exit_fault);
-    const ExitCode judged = outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;
+    const ExitCode judged = outcome.summary.verdict == session::Verdict::pass ? exit_pass : exit_not_passed;
     return recorded ? std::max(judged, compare(*recorded, outcome.summary)) : judged;
 }
 
@@ -249,4 +250,4 @@ ExitCode watch(const RunOptions& options, const Invocation& call) {
 }
 
 }  // namespace commands
-}  // namespace kerf
+}  // namespace kerf::app

@@ -12,12 +12,12 @@
 
 #include "text/printable_lines.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
 void write_to(std::FILE* stream, std::string_view text) {
-    const std::string safe = printable_lines(text);
+    const std::string safe = text::printable_lines(text);
     std::fwrite(safe.data(), 1, safe.size(), stream);
 }
 
@@ -73,4 +73,4 @@ ExitCode close_stdout(ExitCode code) {
     return exit_fault;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

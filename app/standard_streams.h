@@ -8,7 +8,7 @@
 
 /// Prints all output of the program. Text from documents, file names and plugins cannot control the terminal, and
 /// output that is not written is an error.
-namespace kerf {
+namespace kerf::app {
 
 /// Prints to stdout, with hidden characters escaped (text/printable.h).   [main]
 void print(std::string_view text);
@@ -34,4 +34,4 @@ void occupy_closed_streams();
 /// [main, last]
 [[nodiscard]] ExitCode close_stdout(ExitCode code);
 
-}  // namespace kerf
+}  // namespace kerf::app

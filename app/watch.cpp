@@ -19,7 +19,7 @@
 
 extern "C" char** environ;
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
@@ -106,4 +106,4 @@ ExitCode run_and_watch(const RunOptions& options, const std::string& program, st
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

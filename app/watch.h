@@ -7,7 +7,7 @@
 #include "app/exit_code.h"
 #include "app/options.h"
 
-namespace kerf {
+namespace kerf::app {
 
 /// `kerf run … --watch`: runs the command, and again whenever a plugin, the procedure or its anatomy has changed, until
 /// Ctrl-C. Each run is a process of its own, so it loads the plugins again.   [main]
@@ -17,4 +17,4 @@ namespace kerf {
 [[nodiscard]] ExitCode run_and_watch(const RunOptions& options, const std::string& program,
                                      std::vector<std::string> arguments, const std::vector<std::string>& plugins);
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -172,7 +172,7 @@ void measure(const Body& body, bool is_on_the_clock, int rounds) {
 /// A thread that asks a strategy for one patch after the other while it may.
 class Cutter {
 public:
-    explicit Cutter(RemeshChild& child) : child_(&child), thread_([this] { cut(); }) {}
+    explicit Cutter(bone::RemeshChild& child) : child_(&child), thread_([this] { cut(); }) {}
     ~Cutter() {
         is_over_ = true;
         thread_.join();
@@ -186,15 +186,15 @@ public:
 private:
     void cut() {
         const ToolSolid blade = test::slot_blade();
-        const TaggedMesh bone = tagged(test::bent_bone(200'000.0));
-        LocalCutting saw(bone, {&blade}, 20e-6, [this](const RemeshRequest& request) {
+        const bone::TaggedMesh bone = bone::tagged(test::bent_bone(200'000.0));
+        bone::LocalCutting saw(bone, {&blade}, 20e-6, [this](const bone::RemeshRequest& request) {
             ++patches;
             return child_->remesh(request, std::chrono::seconds(20));
         });
         const auto uncut = saw.moment();
         while (!is_over_) {
             saw.restore(uncut);
-            for (const CutStretch& step : test::cut_across(0.0, -13.0_mm, 13.0_mm, 0.1_mm, 3.0_mm)) {
+            for (const bone::CutStretch& step : test::cut_across(0.0, -13.0_mm, 13.0_mm, 0.1_mm, 3.0_mm)) {
                 while (!may_cut && !is_over_) std::this_thread::sleep_for(std::chrono::microseconds(200));
                 if (is_over_) return;
                 saw.cut(step);
@@ -202,14 +202,14 @@ private:
         }
     }
 
-    RemeshChild* child_;
+    bone::RemeshChild* child_;
     std::atomic<bool> is_over_{false};
     std::thread thread_;
 };
 
 void measure_beside_cuts(const Body& body, int rounds) {
     std::string error;
-    const auto child = RemeshChild::start(
+    const auto child = bone::RemeshChild::start(
         {KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", "local"}, error);
     if (child == nullptr) {
         std::printf("%s\n", error.c_str());

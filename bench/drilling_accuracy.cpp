@@ -135,9 +135,10 @@ void crossing(int offsets) {
 // ---- what an image tells of a border ------------------------------------------------------------------------------
 
 /// An image of voxels of `h`, each with the share of 8³ points in it that lie inside, and noise of 0.05.
-VoxelImage occupancy(const std::function<double(Vec3)>& inside, Vec3 low, Vec3 high, double h, std::mt19937& random) {
+bone::VoxelImage occupancy(const std::function<double(Vec3)>& inside, Vec3 low, Vec3 high, double h,
+                           std::mt19937& random) {
     std::normal_distribution<double> noise(0.0, 0.05);
-    VoxelImage image;
+    bone::VoxelImage image;
     const Vec3 shift = h * random_offset(random), extent = high - low;
     image.size = {static_cast<int>(extent.x / h) + 2, static_cast<int>(extent.y / h) + 2,
                   static_cast<int>(extent.z / h) + 2};
@@ -163,15 +164,15 @@ VoxelImage occupancy(const std::function<double(Vec3)>& inside, Vec3 low, Vec3 h
 }
 
 /// What import makes of such an image: the distance to its border.
-VoxelImage border_of(const VoxelImage& image) {
-    Anatomy anatomy;
+bone::VoxelImage border_of(const bone::VoxelImage& image) {
+    documents::Anatomy anatomy;
     anatomy.file = "image";
     anatomy.ct.emplace().threshold = 0.5;
     anatomy.tissues = {{"bone", 1850.0, 0.0, ""}};
     const Vec3 end = image.lps({image.size[0] - 1.0, image.size[1] - 1.0, image.size[2] - 1.0});
     anatomy.axes = {{"all", image.lps({0, 0, 0}), end, 0.0}};
-    Diagnostics diagnostics;
-    auto bone = make_ct_bone(anatomy, image, nullptr).take(diagnostics);
+    text::Diagnostics diagnostics;
+    auto bone = bone::make_ct_bone(anatomy, image, nullptr).take(diagnostics);
     if (!bone) {
         std::fputs(to_text(diagnostics).c_str(), stderr);
         std::abort();
@@ -189,10 +190,11 @@ void partial_volume(int offsets) {
             double sum = 0.0, squares = 0.0, worst = 0.0;
             for (int k = 0; k < offsets; ++k) {
                 Body body = chart::body_of(scene.bone, h, random_offset(random));
-                const VoxelImage outer = border_of(occupancy(scene.bone.surface, low, high, h, random));
+                const bone::VoxelImage outer = border_of(occupancy(scene.bone.surface, low, high, h, random));
                 body.surface = LevelSet::build(body.grid(), [&](Vec3 p) { return outer.sample_trilinear(p, 1.0); });
                 for (std::size_t m = 0; m + 1 < scene.bone.tissues.size(); ++m) {
-                    const VoxelImage inner = border_of(occupancy(scene.bone.tissues[m].border, low, high, h, random));
+                    const bone::VoxelImage inner =
+                        border_of(occupancy(scene.bone.tissues[m].border, low, high, h, random));
                     body.materials[m].border =
                         LevelSet::build(body.grid(), [&](Vec3 p) { return inner.sample_trilinear(p, 1.0); });
                 }
@@ -243,22 +245,22 @@ void tilted_volume(int offsets) {
 
 /// The anatomy with one axis more, which makes the region that is kept, and so the grid of every spacing, begin so much
 /// lower [m].
-Anatomy begun_lower(const Anatomy& anatomy, Vec3 by) {
-    LandmarkAxis corner = anatomy.axes.front();
-    for (const LandmarkAxis& axis : anatomy.axes)
+documents::Anatomy begun_lower(const documents::Anatomy& anatomy, Vec3 by) {
+    documents::LandmarkAxis corner = anatomy.axes.front();
+    for (const documents::LandmarkAxis& axis : anatomy.axes)
         for (const Vec3 end : {axis.from, axis.to})
             corner.from = {std::min(corner.from.x, end.x), std::min(corner.from.y, end.y),
                            std::min(corner.from.z, end.z)};
     corner.from = corner.from - by;
-    Anatomy lower = anatomy;
+    documents::Anatomy lower = anatomy;
     lower.axes.push_back(corner);
     return lower;
 }
 
 /// The scan's own voxels stay where they are: this tells of our grid, not of the scanner's.
 void repeatability(const char* name, int grids) {
-    Diagnostics diagnostics;
-    const auto anatomy = read_anatomy(std::string("tests/real-data/") + name).take(diagnostics);
+    text::Diagnostics diagnostics;
+    const auto anatomy = documents::read_anatomy(std::string("tests/real-data/") + name).take(diagnostics);
     if (!anatomy) {
         std::printf("%s: not there (KERF_DATA), left out\n", name);
         return;
@@ -267,13 +269,13 @@ void repeatability(const char* name, int grids) {
         std::vector<std::vector<double>> thrusts;
         std::mt19937 random(42);
         for (int k = 0; k < grids; ++k) {
-            const auto body = make_body(begun_lower(*anatomy, h * random_offset(random)), h).take(diagnostics);
+            const auto body = bone::make_body(begun_lower(*anatomy, h * random_offset(random)), h).take(diagnostics);
             if (!body) {
                 std::printf("%s: its scan is not there (KERF_DATA), left out\n", name);
                 return;
             }
-            const LandmarkAxis& axis = anatomy->axes.front();
-            const AxisFrame frame = axis_frame(axis, axis_in_bone(*body, axis).entry, *anatomy);
+            const documents::LandmarkAxis& axis = anatomy->axes.front();
+            const run::AxisFrame frame = run::axis_frame(axis, bone::axis_in_bone(*body, axis).entry, *anatomy);
             // The same way in every one, whatever its own entry is.
             static Vec3 entry;
             if (k == 0) entry = frame.entry;

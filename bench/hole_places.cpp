@@ -48,11 +48,11 @@ constexpr std::array phantoms{Bone{"phantom", "", ""}, Bone{"steep", "", "steep-
 constexpr std::array scans{Bone{"L3", KERF_SOURCE_DIR "/tests/real-data/l3.yaml", ""},
                            Bone{"T12", KERF_SOURCE_DIR "/tests/real-data/t12.yaml", ""}};
 
-Scene scene_of(const Bone& bone, std::vector<std::string> settings) {
-    Diagnostics diagnostics;
-    DocumentRequest request{.procedure = procedure_file, .anatomy = bone.anatomy};
+run::Scene scene_of(const Bone& bone, std::vector<std::string> settings) {
+    text::Diagnostics diagnostics;
+    run::DocumentRequest request{.procedure = procedure_file, .anatomy = bone.anatomy};
     request.changes = {bone.variant, std::move(settings)};
-    auto documents = check_documents(request, plugins()).take(diagnostics);
+    auto documents = run::check_documents(request, plugins()).take(diagnostics);
     auto scene = documents ? make_scene(std::move(*documents)).take(diagnostics) : std::nullopt;
     if (!scene) throw std::runtime_error(to_text(diagnostics));
     return std::move(*scene);
@@ -60,26 +60,26 @@ Scene scene_of(const Bone& bone, std::vector<std::string> settings) {
 
 /// A run, and where its tip was while bone resisted it.
 struct Drilled {
-    RunOutcome outcome;
+    run::RunOutcome outcome;
     std::vector<Vec3> path;
 };
-Drilled drilled(const Scene& scene, const char* rehearsal) {
-    struct Path final : RunObserver {
+Drilled drilled(const run::Scene& scene, const char* rehearsal) {
+    struct Path final : run::RunObserver {
         std::vector<Vec3> points;
-        void on_tick(const TickRow& row) override {
+        void on_tick(const session::TickRow& row) override {
             const Vec3 tip = row.world_from_tool.position;
             if (row.thrust > 0.0 && (points.empty() || length(tip - points.back()) > 0.1_mm)) points.push_back(tip);
         }
     } path;
-    RunRequest request;
+    run::RunRequest request;
     request.rehearsal = rehearsal;
     request.observers = {&path};
-    RunOutcome outcome = run_procedure(scene, plugins(), request);
+    run::RunOutcome outcome = run::run_procedure(scene, plugins(), request);
     return {std::move(outcome), std::move(path.points)};
 }
 
-std::optional<double> metric(const RunSummary& summary, const std::string& name) {
-    for (const MetricRow& row : summary.metrics)
+std::optional<double> metric(const session::RunSummary& summary, const std::string& name) {
+    for (const session::MetricRow& row : summary.metrics)
         if (row.id == "pilot-hole." + name) return row.value / row.per_unit;
     return std::nullopt;
 }
@@ -90,9 +90,9 @@ std::string shown(const std::optional<double>& value) { return value ? drawing::
 constexpr std::array columns{"entry-offset", "narrowest-offset", "end-offset", "hole-angle", "breach", "time-in-air"};
 
 /// Largest less smallest of a metric over the devices, where all have it.
-std::string spread(const std::vector<RunSummary>& runs, const char* name) {
+std::string spread(const std::vector<session::RunSummary>& runs, const char* name) {
     double least = HUGE_VAL, most = -HUGE_VAL;
-    for (const RunSummary& run : runs) {
+    for (const session::RunSummary& run : runs) {
         const auto value = metric(run, name);
         if (!value) return "–";
         least = std::min(least, *value);
@@ -109,11 +109,11 @@ constexpr double top = 64.0;
 
 /// One section along the planned axis.
 struct View {
-    const Scene* scene;
+    const run::Scene* scene;
     Vec3 aside;  ///< to the right
     drawing::CellArea area;
 
-    View(const Scene& of, Vec3 to_the_right, double left)
+    View(const run::Scene& of, Vec3 to_the_right, double left)
         : scene(&of),
           aside(to_the_right),
           area{.x_low = -shown_beside,
@@ -129,7 +129,7 @@ struct View {
 /// Bone by its density.
 std::string bone_svg(const View& view) {
     constexpr int shades = 6;
-    const AxisFrame& frame = view.scene->frames.front();
+    const run::AxisFrame& frame = view.scene->frames.front();
     const Body& body = view.scene->body;
     const auto shade_at = [&](double beside, double depth) {
         const LocatedPoint place = locate(body, frame.entry + depth * frame.along + beside * view.aside);
@@ -148,7 +148,7 @@ std::string bone_svg(const View& view) {
 
 std::string path_svg(const View& view, const std::vector<Vec3>& path, const char* colour, double width,
                      const char* more = "") {
-    const AxisFrame& frame = view.scene->frames.front();
+    const run::AxisFrame& frame = view.scene->frames.front();
     std::string svg = std::string("<polyline fill=\"none\" stroke=\"") + colour + "\" stroke-width=\"" +
                       drawing::px(width) + "\" stroke-linecap=\"round\" stroke-linejoin=\"round\" " + more +
                       " points=\"";
@@ -160,8 +160,8 @@ std::string path_svg(const View& view, const std::vector<Vec3>& path, const char
     return svg + "\"/>\n";
 }
 
-std::string picture_of(const Bone& bone, const Scene& scene, const std::map<std::string, Drilled>& runs) {
-    const AxisFrame& frame = scene.frames.front();
+std::string picture_of(const Bone& bone, const run::Scene& scene, const std::map<std::string, Drilled>& runs) {
+    const run::AxisFrame& frame = scene.frames.front();
     const Vec3 medial = frame.medial, up = cross(medial, frame.along);
     const Vec3 cranial = up.z >= 0.0 ? up : -up;
     constexpr double gap = 40.0, drill = 3.2_mm;
@@ -192,10 +192,10 @@ double offset_at(double angle_deg, double push) {
     const auto point = [&](const char* depth) {
         return std::string("{depth: ") + depth + " mm, cranial_angle: " + angle + "}";
     };
-    const Scene scene =
+    const run::Scene scene =
         scene_of(phantoms[0], {"rehearsals.no-starting-hole.path=[" + point("-5") + ", " + point("8") + "]",
                                "rehearsals.no-starting-hole.hand.push=" + drawing::figure(push) + " N"});
-    const AxisFrame& frame = scene.frames.front();
+    const run::AxisFrame& frame = scene.frames.front();
     const Pose way = frame.pose_at({.depth = 0.0, .cranial_angle = angle_deg * 1.0_deg});
     const Vec3 along = rotate(way.rotation, {0, 0, 1});
     double offset = 0.0;
@@ -237,11 +237,11 @@ int run(const std::string& folder) {
     if (std::getenv("KERF_DATA") != nullptr) bones.insert(bones.end(), scans.begin(), scans.end());
     for (const Bone& bone : bones) {
         std::map<std::string, Drilled> pictured;
-        std::optional<Scene> seen;
+        std::optional<run::Scene> seen;
         for (const char* rehearsal : rehearsals) {
-            std::vector<RunSummary> runs;
+            std::vector<session::RunSummary> runs;
             for (const char* device : devices) {
-                Scene scene = scene_of(bone, {std::string("haptics.device=") + device});
+                run::Scene scene = scene_of(bone, {std::string("haptics.device=") + device});
                 Drilled one = drilled(scene, rehearsal);
                 std::printf("%-8s %-17s %-17s %-10s", bone.name, rehearsal, device,
                             to_text(one.outcome.summary.verdict));
@@ -263,13 +263,14 @@ int run(const std::string& folder) {
         std::string name = bone.name;
         std::transform(name.begin(), name.end(), name.begin(),
                        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-        if (const std::string error = write_file(folder + "/holes-" + name + ".svg", picture_of(bone, *seen, pictured));
+        if (const std::string error =
+                text::write_file(folder + "/holes-" + name + ".svg", picture_of(bone, *seen, pictured));
             !error.empty())
             throw std::runtime_error(error);
     }
     const std::string tilt = offset_over_tilt();
     if (folder.empty()) return 0;
-    const std::string error = write_file(folder + "/offset-over-tilt.svg", tilt);
+    const std::string error = text::write_file(folder + "/offset-over-tilt.svg", tilt);
     if (!error.empty()) throw std::runtime_error(error);
     return 0;
 }
@@ -279,7 +280,7 @@ int run(const std::string& folder) {
 int main(int argc, char** argv) {
     try {
         if (argc > 1) std::filesystem::create_directories(argv[1]);
-        return run(argc > 1 ? argv[1] : "");
+        return ::run(argc > 1 ? argv[1] : "");
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

@@ -46,13 +46,15 @@ using test::bent_bone, test::blade_at, test::cut_across, test::slot_blade;
 
 bench::StrategyModules strategies;
 
-RemeshResult ask(const char* strategy, const RemeshRequest& request) { return strategies.ask(strategy, request); }
+bone::RemeshResult ask(const char* strategy, const bone::RemeshRequest& request) {
+    return strategies.ask(strategy, request);
+}
 
-std::string flaw_of(const TaggedMesh& base, const LocalCutting& cutting) {
+std::string flaw_of(const bone::TaggedMesh& base, const bone::LocalCutting& cutting) {
     for (const auto& stale : cutting.stale()) return stale.why;
-    RemeshRequest request;
+    bone::RemeshRequest request;
     request.base = base;
-    return flaw_of_result(request, cutting.surface().mesh());
+    return bone::flaw_of_result(request, cutting.surface().mesh());
 }
 
 void steps() {
@@ -61,15 +63,15 @@ void steps() {
     std::printf("%10s  %8s %8s  %8s  %8s %8s  %6s  %s\n", "triangles", "local", "p99", "asked", "whole", "p99", "ratio",
                 "refused");
     for (const double size : {5e3, 8e3, 20e3, 80e3, 200e3, 320e3}) {
-        const TaggedMesh bone = tagged(bent_bone(size));
+        const bone::TaggedMesh bone = bone::tagged(bent_bone(size));
         std::vector<double> local, asked, whole;
         double in_strategy = 0.0;
-        LocalCutting saw(bone, {&blade}, 20e-6, [&](const RemeshRequest& request) {
-            RemeshResult result;
+        bone::LocalCutting saw(bone, {&blade}, 20e-6, [&](const bone::RemeshRequest& request) {
+            bone::RemeshResult result;
             in_strategy += processor_time_of([&] { result = ask("local", request); });
             return result;
         });
-        RemeshRequest request;
+        bone::RemeshRequest request;
         request.base = bone;
         request.solids = {&blade};
         const auto all = cut_across(0.0, -13.0_mm, 0.0, 0.1_mm, 3.0_mm);
@@ -81,12 +83,12 @@ void steps() {
             asked.push_back(in_strategy);
         }
         request.cuts = {{blade_at(0.0, -13.0_mm), blade_at(0.0, -8.0_mm), 0}};
-        if (RemeshResult begun = ask("whole_rounded", request); begun.status == KERF_OK)
+        if (bone::RemeshResult begun = ask("whole_rounded", request); begun.status == KERF_OK)
             request.base = std::move(begun.mesh);
         const std::size_t count = size > 50e3 ? 15 : 40;
         for (std::size_t n = 50; n < 50 + count; ++n) {
             request.cuts = {all[n]};
-            RemeshResult result;
+            bone::RemeshResult result;
             whole.push_back(processor_time_of([&] { result = ask("whole_rounded", request); }));
             if (result.status == KERF_OK) request.base = std::move(result.mesh);
         }
@@ -99,21 +101,21 @@ void steps() {
 
 void cut() {
     const ToolSolid blade = slot_blade();
-    const TaggedMesh bone = tagged(bent_bone(80e3));
-    RemeshRequest request;
+    const bone::TaggedMesh bone = bone::tagged(bent_bone(80e3));
+    bone::RemeshRequest request;
     request.base = bone;
     request.solids = {&blade};
     request.cuts = {{blade_at(0.0, -13.0_mm), blade_at(0.0, 13.0_mm), 0}};
-    RemeshResult exact;
+    bone::RemeshResult exact;
     const double exact_time = processor_time_of([&] { exact = ask("exact", request); });
-    const double volume = signed_volume_of(bone.mesh) - signed_volume_of(exact.mesh.mesh);
+    const double volume = bone::signed_volume_of(bone.mesh) - bone::signed_volume_of(exact.mesh.mesh);
     std::printf("\none slot through %zu triangles\n%-24s %10s %12s %10s\n", bone.tags.size(), "", "ms", "removed, mm3",
                 "error");
     std::printf("%-24s %10.0f %12.4f\n", "exact, at once", 1e-3 * exact_time, 1e9 * volume);
     for (const double feed : {2.0_mm, 0.5_mm, 0.1_mm}) {
-        LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
+        bone::LocalCutting saw(bone, {&blade}, 20e-6, [](const bone::RemeshRequest& r) { return ask("local", r); });
         const double time = processor_time_of([&] {
-            for (const CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, feed, 0.0)) saw.cut(step);
+            for (const bone::CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, feed, 0.0)) saw.cut(step);
         });
         std::printf("local, steps of %3.1f mm    %10.0f %12.4f %9.4f %%  %s\n", 1e3 * feed, 1e-3 * time,
                     1e9 * saw.removed(), 100.0 * (saw.removed() / volume - 1.0), flaw_of(bone, saw).c_str());
@@ -122,35 +124,35 @@ void cut() {
 
 void long_run() {
     const ToolSolid blade = slot_blade();
-    const TaggedMesh bone = tagged(bent_bone(80e3));
-    LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
+    const bone::TaggedMesh bone = bone::tagged(bent_bone(80e3));
+    bone::LocalCutting saw(bone, {&blade}, 20e-6, [](const bone::RemeshRequest& r) { return ask("local", r); });
     std::vector<double> times;
     for (const double x : {-15.0_mm, -5.0_mm, 5.0_mm, 15.0_mm})
-        for (const CutStretch& step : cut_across(x, -12.5_mm, 12.5_mm, 0.05_mm, 3.0_mm))
+        for (const bone::CutStretch& step : cut_across(x, -12.5_mm, 12.5_mm, 0.05_mm, 3.0_mm))
             times.push_back(processor_time_of([&] { saw.cut(step); }));
     const std::size_t tenth = times.size() / 10;
     const double first = times_of({times.begin(), times.begin() + static_cast<std::ptrdiff_t>(tenth)}).median,
                  last = times_of({times.end() - static_cast<std::ptrdiff_t>(tenth), times.end()}).median;
     const std::string flaw = flaw_of(bone, saw);
-    const SurfaceMesh mesh = saw.surface().mesh().mesh;
+    const bone::SurfaceMesh mesh = saw.surface().mesh().mesh;
     std::printf(
         "\n%zu steps of 0.05 mm in four slots: first tenth %.1f ms, last %.1f ms, median of all %.1f ms, p99 %.1f ms\n"
         "%zu faces, then %zu; %u pieces; %d refused; %s\n",
         times.size(), 1e-3 * first, 1e-3 * last, 1e-3 * times_of(times).median, 1e-3 * quantile_of(times, 0.99),
-        bone.tags.size(), mesh.triangles.size(), pieces_of(mesh, half_edges_of(mesh)).count, saw.refusals(),
+        bone.tags.size(), mesh.triangles.size(), bone::pieces_of(mesh, bone::half_edges_of(mesh)).count, saw.refusals(),
         flaw.empty() ? "closed, no crossings" : flaw.c_str());
 }
 
 void coplanar(int count) {
     const ToolSolid blade = slot_blade();
-    const TaggedMesh bone = tagged(bent_bone(5e3));
+    const bone::TaggedMesh bone = bone::tagged(bent_bone(5e3));
     std::mt19937 random(11);
     std::uniform_int_distribution<std::size_t> any_face(0, bone.mesh.triangles.size() - 1);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     int passed[3] = {}, tried[3] = {};
     for (int n = 0; n < count; ++n) {
         const int kind = n % 3;
-        const Triangle& face = bone.mesh.triangles[any_face(random)];
+        const bone::Triangle& face = bone.mesh.triangles[any_face(random)];
         const auto [a, b, c] = bone.mesh.corners(face);
         Pose pose = blade_at(a.x, 0.0);
         if (kind == 1) {  // the blade's side in the plane of a face
@@ -161,7 +163,7 @@ void coplanar(int count) {
         pose.position = pose.position + dot(a - pose.position, normal) * normal - 0.2_mm * normal;
         const double from = dot(a - pose.position, way) - 3.0_mm, deep = 4.0_mm + 2.0_mm * any(random);
         const auto at = [&](double depth) { return Pose{pose.position + depth * way, pose.rotation}; };
-        LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
+        bone::LocalCutting saw(bone, {&blade}, 20e-6, [](const bone::RemeshRequest& r) { return ask("local", r); });
         saw.cut({at(from), at(from + deep), 0});
         if (kind == 2) {  // again along the old cut, deeper
             saw.cut({at(from), at(from + deep), 0});
@@ -185,7 +187,9 @@ void print_groove(const char* name, const chart::Groove& groove, const chart::Gr
 void displaced() {
     const chart::Groove groove = chart::groove_within(1.0_mm);
     const chart::Clock clock = [](const auto& work) { return processor_time_of(work); };
-    const auto strategy = [](const char* name) { return [name](const RemeshRequest& r) { return ask(name, r); }; };
+    const auto strategy = [](const char* name) {
+        return [name](const bone::RemeshRequest& r) { return ask(name, r); };
+    };
     std::printf("\na groove 12 mm long, 1 mm deep, by a ball burr of 4 mm; by hand %.4f mm3\n", 1e9 * groove.volume);
     std::printf("%-30s %9s %10s %8s %8s %8s %8s %7s %7s\n", "", "mm3", "error", "rms, um", "max, um", "ms/step",
                 "walls", "5 %", "median");
@@ -216,7 +220,7 @@ struct View {
 };
 
 /// Faces that look at the viewer, the farthest first, with their edges; bone light, the wall blue.
-void draw(const TaggedMesh& mesh, const View& view, const char* file) {
+void draw(const bone::TaggedMesh& mesh, const View& view, const char* file) {
     const Vec3 right = normalized(cross(view.look, {0, 0, 1})), up = cross(right, view.look);
     struct Drawn {
         double away;
@@ -262,9 +266,9 @@ void draw(const TaggedMesh& mesh, const View& view, const char* file) {
 /// One half of a bone that was parted, onto its wall.
 void picture(const char* file) {
     const ToolSolid blade = slot_blade();
-    const TaggedMesh bone = tagged(bent_bone(20e3));
-    LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
-    for (const CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, 1.0_mm, 3.0_mm)) saw.cut(step);
+    const bone::TaggedMesh bone = bone::tagged(bent_bone(20e3));
+    bone::LocalCutting saw(bone, {&blade}, 20e-6, [](const bone::RemeshRequest& r) { return ask("local", r); });
+    for (const bone::CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, 1.0_mm, 3.0_mm)) saw.cut(step);
     const Vec3 normal_of_slot = rotate(blade_at(0.0, 0.0).rotation, {0, 1, 0}), middle = blade_at(0.0, 2.0_mm).position;
     draw(saw.surface().mesh(),
          {middle, normalized(normal_of_slot + Vec3{0, 0.55, -0.5}), -13, -10, 19, 17,
@@ -277,8 +281,8 @@ void picture(const char* file) {
 /// A groove in a bone, by `displace` in steps of 0.25 mm.
 void groove_picture(const char* file) {
     const ToolSolid burr = chart::ball_burr(2.0_mm);
-    const TaggedMesh bone = tagged(bent_bone(8e3));
-    LocalCutting cut(bone, {&burr}, 80e-6, [](const RemeshRequest& r) { return ask("displace", r); });
+    const bone::TaggedMesh bone = bone::tagged(bent_bone(8e3));
+    bone::LocalCutting cut(bone, {&burr}, 80e-6, [](const bone::RemeshRequest& r) { return ask("displace", r); });
     const auto at = [](int n) {
         const double angle = 1.0 + 0.02 * n;
         const Vec3 out{0, std::cos(angle), std::sin(angle)};

@@ -37,7 +37,9 @@ using test::bent_bone, test::blade_at, test::cut_across, test::slot_blade;
 
 bench::StrategyModules strategies;
 
-RemeshResult ask(const char* strategy, const RemeshRequest& request) { return strategies.ask(strategy, request); }
+bone::RemeshResult ask(const char* strategy, const bone::RemeshRequest& request) {
+    return strategies.ask(strategy, request);
+}
 
 drawing::Marker marker(double x, double y, std::string label = {}) {
     drawing::Marker m;
@@ -61,12 +63,12 @@ drawing::Panel cost_of_steps(const std::vector<double>& sizes) {
     std::printf("%10s  %10s %10s  %10s  %10s   ms a step: local, its p99, the strategy alone, whole\n", "triangles",
                 "local", "p99", "alone", "whole");
     for (const double size : sizes) {
-        const TaggedMesh bone = tagged(bent_bone(size));
+        const bone::TaggedMesh bone = bone::tagged(bent_bone(size));
         const auto all = cut_across(0.0, -13.0_mm, 0.0, 0.1_mm, 3.0_mm);
         std::vector<double> ours, asked, theirs;
         double in_strategy = 0.0;
-        LocalCutting saw(bone, {&blade}, 20e-6, [&](const RemeshRequest& request) {
-            RemeshResult result;
+        bone::LocalCutting saw(bone, {&blade}, 20e-6, [&](const bone::RemeshRequest& request) {
+            bone::RemeshResult result;
             in_strategy += processor_time_of([&] { result = ask("local", request); });
             return result;
         });
@@ -77,15 +79,15 @@ drawing::Panel cost_of_steps(const std::vector<double>& sizes) {
             ours.push_back(1e-3 * time);
             asked.push_back(1e-3 * in_strategy);
         }
-        RemeshRequest request;
+        bone::RemeshRequest request;
         request.base = bone;
         request.solids = {&blade};
         request.cuts = {{blade_at(0.0, -13.0_mm), blade_at(0.0, -8.0_mm), 0}};
-        if (RemeshResult begun = ask("whole_rounded", request); begun.status == KERF_OK)
+        if (bone::RemeshResult begun = ask("whole_rounded", request); begun.status == KERF_OK)
             request.base = std::move(begun.mesh);
         for (std::size_t n = 50; n < (size > 50e3 ? 58u : 70u); ++n) {
             request.cuts = {all[n]};
-            RemeshResult result;
+            bone::RemeshResult result;
             theirs.push_back(1e-3 * processor_time_of([&] { result = ask("whole_rounded", request); }));
             if (result.status == KERF_OK) request.base = std::move(result.mesh);
         }
@@ -107,12 +109,12 @@ drawing::Panel cost_of_steps(const std::vector<double>& sizes) {
 }
 
 /// What the field makes of a slot: milliseconds to stamp it and to make the surface, and the removed volume [m³].
-std::pair<double, double> field_slot(const SurfaceMesh& bone, double spacing) {
+std::pair<double, double> field_slot(const bone::SurfaceMesh& bone, double spacing) {
     const Box box = bounds_of(bone);
     const Vec3 margin{4.0 * spacing, 4.0 * spacing, 4.0 * spacing};
     const Grid grid = Grid::covering(box.low - margin, box.high + margin, spacing);
-    const TriangleTree tree(bone);
-    MeshDistances distances(tree);
+    const bone::TriangleTree tree(bone);
+    bone::MeshDistances distances(tree);
     Material material;
     material.id = "bone";
     material.density = 1000.0;
@@ -121,7 +123,7 @@ std::pair<double, double> field_slot(const SurfaceMesh& bone, double spacing) {
     const double uncut = bone_volume(body, cut);
     const ToolSolid blade = slot_blade();
     const double time = processor_time_of([&] {
-        for (const CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, 0.1_mm, 3.0_mm)) {
+        for (const bone::CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, 0.1_mm, 3.0_mm)) {
             CutRecord record;
             record.from = step.from;
             record.to = step.to;
@@ -134,15 +136,15 @@ std::pair<double, double> field_slot(const SurfaceMesh& bone, double spacing) {
 
 drawing::Panel cost_of_a_slot(double size, const std::vector<double>& spacings) {
     const ToolSolid blade = slot_blade();
-    const TaggedMesh bone = tagged(bent_bone(size));
+    const bone::TaggedMesh bone = bone::tagged(bent_bone(size));
     const auto steps = cut_across(0.0, -13.0_mm, 13.0_mm, 0.1_mm, 3.0_mm);
-    RemeshRequest request;
+    bone::RemeshRequest request;
     request.base = bone;
     request.solids = {&blade};
     request.cuts = steps;
-    RemeshResult exact;
+    bone::RemeshResult exact;
     const double exact_time = 1e-3 * processor_time_of([&] { exact = ask("exact", request); });
-    const double volume = signed_volume_of(bone.mesh) - signed_volume_of(exact.mesh.mesh);
+    const double volume = bone::signed_volume_of(bone.mesh) - bone::signed_volume_of(exact.mesh.mesh);
     const double least = 1e-4;  // [%] what the axis shows
     std::printf("\n%-28s %10s %12s %10s\n%-28s %10.0f %12.4f\n", "a slot in 260 steps", "ms", "removed, mm3", "error",
                 "exact, at once", exact_time, 1e9 * volume);
@@ -154,9 +156,9 @@ drawing::Panel cost_of_a_slot(double size, const std::vector<double>& spacings) 
                     1e9 * removed, error_of(removed));
         field.markers.push_back(marker(time, std::max(least, error_of(removed)), figure(1e3 * spacing) + " mm"));
     }
-    LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
+    bone::LocalCutting saw(bone, {&blade}, 20e-6, [](const bone::RemeshRequest& r) { return ask("local", r); });
     const double time = 1e-3 * processor_time_of([&] {
-                            for (const CutStretch& step : steps) saw.cut(step);
+                            for (const bone::CutStretch& step : steps) saw.cut(step);
                         });
     std::printf("%-28s %10.0f %12.4f %8.4f %%\n", "local", time, 1e9 * saw.removed(), error_of(saw.removed()));
     local.markers.push_back(marker(time, std::max(least, error_of(saw.removed()))));
@@ -189,7 +191,7 @@ int main(int argc, char** argv) {
     content += drawing::text_at(12, height - 28,
                                 "`whole mesh`: CGAL 5.5.1's corefinement for one step, unchecked. `exact` cuts all "
                                 "steps at once and is the reference. Errors below 0.0001 % stand on the axis.");
-    content += drawing::text_at(12, height - 10, std::string(notice_line) + ".", "class=\"kp-note\"");
+    content += drawing::text_at(12, height - 10, std::string(session::notice_line) + ".", "class=\"kp-note\"");
     std::ofstream out(argv[1]);
     out << drawing::picture(width, height, "What an exact surface costs", content);
     if (!out.flush()) {

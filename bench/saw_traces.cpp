@@ -383,8 +383,8 @@ int main(int argc, char** argv) {
     std::filesystem::create_directories(folder);
     const std::string picture =
         drawing::picture(2.0 * width + 20.0, 3.0 * height + 20.0, "Forces of an oscillating saw", content);
-    for (const std::string& error :
-         {write_file(folder / "saw-traces.svg", picture), write_file(folder / "saw-traces.csv", table_of(panels))})
+    for (const std::string& error : {text::write_file(folder / "saw-traces.svg", picture),
+                                     text::write_file(folder / "saw-traces.csv", table_of(panels))})
         if (!error.empty()) {
             std::fprintf(stderr, "%s\n", error.c_str());
             return 1;

@@ -40,19 +40,19 @@ constexpr std::array screws{
     Wrong{"15 deg medial", 0, 0, 15.0_deg, 0, 35.0_mm}, Wrong{"15 deg lateral", 0, 0, -15.0_deg, 0, 35.0_mm},
     Wrong{"26 mm too deep", 0, 0, 0, 0, 61.0_mm}};
 
-Scene vertebra(const PluginRegistry& plugins) {
-    Diagnostics diagnostics;
-    auto scene = make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml", "", plugins).take(diagnostics);
+run::Scene vertebra(const PluginRegistry& plugins) {
+    text::Diagnostics diagnostics;
+    auto scene = run::make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml", "", plugins).take(diagnostics);
     if (!scene) throw std::runtime_error(to_text(diagnostics));
     return std::move(*scene);
 }
 
-Vec3 cranial_of(const AxisFrame& frame) {
+Vec3 cranial_of(const run::AxisFrame& frame) {
     const Vec3 up = cross(frame.medial, frame.along);
     return up.z >= 0.0 ? up : -up;
 }
 
-Pose pose_of(const Wrong& wrong, const AxisFrame& frame) {
+Pose pose_of(const Wrong& wrong, const run::AxisFrame& frame) {
     const Vec3 cranial = cranial_of(frame);
     const Vec3 along =
         normalized(frame.along + std::tan(wrong.medial_angle) * frame.medial + std::tan(wrong.cranial_angle) * cranial);
@@ -66,8 +66,8 @@ constexpr double tile = 190.0, gap = 12.0, pixels = 2700.0;  // [px], [px], [px/
 constexpr int across = 4;
 
 /// A section through the planned axis and `aside`, 70 mm wide.
-std::string tile_svg(const Scene& scene, const AxisFrame& frame, const Wrong& wrong, const std::string& grades,
-                     double left, double top) {
+std::string tile_svg(const run::Scene& scene, const run::AxisFrame& frame, const Wrong& wrong,
+                     const std::string& grades, double left, double top) {
     const bool is_sagittal = wrong.cranial != 0.0 || wrong.cranial_angle != 0.0;
     const Vec3 aside = is_sagittal ? cranial_of(frame) : frame.medial;
     const drawing::CellArea area{.x_low = -35.0_mm,
@@ -115,15 +115,15 @@ std::string tile_svg(const Scene& scene, const AxisFrame& frame, const Wrong& wr
 int main(int argc, char** argv) {
     PluginRegistry plugins;
     plugins.scan({KERF_BUILD_DIR "/lib/kerf"});
-    const Scene scene = vertebra(plugins);
+    const run::Scene scene = vertebra(plugins);
     const std::size_t step = scene.procedure.steps.size() - 1;
-    const AxisFrame& frame = scene.frames[step];
+    const run::AxisFrame& frame = scene.frames[step];
     std::string svg;
     std::printf("%-16s %10s  %-18s %s\n", "screw", "breach mm", "Gertzbein-Robbins", "Heary");
     for (std::size_t i = 0; i < screws.size(); ++i) {
-        const HoleResult found = screw_at(scene, step, frame, scene.body, pose_of(screws[i], frame));
+        const run::HoleResult found = run::screw_at(scene, step, frame, scene.body, pose_of(screws[i], frame));
         if (!found.screw) throw std::runtime_error(std::string("no grade of ") + screws[i].name);
-        const std::string grade = gertzbein_robbins(found.screw->least, found.screw->most);
+        const std::string grade = run::gertzbein_robbins(found.screw->least, found.screw->most);
         std::printf("%-16s %10.2f  %-18s %s\n", screws[i].name, found.screw->breach.worst() / 1.0_mm, grade.c_str(),
                     found.screw->heary_grade.c_str());
         svg += tile_svg(scene, frame, screws[i], grade + ", " + found.screw->heary_grade,
@@ -134,7 +134,7 @@ int main(int argc, char** argv) {
     const std::filesystem::path folder = argv[1];
     std::filesystem::create_directories(folder);
     const double rows = std::ceil(static_cast<double>(screws.size()) / across);
-    const std::string error = write_file(
+    const std::string error = text::write_file(
         folder / "screw-grades.svg",
         drawing::picture(across * (tile + gap) + gap, 40.0 + rows * (tile + 32.0) + 10.0,
                          "Ten screws put wrong on purpose: grade of Gertzbein and Robbins, grade of Heary", svg));

@@ -381,7 +381,7 @@ int main(int argc, char** argv) {
     if (argc < 2) return 0;
     const std::filesystem::path folder = argv[1];
     std::filesystem::create_directories(folder);
-    if (const std::string error = write_file(folder / "screw-torque.svg", picture()); !error.empty()) {
+    if (const std::string error = text::write_file(folder / "screw-torque.svg", picture()); !error.empty()) {
         std::fprintf(stderr, "%s\n", error.c_str());
         return 1;
     }

@@ -16,7 +16,7 @@ public:
     [[nodiscard]] std::string open(const std::vector<std::string>& names) {
         std::string error;
         for (const std::string& name : names) {
-            modules_.push_back(RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/" + name + ".so", error));
+            modules_.push_back(bone::RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/" + name + ".so", error));
             if (modules_.back() == nullptr) return error;
         }
         return {};
@@ -28,12 +28,12 @@ public:
         return nullptr;
     }
     /// Pre: one of the modules has the strategy.
-    [[nodiscard]] RemeshResult ask(const std::string& strategy, const RemeshRequest& request) const {
-        return remesh_here(*find(strategy), request);
+    [[nodiscard]] bone::RemeshResult ask(const std::string& strategy, const bone::RemeshRequest& request) const {
+        return bone::remesh_here(*find(strategy), request);
     }
 
 private:
-    std::vector<std::unique_ptr<RemeshModule>> modules_;
+    std::vector<std::unique_ptr<bone::RemeshModule>> modules_;
 };
 
 }  // namespace kerf::bench

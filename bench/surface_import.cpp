@@ -36,9 +36,9 @@ using namespace kerf;
 using namespace literals;
 
 /// A closed bent tube, 100 mm long and 26 mm thick, with ripples.
-SurfaceMesh bent_tube() {
+bone::SurfaceMesh bent_tube() {
     constexpr std::uint32_t around = 96, along = 150;
-    SurfaceMesh mesh;
+    bone::SurfaceMesh mesh;
     for (std::uint32_t j = 0; j <= along; ++j)
         for (std::uint32_t i = 0; i < around; ++i) {
             const double turn = 2.0 * 3.14159265358979 * i / around, way = static_cast<double>(j) / along;
@@ -49,14 +49,14 @@ SurfaceMesh bent_tube() {
     const auto at = [&](std::uint32_t i, std::uint32_t j) { return j * around + i % around; };
     for (std::uint32_t j = 0; j < along; ++j)
         for (std::uint32_t i = 0; i < around; ++i)
-            mesh.triangles.insert(mesh.triangles.end(), {Triangle{at(i, j), at(i + 1, j), at(i + 1, j + 1)},
+            mesh.triangles.insert(mesh.triangles.end(), {bone::Triangle{at(i, j), at(i + 1, j), at(i + 1, j + 1)},
                                                          {at(i, j), at(i + 1, j + 1), at(i, j + 1)}});
     mesh.vertices.push_back({0, 0, 0});
     mesh.vertices.push_back({15.0_mm, 0, 100.0_mm});
     const auto low = static_cast<std::uint32_t>(mesh.vertices.size() - 2);
     for (std::uint32_t i = 0; i < around; ++i)
         mesh.triangles.insert(mesh.triangles.end(),
-                              {Triangle{low, at(i + 1, 0), at(i, 0)}, {low + 1, at(i, along), at(i + 1, along)}});
+                              {bone::Triangle{low, at(i + 1, 0), at(i, 0)}, {low + 1, at(i, along), at(i + 1, along)}});
     return mesh;
 }
 
@@ -90,17 +90,17 @@ auto timed(int rounds, std::vector<double>& times, const Work& work) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    SurfaceMesh mesh;
+    bone::SurfaceMesh mesh;
     if (argc > 1) {
-        Diagnostics diagnostics;
-        auto file = read_surface(argv[1]).take(diagnostics);
+        text::Diagnostics diagnostics;
+        auto file = bone::read_surface(argv[1]).take(diagnostics);
         if (!file) {
             std::fprintf(stderr, "%s", to_text(diagnostics).c_str());
             return 2;
         }
         mesh = std::move(file->mesh);
         for (Vec3& v : mesh.vertices) v = 1e-3 * v;
-        if (!file->has_topology) weld(mesh);
+        if (!file->has_topology) bone::weld(mesh);
     } else {
         mesh = bent_tube();
     }
@@ -109,12 +109,12 @@ int main(int argc, char** argv) {
     const Box box = bounds_of(mesh);
     const Vec3 margin = 6.0 * spacing * Vec3{1, 1, 1};
     const Grid grid = Grid::covering(box.low - margin, box.high + margin, spacing);
-    const TriangleTree tree(mesh);
-    MeshDistances surface(tree);
-    SignedDistance single(tree);
-    Tissue cortical;
+    const bone::TriangleTree tree(mesh);
+    bone::MeshDistances surface(tree);
+    bone::SignedDistance single(tree);
+    documents::Tissue cortical;
     cortical.thickness = 4.0_mm;
-    TissueBorder border(surface, cortical);
+    bone::TissueBorder border(surface, cortical);
 
     std::printf("%zu triangles, spacing %.2f mm, %d x %d x %d bricks, medians of %d rounds, one thread\n\n",
                 mesh.triangles.size(), 1e3 * spacing, grid.bricks[0], grid.bricks[1], grid.bricks[2], rounds);
@@ -137,7 +137,7 @@ int main(int argc, char** argv) {
     std::vector<openvdb::Vec3s> points;
     std::vector<openvdb::Vec3I> triangles;
     for (const Vec3 v : mesh.vertices) points.emplace_back(v.x, v.y, v.z);
-    for (const Triangle& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+    for (const bone::Triangle& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
     const auto transform = openvdb::math::Transform::createLinearTransform(spacing);
     std::vector<double> by_openvdb;
     const auto peer = timed(rounds, by_openvdb, [&] {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 set(kerf_embed_script ${CMAKE_CURRENT_LIST_DIR}/embed_text.cmake)
 
-# kerf_embed_text(kerf_session report_style page/report.css)  → `extern const std::string_view kerf::report_style;`
+# kerf_embed_text(kerf_session kerf::session::report_style page/report.css)  → `extern const std::string_view kerf::session::report_style;`
 # The text is part of the library. It is embedded again when the file changes.
 function(kerf_embed_text target name file)
   set(input ${CMAKE_CURRENT_SOURCE_DIR}/${file})

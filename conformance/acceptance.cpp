@@ -75,8 +75,8 @@ AcceptanceOutcome accept(const AcceptanceRequest& request) {
     std::error_code failed;
     fs::create_directories(request.folder, failed);
     const std::string stem = (fs::path(request.folder) / (stem_of(request) + "-difference")).string();
-    error = write_file(stem + ".csv", difference_csv(*recorded, found.rows));
-    if (error.empty()) error = write_file(stem + ".svg", difference_svg(*recorded, found.rows));
+    error = text::write_file(stem + ".csv", difference_csv(*recorded, found.rows));
+    if (error.empty()) error = text::write_file(stem + ".svg", difference_svg(*recorded, found.rows));
     if (!error.empty()) return refused(error, false);
     outcome.text += "  " + stem + ".csv\n  " + stem + ".svg\n";
     return outcome;
@@ -93,7 +93,7 @@ AcceptanceOutcome record(const AcceptanceRequest& request) {
     }
     if (error = found_by(request, has_script ? request.file : "", file); !error.empty())
         return refused(plain(request.plugin) + ": " + error, false);
-    if (error = write_file(request.file, acceptance_text(file)); !error.empty()) return refused(error, false);
+    if (error = text::write_file(request.file, acceptance_text(file)); !error.empty()) return refused(error, false);
     AcceptanceOutcome outcome;
     outcome.is_accepted = true;
     outcome.text = file.subject + ": " + std::to_string(file.rows.size()) + " rows recorded\n  " + request.file + "\n";

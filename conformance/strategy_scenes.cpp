@@ -18,9 +18,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// A box of bone with its top in z = 0, 12 × 8 × 5 mm, each face a grid of squares in two triangles.
-SurfaceMesh slab() {
+bone::SurfaceMesh slab() {
     constexpr int steps[3] = {12, 8, 5};  // of a millimetre
-    SurfaceMesh mesh;
+    bone::SurfaceMesh mesh;
     std::vector<int> numbers(13 * 9 * 6, -1);
     const auto corner = [&](int x, int y, int z) {
         int& number = numbers[static_cast<std::size_t>((z * 9 + y) * 13 + x)];
@@ -132,7 +132,7 @@ const std::vector<RemeshScene>& remesh_scenes() {
 }
 
 RemeshTask task_of(const RemeshScene& scene, std::uint32_t scope, double tolerance) {
-    static const TaggedMesh bone = tagged(slab());
+    static const bone::TaggedMesh bone = bone::tagged(slab());
     RemeshTask task;
     task.request.solids = {&scene.solid};
     task.request.cuts = {scene.cut};
@@ -140,10 +140,10 @@ RemeshTask task_of(const RemeshScene& scene, std::uint32_t scope, double toleran
     task.request.tolerance = tolerance;
     task.request.base = bone;
     if (scope == KERF_REMESH_WHOLE) return task;
-    const GrowingSurface surface(bone);
-    Box box = swept_box(scene.solid, scene.cut);
+    const bone::GrowingSurface surface(bone);
+    Box box = bone::swept_box(scene.solid, scene.cut);
     if (scene.is_in_air()) box.low.z -= 1.0_mm;  // the faces below it
-    const SurfacePatch patch = surface.patch_in(box);
+    const bone::SurfacePatch patch = surface.patch_in(box);
     task.request.base = patch.mesh;
     task.request.locked = patch.locked;
     task.ring = surface.ring_of(patch);

@@ -12,9 +12,9 @@ namespace kerf::conformance {
 struct RemeshScene {
     std::string name;  ///< "a groove 1 mm deep by a ball of 4 mm"
     ToolSolid solid;
-    CutStretch cut{};     ///< its solid is number 0
-    double volume = 0.0;  ///< [m³] that it removes
-    double walls = 0.0;   ///< [m²] of the surface that it leaves
+    bone::CutStretch cut{};  ///< its solid is number 0
+    double volume = 0.0;     ///< [m³] that it removes
+    double walls = 0.0;      ///< [m²] of the surface that it leaves
     [[nodiscard]] bool is_in_air() const noexcept { return volume == 0.0; }
 };
 
@@ -24,8 +24,8 @@ struct RemeshScene {
 /// What the host requests for a scene: a patch with a locked border, or the whole slab. The ring of faces around the
 /// patch is empty for a whole mesh.   [main]
 struct RemeshTask {
-    RemeshRequest request;
-    TaggedMesh ring;
+    bone::RemeshRequest request;
+    bone::TaggedMesh ring;
 };
 [[nodiscard]] RemeshTask task_of(const RemeshScene& scene, std::uint32_t scope, double tolerance);
 

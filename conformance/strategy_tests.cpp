@@ -50,9 +50,9 @@ double tolerance_of(const kerf_component& strategy, const std::vector<double>& p
 
 /// How far its surfaces may be off [m], as the host allows.
 double allowed_of(const kerf_component& strategy) {
-    RemeshRequest request;
+    bone::RemeshRequest request;
     request.tolerance = default_tolerance;
-    return allowed_for(request, tolerance_of(strategy, defaults_of(strategy)));
+    return bone::allowed_for(request, tolerance_of(strategy, defaults_of(strategy)));
 }
 
 /// One call of a strategy, with what it wrote.
@@ -60,24 +60,24 @@ struct Call {
     kerf_status status = KERF_FAILED;
     kerf_remesh_out out{};
     std::vector<unsigned char> arena;
-    RemeshResult result;  ///< as the host reads it
+    bone::RemeshResult result;  ///< as the host reads it
 };
 
 /// Calls a strategy on arenas of its own.
-Call call(const kerf_component& strategy, const RemeshRequest& request, const std::vector<double>& parameters,
+Call call(const kerf_component& strategy, const bone::RemeshRequest& request, const std::vector<double>& parameters,
           std::uint64_t result_capacity = 0) {
-    std::vector<unsigned char> from(request_bytes(request));
+    std::vector<unsigned char> from(bone::request_bytes(request));
     kerf_arena in_arena{from.data(), from.size(), 0};
     kerf_remesh_in in{};
     Call made;
-    if (!pack(request, parameters, in_arena, in)) return made;
+    if (!bone::pack(request, parameters, in_arena, in)) return made;
     made.arena.resize(result_capacity != 0 ? result_capacity : 64u << 20);
     kerf_arena to{made.arena.data(), made.arena.size(), 64};
     made.out.size = sizeof made.out;
     void* const cache = strategy.remesher->cache_new != nullptr ? strategy.remesher->cache_new() : nullptr;
     made.status = call_remesh(strategy, in, in_arena, to, made.out, cache);
     if (strategy.remesher->cache_drop != nullptr && cache != nullptr) strategy.remesher->cache_drop(cache);
-    made.result = unpack(made.status, made.out, to);
+    made.result = bone::unpack(made.status, made.out, to);
     return made;
 }
 Call call(const kerf_component& strategy, const RemeshTask& task) {
@@ -152,8 +152,9 @@ void cuts_a_scene(Examination& exam) {
 void makes_sound_meshes(Examination& exam) {
     on_each_scene(exam, [&](const RemeshScene& scene, const RemeshTask& task, const Call& made) {
         if (made.result.status != KERF_OK) return;
-        const std::string flaw = task.request.locked.empty() ? flaw_of_result(task.request, made.result.mesh)
-                                                             : flaw_of_patch(task.request, made.result.mesh, task.ring);
+        const std::string flaw = task.request.locked.empty()
+                                     ? bone::flaw_of_result(task.request, made.result.mesh)
+                                     : bone::flaw_of_patch(task.request, made.result.mesh, task.ring);
         if (!flaw.empty()) exam.fail(on(scene) + "its mesh is refused: " + flaw + ".");
     });
 }
@@ -161,14 +162,14 @@ void makes_sound_meshes(Examination& exam) {
 void leaves_air_alone(Examination& exam) {
     on_each_scene(exam, [&](const RemeshScene& scene, const RemeshTask& task, const Call& made) {
         if (!scene.is_in_air() || made.result.status != KERF_OK) return;
-        if (const double volume = volume_between(made.result.mesh.mesh, task.request.base.mesh);
+        if (const double volume = bone::volume_between(made.result.mesh.mesh, task.request.base.mesh);
             std::abs(volume) > 1e-15)
             exam.fail(on(scene) + "it removes " + number(1e9 * volume) + " mm3, expected none. Return UNCHANGED.");
     });
 }
 
 /// As a run calls it: in the program beside this one, which gives each request memory at the same addresses.
-std::unique_ptr<RemeshChild> start(Examination& exam) {
+std::unique_ptr<bone::RemeshChild> start(Examination& exam) {
     rlimit shared{};
     getrlimit(RLIMIT_FSIZE, &shared);
     shared.rlim_cur = shared.rlim_max;
@@ -176,7 +177,8 @@ std::unique_ptr<RemeshChild> start(Examination& exam) {
     std::error_code none;
     const auto folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
     std::string error;
-    auto child = RemeshChild::start({(folder / "kerf-remesh").string(), exam.path, exam.subject->strategy->id}, error);
+    auto child =
+        bone::RemeshChild::start({(folder / "kerf-remesh").string(), exam.path, exam.subject->strategy->id}, error);
     if (child == nullptr) exam.fail("It cannot be started: " + error);
     return child;
 }
@@ -185,16 +187,16 @@ void repeats(Examination& exam) {
     constexpr std::chrono::seconds limit(20);
     const auto first = start(exam), other = first != nullptr ? start(exam) : nullptr;
     if (other == nullptr) return;
-    std::vector<RemeshResult> results;
+    std::vector<bone::RemeshResult> results;
     for (const RemeshScene& scene : remesh_scenes()) {
         results.push_back(first->remesh(task_for(exam, scene).request, limit));
         if (results.back().status == KERF_FAILED)
             return exam.fail(on(scene) + "in a process of its own it gives no result: " + results.back().message + ".");
     }
     for (std::size_t i = results.size(); i-- > 0;)
-        for (RemeshChild* child : {first.get(), other.get()})
-            if (const RemeshResult again = child->remesh(task_for(exam, remesh_scenes()[i]).request, limit);
-                again.status != results[i].status || !has_same_bytes(again.mesh, results[i].mesh))
+        for (bone::RemeshChild* child : {first.get(), other.get()})
+            if (const bone::RemeshResult again = child->remesh(task_for(exam, remesh_scenes()[i]).request, limit);
+                again.status != results[i].status || !bone::has_same_bytes(again.mesh, results[i].mesh))
                 return exam.fail(on(remesh_scenes()[i]) +
                                  "the same request gives another result when it is made again, " +
                                  (child == first.get() ? "after others" : "in another process") +
@@ -213,8 +215,8 @@ void works_over_its_parameters(Examination& exam) {
                                  std::to_string(made.status) + ".");
             if (made.result.status != KERF_OK) continue;
             const std::string flaw = task.request.locked.empty()
-                                         ? flaw_of_result(task.request, made.result.mesh)
-                                         : flaw_of_patch(task.request, made.result.mesh, task.ring);
+                                         ? bone::flaw_of_result(task.request, made.result.mesh)
+                                         : bone::flaw_of_patch(task.request, made.result.mesh, task.ring);
             if (!flaw.empty())
                 return exam.fail("With " + set.name + ", on " + scene.name + ", its mesh is refused: " + flaw + ".");
         }
@@ -227,10 +229,10 @@ void works_over_its_parameters(Examination& exam) {
 void reads_only_its_request(Examination& exam) {
     const kerf_component& strategy = *exam.subject->strategy;
     const RemeshTask task = task_for(exam, remesh_scenes().front());
-    std::vector<unsigned char> packed(request_bytes(task.request));
+    std::vector<unsigned char> packed(bone::request_bytes(task.request));
     kerf_arena arena{packed.data(), packed.size(), 0};
     kerf_remesh_in in{};
-    if (!pack(task.request, defaults_of(strategy), arena, in)) return exam.skip("the request does not fit");
+    if (!bone::pack(task.request, defaults_of(strategy), arena, in)) return exam.skip("the request does not fit");
     GuardedMemory memory;
     unsigned char* const guarded =
         memory.copy(packed.data(), arena.used, "it read beyond the end of the request's arena");
@@ -246,10 +248,10 @@ void reads_only_its_request(Examination& exam) {
 void keeps_within_its_arena(Examination& exam) {
     const kerf_component& strategy = *exam.subject->strategy;
     const RemeshTask task = task_for(exam, remesh_scenes().front());
-    std::vector<unsigned char> packed(request_bytes(task.request));
+    std::vector<unsigned char> packed(bone::request_bytes(task.request));
     kerf_arena from{packed.data(), packed.size(), 0};
     kerf_remesh_in in{};
-    if (!pack(task.request, defaults_of(strategy), from, in)) return exam.skip("the request does not fit");
+    if (!bone::pack(task.request, defaults_of(strategy), from, in)) return exam.skip("the request does not fit");
     for (const std::size_t room : {128u, 4096u}) {
         GuardedMemory memory;
         auto* const guarded =
@@ -258,7 +260,7 @@ void keeps_within_its_arena(Examination& exam) {
         kerf_remesh_out out{};
         out.size = sizeof out;
         const kerf_status status = call_remesh(strategy, in, from, to, out, nullptr);
-        if (status == KERF_OK && unpack(status, out, to).status == KERF_OK) continue;  // it is that small
+        if (status == KERF_OK && bone::unpack(status, out, to).status == KERF_OK) continue;  // it is that small
         if (status == KERF_OK)
             return exam.fail("With an arena of " + std::to_string(room) +
                              " bytes it returns 0 (KERF_OK) and a mesh that does not lie in it. Return "
@@ -269,10 +271,10 @@ void keeps_within_its_arena(Examination& exam) {
 void gives_way(Examination& exam) {
     const kerf_component& strategy = *exam.subject->strategy;
     const RemeshTask task = task_for(exam, remesh_scenes().front());
-    std::vector<unsigned char> packed(request_bytes(task.request));
+    std::vector<unsigned char> packed(bone::request_bytes(task.request));
     kerf_arena from{packed.data(), packed.size(), 0};
     kerf_remesh_in in{};
-    if (!pack(task.request, defaults_of(strategy), from, in)) return exam.skip("the request does not fit");
+    if (!bone::pack(task.request, defaults_of(strategy), from, in)) return exam.skip("the request does not fit");
     const std::uint32_t cancelled = 1;
     std::memcpy(packed.data() + in.cancel, &cancelled, sizeof cancelled);
     std::vector<unsigned char> room(64u << 20);
@@ -304,8 +306,8 @@ void removes_what_is_swept(Examination& exam) {
     on_each_scene(exam, [&](const RemeshScene& scene, const RemeshTask& task, const Call& made) {
         const double allowed = allowed_of(strategy);
         std::string flaw;
-        if (made.status == KERF_REMESH_UNCHANGED) flaw = flaw_of_unchanged(task.request, allowed);
-        if (made.result.status == KERF_OK) flaw = flaw_of_removal(task.request, made.result.mesh, allowed);
+        if (made.status == KERF_REMESH_UNCHANGED) flaw = bone::flaw_of_unchanged(task.request, allowed);
+        if (made.result.status == KERF_OK) flaw = bone::flaw_of_removal(task.request, made.result.mesh, allowed);
         if (!flaw.empty()) exam.fail(on(scene) + flaw + ". Its tolerance allows " + number(1e3 * allowed) + " mm.");
     });
 }
@@ -316,7 +318,7 @@ void removes_the_volume(Examination& exam) {
     on_each_scene(exam, [&](const RemeshScene& scene, const RemeshTask& task, const Call& made) {
         if (made.result.status != KERF_OK || scene.is_in_air()) return;
         const double allowed = tolerance_of(strategy, defaults_of(strategy)) * scene.walls + 1e-13;
-        const double volume = volume_between(made.result.mesh.mesh, task.request.base.mesh);
+        const double volume = bone::volume_between(made.result.mesh.mesh, task.request.base.mesh);
         worst = std::max(worst, std::abs(volume / scene.volume - 1.0));
         if (std::abs(volume - scene.volume) > allowed)
             exam.fail(on(scene) + "it removes " + number(1e9 * volume) + " mm3, expected " +
@@ -334,24 +336,24 @@ public:
           is_whole_(strategy.remesher->scope == KERF_REMESH_WHOLE),
           request_(task_of(scene, KERF_REMESH_WHOLE, default_tolerance).request),
           patches_(request_.base, {&scene.solid}, default_tolerance,
-                   {{{strategy.id, [this](const RemeshRequest& request) { return answer_to(request); },
+                   {{{strategy.id, [this](const bone::RemeshRequest& request) { return answer_to(request); },
                       tolerance_of(strategy, defaults_of(strategy))}}}) {}
 
     /// Returns whether the strategy made the cut; `why` if not.
-    [[nodiscard]] bool cut(const CutStretch& stretch, std::string& why) {
+    [[nodiscard]] bool cut(const bone::CutStretch& stretch, std::string& why) {
         if (!is_whole_) return patches_.cut(stretch, why);
         request_.cuts = {stretch};
         constexpr std::uint64_t max_seeds = 5;  // as in a run
         for (request_.nudge_seed = 0; request_.nudge_seed < max_seeds; ++request_.nudge_seed) {
-            RemeshResult result = answer_to(request_);
+            bone::RemeshResult result = answer_to(request_);
             why = result.message;
             if (result.status == KERF_REMESH_UNCHANGED) return true;
             if (result.status == KERF_REMESH_DECLINED) return false;
-            if (result.status == KERF_OK) why = flaw_of_result(request_, result.mesh);
+            if (result.status == KERF_OK) why = bone::flaw_of_result(request_, result.mesh);
             if (result.status == KERF_OK && why.empty())
-                why = flaw_of_removal(request_, result.mesh, allowed_of(*strategy_));
+                why = bone::flaw_of_removal(request_, result.mesh, allowed_of(*strategy_));
             if (result.status != KERF_OK || !why.empty()) continue;
-            removed_ += volume_between(result.mesh.mesh, request_.base.mesh);
+            removed_ += bone::volume_between(result.mesh.mesh, request_.base.mesh);
             request_.base = std::move(result.mesh);
             return true;
         }
@@ -361,16 +363,16 @@ public:
     [[nodiscard]] bool is_declined() const { return is_declined_; }
 
 private:
-    RemeshResult answer_to(const RemeshRequest& request) {
-        RemeshResult result = call(*strategy_, request, defaults_of(*strategy_)).result;
+    bone::RemeshResult answer_to(const bone::RemeshRequest& request) {
+        bone::RemeshResult result = call(*strategy_, request, defaults_of(*strategy_)).result;
         is_declined_ = is_declined_ || result.status == KERF_REMESH_DECLINED;
         return result;
     }
 
     const kerf_component* strategy_;
     bool is_whole_, is_declined_ = false;
-    RemeshRequest request_;
-    LocalCutting patches_;
+    bone::RemeshRequest request_;
+    bone::LocalCutting patches_;
     double removed_ = 0.0;
 };
 

@@ -11,7 +11,7 @@
 #include "text/source.h"
 
 /// `kind: Anatomy` as checked values: all SI, LPS. Reading it: documents/read_anatomy.h.
-namespace kerf {
+namespace kerf::documents {
 
 /// Implicit solids of a phantom. Distances are negative inside.
 struct BoxSolid {
@@ -171,4 +171,4 @@ struct Anatomy {
     std::optional<Fracture> fracture{};
 };
 
-}  // namespace kerf
+}  // namespace kerf::documents

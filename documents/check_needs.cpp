@@ -17,7 +17,7 @@
 #include "kerf/units.hpp"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 constexpr const char* midline = "midline";
@@ -37,7 +37,7 @@ TextSpan span_of_text(const Node* list, const std::string& text) {
 }
 
 void check_list(const std::vector<std::string>& needed, const std::vector<std::string>& present, const Node* list,
-                Code code, const std::string& what, const Anatomy& anatomy, Report& report) {
+                text::Code code, const std::string& what, const Anatomy& anatomy, Report& report) {
     for (const std::string& name : needed) {
         if (contains(present, name)) continue;
         const std::string meant = closest(name, present, report);
@@ -61,17 +61,17 @@ void check_lies_in(const LandmarkAxis& axis, const LandmarkPlane& plane, TextSpa
     const double off = std::abs(dot(0.5 * (axis.from + axis.to) - plane.at, plane.normal)),
                  max_off = axis.tolerance + plane.tolerance;
     const auto rounded = [](double value, double step, const char* unit) {
-        return quantity_text(std::round(value / step) * step, unit);
+        return text::quantity_text(std::round(value / step) * step, unit);
     };
-    const Reason here = in_anatomy(anatomy, {"landmarks", "axes", axis.id}, "the axis is here.");
+    const text::Reason here = in_anatomy(anatomy, {"landmarks", "axes", axis.id}, "the axis is here.");
     if (angle > max_angle)
-        report.error(Code::axis_off_plane, span,
+        report.error(text::Code::axis_off_plane, span,
                      "The axis " + quoted_id(axis.id) + " leaves the plane " + quoted_id(plane.id) +
                          ": got an angle of " + rounded(angle, 0.1_deg, "deg") +
                          ", expected at most 3 deg, or the blade binds. Turn one of the two.",
                      {}, here);
     else if (off > max_off + 1e-9)
-        report.error(Code::axis_off_plane, span,
+        report.error(text::Code::axis_off_plane, span,
                      "The axis " + quoted_id(axis.id) + " is not in the plane " + quoted_id(plane.id) +
                          ": got a distance of " + rounded(off, 0.1_mm, "mm") + ", expected at most " +
                          rounded(max_off, 0.1_mm, "mm") + ", the sum of their tolerances. Move one of the two.",
@@ -80,7 +80,7 @@ void check_lies_in(const LandmarkAxis& axis, const LandmarkPlane& plane, TextSpa
 
 /// Reports a quantity in the plane of a step that has none. `step` may be null.
 void refuse_without_plane(const Node& what, const std::string& step_id, const Node* step, Report& report) {
-    report.error(Code::needs_plane, what.key_span,
+    report.error(text::Code::needs_plane, what.key_span,
                  quoted_id(what.key) + " needs a plane, and the step " + quoted_id(step_id) +
                      " has none. Give the step a `plane:`, or remove " + quoted_id(what.key) + ".",
                  {}, step ? std::optional(report.because(step->span, "the step is here.")) : std::nullopt);
@@ -115,7 +115,7 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
 void refuse_for_an_axis(TextSpan span, const std::string& id, bool is_point, const Anatomy& anatomy,
                         const std::vector<std::string>& axes, Report& report) {
     const std::string meant = closest(id, axes, report);
-    report.error(Code::axis_is_a_point, span,
+    report.error(text::Code::axis_is_a_point, span,
                  "The landmark " + quoted_id(id) + " is of the wrong kind: got a " + (is_point ? "point" : "plane") +
                      ", expected an axis." + or_choose(meant, "Name an axis, or give the anatomy one."),
                  meant,
@@ -139,7 +139,7 @@ void check_planned_implants(const Procedure& procedure, const Anatomy& anatomy, 
             if (length(cross(normalized(axis.to - axis.from), implant.place->up)) >= std::sin(min_angle_of_up))
                 continue;
             const Node* up = place->find("up");
-            report.error(Code::degenerate, up ? up->span : name->span,
+            report.error(text::Code::degenerate, up ? up->span : name->span,
                          "The place of " + quoted_id(implant.id) +
                              " has no direction for its x: `up` points along the "
                              "axis " +
@@ -156,7 +156,7 @@ void check_places(const Procedure& procedure, const Anatomy& anatomy, const std:
                   const std::vector<std::string>& points, const Document& document, Report& report) {
     const Node* steps = document.root.find("steps");
     const auto refuse_whole_bone = [&](TextSpan span, const std::string& what) {
-        report.error(Code::missing_fracture, span,
+        report.error(text::Code::missing_fracture, span,
                      "The anatomy has no fracture, which " + what + " needs. Add `fracture:` there, or remove this.",
                      {}, in_anatomy(anatomy, {"metadata"}, "the anatomy is here."));
     };
@@ -172,7 +172,7 @@ void check_places(const Procedure& procedure, const Anatomy& anatomy, const std:
             const auto need = [&](const char* key, const std::string& id, const std::vector<std::string>& sort,
                                   const std::string& what) {
                 if (contains(procedure.needs_landmarks, id) && !contains(sort, id))  // else it was refused already
-                    report.error(Code::other_landmark, span_of(key),
+                    report.error(text::Code::other_landmark, span_of(key),
                                  "The landmark `" + id + "` is no " + what + " of the anatomy; its landmarks" +
                                      " of this sort are " + listed(sort) + ". Name one of them.");
             };
@@ -206,7 +206,7 @@ void check_pieces(const Procedure& procedure, const Document& document, Report& 
             if (quantity == "separated") return;
             if (quantity != "held" && quantity != "moved") continue;
             const Node* goal = find_in(item_of(find_in(item_of(steps, s), "goals"), g), quantity);
-            report.error(Code::needs_piece, goal ? goal->key_span : TextSpan{},
+            report.error(text::Code::needs_piece, goal ? goal->key_span : TextSpan{},
                          "The step " + quoted_id(procedure.steps[s].id) +
                              " takes a piece of a bone that is still whole: no step before it has the goal "
                              "`separated`. Add it to the step that parts the bone.");
@@ -236,7 +236,7 @@ void check_step_landmarks(const Procedure& procedure, const Anatomy& anatomy, co
         const TextSpan span = span_or_none(find_in(step, "plane"));
         if (found_plane == nullptr) {
             const std::string meant = closest(plane, planes, report);
-            report.error(Code::not_a_plane, span,
+            report.error(text::Code::not_a_plane, span,
                          "The landmark " + quoted_id(plane) + " is of the wrong kind: got " +
                              (is_point ? "a point" : "an axis") + ", expected a plane." +
                              or_choose(meant, "Name a plane, or give the anatomy one."),
@@ -260,7 +260,7 @@ void check_midline(const Procedure& procedure, const Anatomy& anatomy, const Doc
         const std::vector<const Node*> nodes = waypoint_nodes(document, i);
         const auto index = static_cast<std::size_t>(shifted - path.begin());
         report.error(
-            Code::missing_midline, index < nodes.size() ? nodes[index]->span : TextSpan{},
+            text::Code::missing_midline, index < nodes.size() ? nodes[index]->span : TextSpan{},
             "The anatomy has no point `midline`, which the rehearsal moves towards. Add it there, or remove `" +
                 std::string(shifted->medial != 0.0 ? "medial" : "medial_angle") + "`.",
             {}, in_anatomy(anatomy, {"landmarks", "points"}, "its landmarks are here."));
@@ -269,7 +269,7 @@ void check_midline(const Procedure& procedure, const Anatomy& anatomy, const Doc
 
 }  // namespace
 
-void check_names(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
+void check_names(const Procedure& procedure, const Anatomy& anatomy, text::Diagnostics& diagnostics) {
     const auto document = document_of(procedure);
     Report report(*document, diagnostics);
     const Node* needs = document->root.find("needs");
@@ -277,15 +277,15 @@ void check_names(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     std::vector<std::string> landmarks = ids_of(anatomy.axes);
     append_ids(anatomy.points, landmarks);
     append_ids(anatomy.planes, landmarks);
-    check_list(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", anatomy,
+    check_list(procedure.needs_landmarks, landmarks, list("landmarks"), text::Code::missing_landmark, "landmark",
+               anatomy, report);
+    check_list(procedure.needs_zones, ids_of(anatomy.zones), list("zones"), text::Code::missing_zone, "zone", anatomy,
                report);
-    check_list(procedure.needs_zones, ids_of(anatomy.zones), list("zones"), Code::missing_zone, "zone", anatomy,
-               report);
-    check_list(procedure.needs_tissues, ids_of(anatomy.tissues), list("tissues"), Code::missing_tissue, "tissue",
+    check_list(procedure.needs_tissues, ids_of(anatomy.tissues), list("tissues"), text::Code::missing_tissue, "tissue",
                anatomy, report);
 }
 
-void check_axes_in_planes(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
+void check_axes_in_planes(const Procedure& procedure, const Anatomy& anatomy, text::Diagnostics& diagnostics) {
     const auto document = document_of(procedure);
     Report report(*document, diagnostics);
     const Node* steps = document->root.find("steps");
@@ -298,7 +298,7 @@ void check_axes_in_planes(const Procedure& procedure, const Anatomy& anatomy, Di
     }
 }
 
-void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
+void check_needs(const Procedure& procedure, const Anatomy& anatomy, text::Diagnostics& diagnostics) {
     check_names(procedure, anatomy, diagnostics);
     const auto read = document_of(procedure);
     const Document& document = *read;
@@ -312,4 +312,4 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     check_midline(procedure, anatomy, document, report);
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -10,10 +10,10 @@
 #include "documents/yaml/read_map.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
-std::string in_ticks(const std::string& id) { return "`" + excerpt(id) + "`"; }
+std::string in_ticks(const std::string& id) { return "`" + text::excerpt(id) + "`"; }
 
 TextSpan span_of(const Node& root, std::initializer_list<std::string> keys) {
     const Node* node = &root;
@@ -38,7 +38,7 @@ void check_head(const Node& root, const LandmarkAxis& neck, const Known& known, 
     const std::string& head = neck.fit->reference;
     if (contains(known.spheres, head)) return;
     const std::string meant = closest(head, known.spheres, report);
-    report.error(Code::fit_reference, span_of(root, {"landmarks", "axes", neck.id, "fit", "neck", "head"}),
+    report.error(text::Code::fit_reference, span_of(root, {"landmarks", "axes", neck.id, "fit", "neck", "head"}),
                  "The head of the neck " + in_ticks(neck.id) + " is unknown: got " + in_ticks(head) +
                      ", expected a point with `fit: {sphere: …}`." +
                      or_choose(meant, known.spheres.empty() ? "Add one under `landmarks.points`."
@@ -52,7 +52,8 @@ void check_shaft(const Node& root, const LandmarkAxis& condyles, const Known& kn
     const bool is_axis = known.all_axes.contains(shaft);
     if (!is_axis && known.has_markups) return;
     const std::string meant = closest(shaft, known.along, report);
-    report.error(Code::fit_reference, span_of(root, {"landmarks", "axes", condyles.id, "fit", "condyles", "shaft"}),
+    report.error(text::Code::fit_reference,
+                 span_of(root, {"landmarks", "axes", condyles.id, "fit", "condyles", "shaft"}),
                  "The shaft of the condyles " + in_ticks(condyles.id) +
                      (is_axis ? " is fitted to condyles itself: got " : " is unknown: got ") + in_ticks(shaft) +
                      ", expected an axis along the bone." + or_choose(meant, "Add one under `landmarks.axes`."),
@@ -78,10 +79,10 @@ void check_fit_references(const Node& root, const Anatomy& anatomy, Report& repo
             check_shaft(root, axis, known, report);
     }
     if (anatomy.ct && contains(known.spheres, anatomy.ct->component_at))
-        report.error(Code::fit_reference, span_of(root, {"ct", "keep", "component_at"}),
+        report.error(text::Code::fit_reference, span_of(root, {"ct", "keep", "component_at"}),
                      "The piece of bone is chosen by a point that is fitted from it: got " +
                          in_ticks(anatomy.ct->component_at) +
                          ", expected a point without `fit`. Add one under `landmarks.points`.");
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -6,7 +6,7 @@
 
 /// Where the parts of a fractured bone are. Landmarks, zones and tissues are those of the whole bone: of where its
 /// parts are to go.
-namespace kerf {
+namespace kerf::documents {
 
 /// [m] in front of the fracture; negative: behind it. The fragment is in front.
 [[nodiscard]] inline double in_front_of(const Fracture& fracture, Vec3 point) noexcept {
@@ -24,4 +24,4 @@ namespace kerf {
     return {fracture.at + fracture.shift - rotate(turned, fracture.at), turned};
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

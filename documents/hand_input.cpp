@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-namespace kerf {
+namespace kerf::documents {
 
 namespace {
 constexpr std::pair<HandInput::Kind, std::string_view> words[] = {
@@ -44,4 +44,4 @@ std::optional<HandInput> hand_input(std::string_view text) {
     return input;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

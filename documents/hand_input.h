@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace kerf {
+namespace kerf::documents {
 
 /// What a hand asks for besides moving the handle. A run records it, so that a replay asks for the same.
 struct HandInput {
@@ -21,4 +21,4 @@ struct HandInput {
 [[nodiscard]] std::string text_of(const HandInput& input);
 [[nodiscard]] std::optional<HandInput> hand_input(std::string_view text);
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -8,7 +8,7 @@
 #include "documents/turn_about.h"
 #include "kerf/exact_math.hpp"
 
-namespace kerf {
+namespace kerf::documents {
 
 namespace {
 
@@ -94,4 +94,4 @@ double fitting_spacing(const Implant& implant, double spacing) noexcept {
     return std::min(spacing, std::max(finest, narrowest / samples));
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -10,7 +10,7 @@
 #include "kerf/math.hpp"
 
 /// What a procedure plans of its implants: their solids, screw holes and poses.
-namespace kerf {
+namespace kerf::documents {
 
 /// A screw hole of an implant.
 struct ImplantHole {
@@ -73,4 +73,4 @@ struct HoleInMetal {
 /// and each hole is at least six samples wide.   [any] pure.
 [[nodiscard]] double fitting_spacing(const Implant& implant, double spacing) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -10,7 +10,7 @@
 
 /// What a procedure measures on the bone, as checked values. Reading it: documents/read_measures.h; measuring:
 /// bone/measure/evaluate.h.
-namespace kerf {
+namespace kerf::documents {
 
 /// What a landmark or construction is.
 enum class Sort { point, line, plane };
@@ -81,4 +81,4 @@ struct MeasureReading {
 inline constexpr std::size_t max_measures = 64;             ///< of one procedure; as many constructions
 inline constexpr std::size_t max_construction_points = 32;  ///< of one construction: each is moved for the uncertainty
 
-}  // namespace kerf
+}  // namespace kerf::documents

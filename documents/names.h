@@ -6,7 +6,7 @@
 #include <vector>
 
 /// Helpers for the ids of things and for lists of them.
-namespace kerf {
+namespace kerf::documents {
 
 inline std::string quoted_id(const std::string& id) { return "`" + id + "`"; }
 
@@ -33,4 +33,4 @@ const T* find_id(const std::vector<T>& things, const std::string& id) {
     return found != things.end() ? &*found : nullptr;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

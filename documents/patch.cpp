@@ -12,7 +12,7 @@
 #include "documents/yaml/read_map.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 constexpr std::size_t max_parts = 16;  // of a path
@@ -86,14 +86,14 @@ private:
         if (change.is_refused) return;
         if (++changes_ > max_changes) {
             if (changes_ == max_changes + 1)
-                report_.error(Code::out_of_range, change.key_span,
+                report_.error(text::Code::out_of_range, change.key_span,
                               "The patch is too long: got more than " + std::to_string(max_changes) +
                                   " changes. Write a procedure of its own.");
             return;
         }
         if (static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) >= max_parts) {
             report_.error(
-                Code::nested_too_deep, change.key_span,
+                text::Code::nested_too_deep, change.key_span,
                 "The path is too long: got more than " + std::to_string(max_parts) + " parts. Name something nearer.");
             return;
         }
@@ -120,8 +120,9 @@ private:
         const std::string what = target.kind == Node::Kind::list
                                      ? "a list whose items have no ids. Replace it as a whole."
                                      : "a single value, with nothing inside. End the path there.";
-        report_.error(Code::patch_nowhere, change.key_span, "The path `" + excerpt(change.key) + "` leads into " + what,
-                      {}, report_.because(target.span, "the path leads into this."));
+        report_.error(text::Code::patch_nowhere, change.key_span,
+                      "The path `" + text::excerpt(change.key) + "` leads into " + what, {},
+                      report_.because(target.span, "the path leads into this."));
     }
 
     /// Something that `target` names has no such name.
@@ -135,8 +136,8 @@ private:
             is_key ? change.key.substr(0, static_cast<std::size_t>(path.data() - change.key.data())) : "";
         const std::string rest = path.size() > name.size() ? std::string(path.substr(name.size())) : "";
         const Node* id = change.key.empty() ? change.find("id") : nullptr;  // an item of a list
-        report_.error(Code::patch_nowhere, id != nullptr ? id->span : change.key_span,
-                      "Nothing is called `" + excerpt(name, 40) + "` here: expected " + listed(known) + "." +
+        report_.error(text::Code::patch_nowhere, id != nullptr ? id->span : change.key_span,
+                      "Nothing is called `" + text::excerpt(name, 40) + "` here: expected " + listed(known) + "." +
                           (missing.empty() ? "" : " To add it, write " + listed_all(missing) + " as well.") +
                           or_choose(meant, missing.empty() ? "Write one of these." : ""),
                       meant.empty()   ? ""
@@ -162,8 +163,8 @@ private:
         }
         if (change.is_removal) {
             const std::string meant = closest(path, names_within(target), report_);
-            report_.error(Code::nothing_to_remove, change.key_span,
-                          "There is no `" + excerpt(path, 40) + "` to remove." +
+            report_.error(text::Code::nothing_to_remove, change.key_span,
+                          "There is no `" + text::excerpt(path, 40) + "` to remove." +
                               (meant.empty() ? " Remove this line." : " Write `" + meant + "`, or remove this line."));
             return;
         }
@@ -237,7 +238,7 @@ bool is_plain(std::string_view text) {
     if (std::string_view("!&*?{}[],#|>@`\"'%:").find(text.front()) != std::string_view::npos) return false;
     if (text.front() == '-' && (text.size() < 2 || text[1] == ' ' || text[1] == '-')) return false;
     if (text.find(": ") != std::string_view::npos || text.find(" #") != std::string_view::npos) return false;
-    return printable(text) == text;
+    return text::printable(text) == text;
 }
 
 /// What a terminal must not see is escaped, in the way of YAML.
@@ -246,7 +247,7 @@ std::string scalar(const std::string& text) {
     std::string quoted = "\"";
     for (std::string_view rest = text; !rest.empty();) {
         const std::size_t end = std::min(rest.find_first_of("\n\t\r\"\\"), rest.size());
-        quoted += printable(rest.substr(0, end));
+        quoted += text::printable(rest.substr(0, end));
         if (end < rest.size()) {
             const char c = rest[end];
             quoted += c == '\n' ? "\\n" : c == '\t' ? "\\t" : c == '\r' ? "\\r" : c == '"' ? "\\\"" : "\\\\";
@@ -300,8 +301,9 @@ private:
             const auto width = static_cast<std::size_t>(std::count_if(
                 shown.begin(), shown.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
             shown.append(width < 58 ? 58 - width : 1, ' ');
-            const SourcePosition place = document_.place(node.span);
-            shown += "  # " + printable(place.file) + (node.span.source == 0 ? ":" + std::to_string(place.line) : "");
+            const text::SourcePosition place = document_.place(node.span);
+            shown +=
+                "  # " + text::printable(place.file) + (node.span.source == 0 ? ":" + std::to_string(place.line) : "");
         }
         text_ += shown + "\n";
     }
@@ -317,7 +319,7 @@ void apply_patch(Document& document, Node& target, const Node& patch, Report& re
     Patcher(document, report).apply(target, patch);
 }
 
-void apply_setting(Document& document, const std::string& setting, Diagnostics& diagnostics) {
+void apply_setting(Document& document, const std::string& setting, text::Diagnostics& diagnostics) {
     const std::size_t equals = setting.find('=');
     const std::string path = setting.substr(0, equals);
     std::optional<Document> text =
@@ -329,10 +331,11 @@ void apply_setting(Document& document, const std::string& setting, Diagnostics& 
     if (!is_kind(change, Node::Kind::map, "--set", report)) return;
     for (const Node& value : change.children)
         if (value.kind == Node::Kind::scalar && value.text.empty() && !value.is_removal && !value.is_quoted)
-            report.error(Code::empty_value, value.key_span,
-                         "`--set " + excerpt(value.key) + "` has no value. Write one behind `=`, or `~` to remove it.");
+            report.error(
+                text::Code::empty_value, value.key_span,
+                "`--set " + text::excerpt(value.key) + "` has no value. Write one behind `=`, or `~` to remove it.");
         else if (value.key != path)
-            report.error(Code::patch_nowhere, value.key_span,
+            report.error(text::Code::patch_nowhere, value.key_span,
                          "`--set` changes one value, got several. Write `--set` once for each.");
         else
             Patcher(document, report).apply(document.root, change);
@@ -340,4 +343,4 @@ void apply_setting(Document& document, const std::string& setting, Diagnostics& 
 
 std::string emitted(const Document& document, bool is_annotated) { return Emitter(document, is_annotated).text(); }
 
-}  // namespace kerf
+}  // namespace kerf::documents

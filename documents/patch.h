@@ -7,7 +7,7 @@
 #include "documents/yaml/document.h"
 
 /// Documents that differ from another in a few values: variants of a procedure, and `--set` on the command line.
-namespace kerf {
+namespace kerf::documents {
 
 /// Changes the tree at `target` as the map `patch` says; what is wrong is reported at the patch's own place.
 ///
@@ -17,9 +17,9 @@ namespace kerf {
 void apply_patch(Document& document, Node& target, const Node& patch, Report& report);
 
 /// Applies `path=value`, the value in YAML. Its places are shown as those of a text named `--set`.   [main]
-void apply_setting(Document& document, const std::string& setting, Diagnostics& diagnostics);
+void apply_setting(Document& document, const std::string& setting, text::Diagnostics& diagnostics);
 
 /// The tree as YAML that reads back to the same tree; with `is_annotated` every value says where it comes from. [main]
 [[nodiscard]] std::string emitted(const Document& document, bool is_annotated);
 
-}  // namespace kerf
+}  // namespace kerf::documents

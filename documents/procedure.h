@@ -17,7 +17,7 @@
 #include "text/source.h"
 
 /// `kind: Procedure` as checked values: all SI, nothing left to parse. Reader: documents/read_procedure.h.
-namespace kerf {
+namespace kerf::documents {
 
 struct ParameterSetting {
     std::string id;
@@ -68,7 +68,7 @@ struct Goal {
     /// come out of the bone.
     std::string quantity{};
     Bound bound{};  ///< of "depth", "moved", "removed_volume", "signal" and "measure"
-    SourcePosition place{};
+    text::SourcePosition place{};
     NamedSignal signal{};   ///< for "signal"
     std::string measure{};  ///< for "measure": id of a Measure
 
@@ -91,7 +91,7 @@ struct Limit {
     std::string zone{};  ///< for "clearance"
     Bound bound{};
     std::string reason{};  ///< the sentence a trainee reads when it is broken
-    SourcePosition place{};
+    text::SourcePosition place{};
     std::string event{};              ///< for "damage"
     double diameter = 0.0;            ///< [m] for "breach": of the cylinder that is to lie in the hole
     std::string landmark{}, other{};  ///< for "axes_angle" two axes, for "tip_apex" a point and an axis
@@ -241,4 +241,4 @@ struct Procedure {
     std::vector<Rehearsal> rehearsals;
 };
 
-}  // namespace kerf
+}  // namespace kerf::documents

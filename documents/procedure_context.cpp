@@ -9,7 +9,7 @@
 #include "documents/yaml/read_map.h"
 #include "text/look_alike.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 /// Whether a list of the document holds this text, even if it was refused there.
@@ -23,13 +23,13 @@ bool is_written(const Node* list, const std::string& text) {
 std::string ProcedureContext::landmark(const Node& name, const std::string& called) const {
     const std::string id = read_id(name, called, report).value_or("");
     if (!id.empty() && !contains(procedure.needs_landmarks, id))
-        refuse_undeclared(Code::undeclared_landmark, name, "landmark");
+        refuse_undeclared(text::Code::undeclared_landmark, name, "landmark");
     return id;
 }
 
-void ProcedureContext::refuse_undeclared(Code code, const Node& name, const std::string& what) const {
+void ProcedureContext::refuse_undeclared(text::Code code, const Node& name, const std::string& what) const {
     const std::vector<std::string>& declared = what == "zone" ? procedure.needs_zones : procedure.needs_landmarks;
-    const std::string list = what + "s", meant = closest(straightened(name.text), declared, report);
+    const std::string list = what + "s", meant = closest(text::straightened(name.text), declared, report);
     const Node* needs = document.root.find("needs");
     const Node* place = needs ? needs->find(list) : nullptr;
     const bool is_list = place == nullptr || place->kind == Node::Kind::list;
@@ -50,12 +50,12 @@ void ProcedureContext::refuse_step(const Node& name) const {
     for (const Node& step : steps != nullptr ? steps->children : std::vector<Node>{})
         if (const Node* id = step.find("id"); id != nullptr && id->text == name.text) return;  // refused there
     if (known.empty()) return;
-    refuse_unknown({.code = Code::unknown_step,
+    refuse_unknown({.code = text::Code::unknown_step,
                     .span = name.span,
                     .subject = "The step " + quoted_id(name.text),
-                    .word = straightened(name.text),
+                    .word = text::straightened(name.text),
                     .known = known},
                    report);
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -7,7 +7,7 @@
 #include "documents/procedure.h"
 #include "documents/yaml/document.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 /// A procedure that is being read. Sections that are above in the reader's order are complete.
 struct ProcedureContext {
@@ -20,9 +20,9 @@ struct ProcedureContext {
     [[nodiscard]] std::string landmark(const Node& name, const std::string& called) const;
     /// Reports that `name` is not under `needs`. Reports nothing if that list is itself at fault.
     /// @param what   "landmark" or "zone"
-    void refuse_undeclared(Code code, const Node& name, const std::string& what) const;
+    void refuse_undeclared(text::Code code, const Node& name, const std::string& what) const;
     /// Reports that no step has this name. Reports nothing if a step has it and was refused.
     void refuse_step(const Node& name) const;
 };
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -11,7 +11,7 @@
 #include "documents/yaml/correct_keys.h"
 #include "kerf/abi.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 /// @param has_density_line   the density of the last tissue comes from the CT
@@ -20,7 +20,7 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report
     UniqueIds ids;
     const std::vector<Node>& items = read_list(node, "tissues", report);
     if (items.size() > KERF_MAX_TISSUES)
-        report.error(Code::out_of_range, items[KERF_MAX_TISSUES].span,
+        report.error(text::Code::out_of_range, items[KERF_MAX_TISSUES].span,
                      "There are too many tissues: got " + std::to_string(items.size()) + ", expected at most " +
                          std::to_string(KERF_MAX_TISSUES) + ". Remove some.");
     for (const Node& item : items) {
@@ -34,7 +34,7 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report
         if (has_own_density)
             map.quantity("density", tissue.density);
         else if (density)
-            report.error(Code::degenerate, density->key_span,
+            report.error(text::Code::degenerate, density->key_span,
                          "The last tissue has two densities: this one and `ct.density`. Remove one.");
         const Node* solids = map.find("solids");
         const Node* thickness = is_base || solids ? map.find("thickness") : map.required("thickness");
@@ -43,7 +43,7 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report
         if (is_base)
             for (const Node* own : {thickness, solids})
                 if (own)
-                    report.error(Code::degenerate, own->key_span,
+                    report.error(text::Code::degenerate, own->key_span,
                                  "The last tissue has " + (own == solids ? std::string("solids") : "a thickness") +
                                      ", but it fills all that the others leave. Remove it.");
         map.finish();
@@ -64,7 +64,7 @@ void add_solids_of(const Node& name, const std::vector<Tissue>& tissues, Zone& z
         zone.is_tissue = true;
         return;
     }
-    report.error(Code::unknown_word, name.span,
+    report.error(text::Code::unknown_word, name.span,
                  "No tissue `" + *id + "` has solids; " +
                      (known.empty() ? "no tissue of this anatomy has any. Give it `solids:`, or write solids here."
                                     : "known are " + listed(known) + "." + or_choose(closest(*id, known, report))));
@@ -115,8 +115,8 @@ Anatomy read_body(MapReader& map, const Document& document, Report& report) {
     return anatomy;
 }
 
-Result<AnatomyDraft> draft_of_text(const std::string& file, std::string text) {
-    Diagnostics found;
+text::Result<AnatomyDraft> draft_of_text(const std::string& file, std::string text) {
+    text::Diagnostics found;
     std::optional<Document> document = parse_document(file, std::move(text)).take(found);
     if (!document) return found;
     Report report(*document, found);
@@ -125,30 +125,30 @@ Result<AnatomyDraft> draft_of_text(const std::string& file, std::string text) {
     MapReader map(document->root, shapes::anatomy, "", report);
     if (!read_header(map, "Anatomy", report)) return found;
     AnatomyDraft draft{read_body(map, *document, report)};
-    draft.is_sound = !has_error(found);
+    draft.is_sound = !text::has_error(found);
     return {std::move(draft), std::move(found)};
 }
 
-Result<Anatomy> sound(Result<AnatomyDraft> draft) {
+text::Result<Anatomy> sound(text::Result<AnatomyDraft> draft) {
     if (!draft || !draft->is_sound) return draft.diagnostics();
     return {std::move(draft->anatomy), draft.diagnostics()};
 }
 
 }  // namespace
 
-Result<AnatomyDraft> read_anatomy_draft(const std::string& file) {
-    Result<std::string> text = read_text_file(file);
+text::Result<AnatomyDraft> read_anatomy_draft(const std::string& file) {
+    text::Result<std::string> text = read_text_file(file);
     return text ? draft_of_text(file, *std::move(text)) : text.diagnostics();
 }
 
-Result<Anatomy> read_anatomy(const std::string& file) { return sound(read_anatomy_draft(file)); }
+text::Result<Anatomy> read_anatomy(const std::string& file) { return sound(read_anatomy_draft(file)); }
 
-Result<Anatomy> read_anatomy_text(const std::string& file, std::string text) {
+text::Result<Anatomy> read_anatomy_text(const std::string& file, std::string text) {
     return sound(draft_of_text(file, std::move(text)));
 }
 
-Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, std::string message) {
-    Reason reason{{anatomy.file}, std::move(message), {}};
+text::Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, std::string message) {
+    text::Reason reason{{anatomy.file}, std::move(message), {}};
     if (anatomy.text.empty()) return reason;  // made by a program
     const Document document = read_again(anatomy.file, anatomy.text);
     const Node* node = &document.root;
@@ -163,4 +163,4 @@ Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, 
     return reason;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

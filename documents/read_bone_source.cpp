@@ -4,7 +4,7 @@
 #include "documents/read_solids.h"
 #include "documents/shapes/shapes.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 CtSource read_ct(const Node& node, Report& report) {
     CtSource ct;
@@ -28,4 +28,4 @@ MeshSource read_mesh(const Node& node, const std::string& where, Report& report)
     return mesh;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -6,7 +6,7 @@
 #include "documents/anatomy.h"
 #include "documents/yaml/read_map.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 /// Reads `ct:`, the image that bone is made of.   [main]
 [[nodiscard]] CtSource read_ct(const Node& node, Report& report);
@@ -14,4 +14,4 @@ namespace kerf {
 /// Reads `mesh:`, the surface that bone or an implant is made of. `where` is its name in messages.   [main]
 [[nodiscard]] MeshSource read_mesh(const Node& node, const std::string& where, Report& report);
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -12,7 +12,7 @@
 #include "text/look_alike.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 /// Reads `{at_least: …, at_most: …}`, the keys that the shape has. Of two keys, one is enough.
@@ -25,16 +25,16 @@ void read_bound_values(MapReader& map, const Shape& shape, const std::string& na
         const KeyShape* end = shape.find(key);
         const Node* node = end != nullptr ? map.find(key) : nullptr;
         if (node)
-            if (const std::optional<QuantityNeed> need = need_of(key))
+            if (const std::optional<text::QuantityNeed> need = need_of(key))
                 value = read_quantity(*node, name + "." + key, *need, report);
         is_bounded |= node != nullptr || (end != nullptr && end->presence == Presence::required);
     };
     read_end("at_least", bound.at_least);
     read_end("at_most", bound.at_most);
     if (!is_bounded && map.is_map())
-        report.error(Code::empty_bound, map.span(), name + " has no bound. Add `at_least` or `at_most`.");
+        report.error(text::Code::empty_bound, map.span(), name + " has no bound. Add `at_least` or `at_most`.");
     if (bound.at_least && bound.at_most && *bound.at_least > *bound.at_most)
-        report.error(Code::empty_bound, map.span(),
+        report.error(text::Code::empty_bound, map.span(),
                      name + " has `at_least` above `at_most`, so no value fits. Exchange the two.");
 }
 
@@ -45,10 +45,10 @@ const SignalInfo* find_signal(const Node& node, const std::string& id, const Com
         if (signal.id == id) return &signal;
         known.push_back(signal.id);
     }
-    refuse_unknown({.code = Code::unknown_signal,
+    refuse_unknown({.code = text::Code::unknown_signal,
                     .span = node.span,
-                    .subject = "The signal " + quoted_id(excerpt(id, 40)),
-                    .word = straightened(id),
+                    .subject = "The signal " + quoted_id(text::excerpt(id, 40)),
+                    .word = text::straightened(id),
                     .known = known,
                     .if_none = "the law " + quoted_id(law.id) + " declares none. Use another quantity.",
                     .of = " of " + law.id},
@@ -84,17 +84,17 @@ void read_measure_bound(MapReader& map, const ProcedureContext& reading, std::st
         const Node* place = reading.document.root.find("measures");
         const bool is_refused_there = place != nullptr && (place->kind != Node::Kind::map || known.empty());
         if (!measure.empty() && declared == nullptr && !is_refused_there)
-            refuse_unknown({.code = Code::unknown_measure,
+            refuse_unknown({.code = text::Code::unknown_measure,
                             .span = node->span,
-                            .subject = "The measure " + quoted_id(excerpt(measure, 40)),
-                            .word = straightened(measure),
+                            .subject = "The measure " + quoted_id(text::excerpt(measure, 40)),
+                            .word = text::straightened(measure),
                             .known = known,
                             .if_none = "the procedure has none. Add it under `measures:`."},
                            reading.report);
     }
     read_bound_values(
         map, shapes::measure_bound, measure.empty() ? "measure" : measure,
-        [&](const char*) -> std::optional<QuantityNeed> {
+        [&](const char*) -> std::optional<text::QuantityNeed> {
             if (declared == nullptr) return std::nullopt;
             if (!declared->is_angle()) return shapes::length_of_measure;
             return declared->kind == Measure::Kind::difference ? shapes::angle_of_difference : shapes::angle_of_measure;
@@ -129,7 +129,7 @@ Goal read_goal(const Node& item, const ComponentInfo* law, const ProcedureContex
         read_bound(bound, shape, law, reading, goal);
         if (goal.quantity == "depth" && goal.bound.at_most && *goal.bound.at_most < 0.0)
             reading.report.error(
-                Code::empty_bound, quantity->find("at_most")->span,
+                text::Code::empty_bound, quantity->find("at_most")->span,
                 "No depth fits this goal: got at most " + quantity->find("at_most")->text +
                     ", but a depth in bone is never below 0 mm. Remove `at_most`: a step ends with the tool "
                     "outside again.");
@@ -150,7 +150,7 @@ Limit read_limit(const Node& item, const ComponentInfo* law, const ProcedureCont
         if (const Node* zone = limit.quantity == "clearance" ? bound.find("zone") : nullptr) {
             limit.zone = read_id(*zone, "clearance.zone", reading.report).value_or("");
             if (!limit.zone.empty() && !contains(reading.procedure.needs_zones, limit.zone))
-                reading.refuse_undeclared(Code::undeclared_zone, *zone, "zone");
+                reading.refuse_undeclared(text::Code::undeclared_zone, *zone, "zone");
         }
         if (limit.quantity == "breach") shapes::breach_bound.fill(bound, limit);
         const auto landmark = [&](const char* key) {
@@ -200,7 +200,7 @@ void refuse_goals_apart(const std::vector<PlacedBound>& bounds, Report& report) 
                 continue;
             const Node *least = first.node->find("at_least"), *most = then.node->find("at_most");
             if (!least || !most) continue;
-            report.error(Code::contradiction, most->span,
+            report.error(text::Code::contradiction, most->span,
                          "The goals exclude each other: got a depth of at most " + most->text +
                              " after one of at least " + least->text +
                              ", but a depth never decreases within a step. Change one of the two.",
@@ -223,7 +223,7 @@ void refuse_contradictions(const Step& step, const Node& item, Report& report) {
         };
         const std::string got = quoted_id(one.name) + " " + words(*value, end),
                           allowed = words(*limit_value, other_end);
-        report.error(Code::contradiction, value->span,
+        report.error(text::Code::contradiction, value->span,
                      one.is_goal ? "The goal breaks a limit of its step: got " + got + ", expected " + allowed +
                                        ". Write a goal within the limit, or move the limit."
                                  : "The limits exclude each other: got " + got + ", expected " + allowed +
@@ -243,4 +243,4 @@ void refuse_contradictions(const Step& step, const Node& item, Report& report) {
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -3,7 +3,7 @@
 
 #include "documents/procedure_context.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 /// Reads a goal of a step.
 /// @param law   of the step's instrument; null: it is unknown, and no signal is refused   [main]
@@ -15,4 +15,4 @@ namespace kerf {
 /// Reports goals that break a limit of their step, and limits that exclude each other.   [main]
 void refuse_contradictions(const Step& step, const Node& item, Report& report);
 
-}  // namespace kerf
+}  // namespace kerf::documents

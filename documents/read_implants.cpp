@@ -10,7 +10,7 @@
 #include "text/look_alike.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 namespace {
 
@@ -60,8 +60,8 @@ void check_named_hole(const Node& axis, const NamedHole& named, const Node& plac
         std::vector<std::string> known;
         for (const ImplantHole& hole : implant.holes) known.push_back(implant.id + "." + hole.id);
         const std::string meant = closest(axis.text, known, report);
-        return report.error(Code::unknown_plate_hole, axis.span,
-                            "The axis `" + excerpt(axis.text, 60) + "` is unknown: `" + implant.id +
+        return report.error(text::Code::unknown_plate_hole, axis.span,
+                            "The axis `" + text::excerpt(axis.text, 60) + "` is unknown: `" + implant.id +
                                 "` has no hole for this screw, " +
                                 (known.empty() ? "and no other. Give it `holes:`."
                                                : "expected " + listed(known) + "." +
@@ -69,10 +69,10 @@ void check_named_hole(const Node& axis, const NamedHole& named, const Node& plac
                             meant, reason("holes", "its holes are here."));
     }
     if (!implant.place)
-        report.error(Code::unknown_plate_hole, axis.span,
+        report.error(text::Code::unknown_plate_hole, axis.span,
                      "The axis `" + axis.text + "` has no planned position: `" + implant.id +
                          "` has no `place:`. Add `place: {axis: …, up: 0 0 1}` to it.",
                      {}, reason("place", "the implant is here."));
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -6,7 +6,7 @@
 #include "documents/implant_plan.h"
 #include "documents/yaml/read_map.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 /// Reads `implants:`, each with its solid, its holes and its place. The axis of a place is not checked.   [main]
 [[nodiscard]] std::vector<Implant> read_implants(const Node& node, Report& report);
@@ -16,4 +16,4 @@ namespace kerf {
 /// @param place   of `implants:` in the document   [main]
 void check_named_hole(const Node& axis, const NamedHole& named, const Node& place, Report& report);
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -14,7 +14,7 @@
 #include "kerf/units.hpp"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 class InstrumentReader {
@@ -101,8 +101,8 @@ private:
         if (meant.size() > 1) {
             std::vector<std::string> owners;
             for (const ComponentInfo* one : meant) owners.push_back(one->full_id());
-            report_.error(Code::unknown_strategy, node.span,
-                          "The strategy `" + excerpt(word, 40) + "` has " + std::to_string(owners.size()) +
+            report_.error(text::Code::unknown_strategy, node.span,
+                          "The strategy `" + text::excerpt(word, 40) + "` has " + std::to_string(owners.size()) +
                               " owners: expected one of " + listed(owners) + ". Write its full id.");
             return nullptr;
         }
@@ -121,8 +121,8 @@ private:
             return nullptr;
         }
         const std::string closest_one = closest(word, known, report_);
-        report_.error(Code::unknown_strategy, node.span,
-                      "The strategy `" + excerpt(word, 60) + "` is unknown: expected " + listed(known) + "." +
+        report_.error(text::Code::unknown_strategy, node.span,
+                      "The strategy `" + text::excerpt(word, 60) + "` is unknown: expected " + listed(known) + "." +
                           or_choose(closest_one, "Write one of these, or install the plugin that has it."),
                       closest_one);
         return nullptr;
@@ -137,7 +137,7 @@ private:
     void read_remeshing_parameters(const Node& node, const ComponentInfo* strategy, Instrument& instrument) {
         if (!is_kind(node, Node::Kind::map, instrument.id + ".remeshing_parameters", report_)) return;
         if (instrument.remeshing.empty())
-            return report_.error(Code::unknown_parameter, node.key_span,
+            return report_.error(text::Code::unknown_parameter, node.key_span,
                                  "`remeshing_parameters` are set, and `remeshing` names no strategy. Name one, or "
                                  "remove them.");
         if (strategy == nullptr) return;
@@ -149,7 +149,7 @@ private:
                 instrument.remeshing_parameters.push_back({child.key, values[static_cast<std::size_t>(at)]});
                 continue;
             }
-            refuse_key_of(child, "parameter", Code::unknown_parameter, known,
+            refuse_key_of(child, "parameter", text::Code::unknown_parameter, known,
                           strategy->full_id() + " has none. Remove it.", strategy->full_id());
         }
     }
@@ -170,8 +170,8 @@ private:
         if (contains(known, id)) return true;
         const std::string meant = closest(id, known, report_);
         report_.error(
-            Code::unknown_plugin, node.span,
-            "The plugin `" + excerpt(id, 40) +
+            text::Code::unknown_plugin, node.span,
+            "The plugin `" + text::excerpt(id, 40) +
                 "` is unknown: " + (known.empty() ? "no plugin was found." : "expected " + listed(known) + ".") +
                 or_choose(meant, known.empty() ? "Name the folder that holds it in KERF_PLUGIN_PATH."
                                                : "Write one of these, or name its folder in KERF_PLUGIN_PATH."),
@@ -191,9 +191,9 @@ private:
             known.push_back(component.id);
         }
         refuse_unknown(
-            {.code = is_tool ? Code::unknown_tool : Code::unknown_force,
+            {.code = is_tool ? text::Code::unknown_tool : text::Code::unknown_force,
              .span = node->span,
-             .subject = std::string("The ") + (is_tool ? "tool" : "force") + " " + quoted_id(excerpt(id, 40)),
+             .subject = std::string("The ") + (is_tool ? "tool" : "force") + " " + quoted_id(text::excerpt(id, 40)),
              .word = id,
              .known = known,
              .if_none = plugin + " has none. Choose another plugin.",
@@ -205,7 +205,7 @@ private:
     /// Checks that the force takes the tool: the force lists it, or the tool has all that the force needs.
     void check_fit(const Node& node, const ComponentInfo& tool, const ComponentInfo& force) {
         if (!force.tools.empty() && (tool.plugin != force.plugin || !contains(force.tools, tool.id)))
-            return report_.error(Code::unknown_force, node.span,
+            return report_.error(text::Code::unknown_force, node.span,
                                  "The force `" + force.id + "` does not take the tool `" + tool.id + "` of " +
                                      tool.plugin + ": expected " + listed(force.tools) + " of " + force.plugin +
                                      ". Choose another force.");
@@ -214,7 +214,7 @@ private:
             const auto& among = is_drive ? tool.drives : tool.parameters;
             if (std::none_of(among.begin(), among.end(),
                              [&](const ParameterInfo& p) { return p.id == need.id && p.dimension == need.dimension; }))
-                report_.error(Code::unknown_force, node.span,
+                report_.error(text::Code::unknown_force, node.span,
                               "The force `" + force.id + "` needs a tool with the " +
                                   (is_drive ? "drive" : "parameter") + " `" + need.id + "`: `" + tool.id +
                                   "` has none of that dimension. Choose another tool or force.");
@@ -227,14 +227,14 @@ private:
         const auto found = std::find_if(parameters.begin(), parameters.end(),
                                         [&](const ParameterInfo& p) { return p.id == node.key; });
         if (found == parameters.end()) return false;
-        const QuantityNeed need{found->dimension, found->display_unit, found->min, found->max};
-        SourcePosition where;
+        const text::QuantityNeed need{found->dimension, found->display_unit, found->min, found->max};
+        text::SourcePosition where;
         where.file = component.plugin + "/" + component.id;
-        Reason declared{std::move(where),
-                        found->id + " is declared from " + quantity_text(need.min, need.unit) + " to " +
-                            quantity_text(need.max, need.unit) + ", default " + quantity_text(found->def, need.unit) +
-                            ".",
-                        {}};
+        text::Reason declared{std::move(where),
+                              found->id + " is declared from " + text::quantity_text(need.min, need.unit) + " to " +
+                                  text::quantity_text(need.max, need.unit) + ", default " +
+                                  text::quantity_text(found->def, need.unit) + ".",
+                              {}};
         if (const std::optional<double> value =
                 read_quantity(node, instrument + "." + found->id, need, report_, std::move(declared)))
             values[static_cast<std::size_t>(found - parameters.begin())] = *value;
@@ -257,7 +257,7 @@ private:
             const bool is_of_force =
                 force != nullptr && set(child, instrument.id, *force, force->parameters, instrument.force_parameters);
             if (is_of_tool || is_of_force || tool == nullptr || force == nullptr) continue;
-            refuse_key_of(child, "parameter", Code::unknown_parameter, known,
+            refuse_key_of(child, "parameter", text::Code::unknown_parameter, known,
                           tool->id + " and " + force->id + " have none. Remove it.", tool->id + " or " + force->id);
         }
     }
@@ -269,16 +269,17 @@ private:
             if (set(child, instrument.id, tool, tool.drives, instrument.drives)) {
                 warn_if_too_slow(child, tool, instrument);
             } else {
-                refuse_key_of(child, "drive", Code::unknown_drive, known, tool.id + " has none. Remove it.", tool.id);
+                refuse_key_of(child, "drive", text::Code::unknown_drive, known, tool.id + " has none. Remove it.",
+                              tool.id);
             }
     }
 
     /// @param of   whose keys `known` are
-    void refuse_key_of(const Node& child, const char* what, Code code, const std::vector<std::string>& known,
+    void refuse_key_of(const Node& child, const char* what, text::Code code, const std::vector<std::string>& known,
                        std::string if_none, const std::string& of) {
         refuse_unknown({.code = code,
                         .span = child.key_span,
-                        .subject = std::string("The ") + what + " " + quoted_id(excerpt(child.key, 40)),
+                        .subject = std::string("The ") + what + " " + quoted_id(text::excerpt(child.key, 40)),
                         .word = child.key,
                         .known = known,
                         .if_none = std::move(if_none),
@@ -292,10 +293,10 @@ private:
             const ParameterInfo& drive = tool.drives[i];
             const double value = std::abs(instrument.drives[i]);
             if (drive.id != node.key || !(value > 0.0 && value < drive.least)) continue;
-            const std::string least = quantity_text(drive.least, drive.display_unit);
-            report_.warning(Code::too_slow_to_cut, node.span,
+            const std::string least = text::quantity_text(drive.least, drive.display_unit);
+            report_.warning(text::Code::too_slow_to_cut, node.span,
                             "The drive " + quoted_id(drive.id) + " is too slow to cut: got " +
-                                quantity_text(value, drive.display_unit) + ", expected " + least +
+                                text::quantity_text(value, drive.display_unit) + ", expected " + least +
                                 " or more. Write such a value, or 0 to switch it off.");
         }
     }
@@ -322,4 +323,4 @@ const ComponentInfo* law_of(const Instrument& instrument, const ComponentCatalog
     return found != catalog.end() ? &*found : nullptr;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -7,7 +7,7 @@
 #include "documents/procedure.h"
 #include "documents/yaml/document.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 /// Reads one instrument: its tool, force and strategy, with the defaults of their plugins.   [main]
 [[nodiscard]] Instrument read_instrument(const Node& node, const ComponentCatalog& catalog, Report& report);
@@ -19,4 +19,4 @@ namespace kerf {
 /// Returns the force law of an instrument; null if it is unknown.   [main]
 [[nodiscard]] const ComponentInfo* law_of(const Instrument& instrument, const ComponentCatalog& catalog);
 
-}  // namespace kerf
+}  // namespace kerf::documents

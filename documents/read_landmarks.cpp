@@ -7,7 +7,7 @@
 #include "documents/shapes/shapes.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 std::vector<MarkupsFile> read_markups(const Node& node, Report& report) {
@@ -21,8 +21,8 @@ std::vector<MarkupsFile> read_markups(const Node& node, Report& report) {
                 MapReader name(one, shapes::markup_name, "markups.names", report);
                 const std::string label = name.text("label"), id = name.id("id");
                 if (!markups.names.emplace(label, id).second)
-                    report.error(Code::duplicate_id, one.span,
-                                 "The label " + yaml_quoted(label) + " occurs twice under `names`. Remove one.");
+                    report.error(text::Code::duplicate_id, one.span,
+                                 "The label " + text::yaml_quoted(label) + " occurs twice under `names`. Remove one.");
                 name.finish();
             }
         map.finish();
@@ -63,4 +63,4 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
     map.finish();
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -7,7 +7,7 @@
 #include "documents/anatomy.h"
 #include "documents/yaml/read_map.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 /// Reads `landmarks:` into the points, axes, planes and markups of the anatomy.   [main]
 void read_landmarks(const Node& node, Anatomy& anatomy, Report& report);
@@ -16,4 +16,4 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report);
 [[nodiscard]] const std::vector<Node>& read_named(const Node* node, const std::string& name, UniqueIds& ids,
                                                   Report& report);
 
-}  // namespace kerf
+}  // namespace kerf::documents

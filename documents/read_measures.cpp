@@ -11,7 +11,7 @@
 #include "text/look_alike.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 /// The names that constructions and measures may use.
@@ -27,12 +27,12 @@ public:
     void check(const Node& name, const std::string& id) const {
         if (id.empty() || contains(known_, id)) return;
         if (contains(later_, id))
-            return report_->error(Code::unknown_construction, name.span,
+            return report_->error(text::Code::unknown_construction, name.span,
                                   "The construction " + quoted_id(id) +
                                       " is used above the line that makes it. Move it up, before this one.");
-        const std::string meant = closest(straightened(id), known_, *report_);
-        report_->error(Code::unknown_construction, name.span,
-                       "The name " + quoted_id(excerpt(id, 40)) +
+        const std::string meant = closest(text::straightened(id), known_, *report_);
+        report_->error(text::Code::unknown_construction, name.span,
+                       "The name " + quoted_id(text::excerpt(id, 40)) +
                            " is neither a landmark of `needs.landmarks` nor a construction: " +
                            (known_.empty() ? "there are none." : "expected " + listed(known_) + ".") +
                            or_choose(meant, known_.empty() ? "Add it to `needs.landmarks`." : "Write one of these."),
@@ -53,11 +53,11 @@ public:
         const std::vector<std::string> ids = read_ids(node, name, *report_);
         for (const Node& item : node.children) check(item, item.text);
         if (ids.size() > max_construction_points)
-            report_->error(Code::out_of_range, node.key_span,
+            report_->error(text::Code::out_of_range, node.key_span,
                            name + " has too many points: got " + std::to_string(ids.size()) + ", expected at most " +
                                std::to_string(max_construction_points) + ". Remove some.");
         if (!ids.empty() && ids.size() < least)
-            report_->error(Code::degenerate, node.key_span,
+            report_->error(text::Code::degenerate, node.key_span,
                            name + " has too few points: got " + std::to_string(ids.size()) + ", expected at least " +
                                std::to_string(least) + ". Add one.");
         return ids;
@@ -70,7 +70,7 @@ private:
 
 bool has_room(const Node& node, const std::string& what, Report& report) {
     if (node.children.size() <= max_measures) return true;
-    report.error(Code::out_of_range, node.children[max_measures].key_span,
+    report.error(text::Code::out_of_range, node.children[max_measures].key_span,
                  "There are too many " + what + ": got " + std::to_string(node.children.size()) +
                      ", expected at most " + std::to_string(max_measures) + ". Remove some.");
     return false;
@@ -94,7 +94,7 @@ void read_kind(const Node& chosen, const Names& names, Construction& made, Repor
         made.of = names.read_list_of(map, "left", 1);
         made.right = names.read_list_of(map, "right", 1);
         if (made.of.size() != made.right.size() && !made.of.empty() && !made.right.empty())
-            report.error(Code::degenerate, map.span(),
+            report.error(text::Code::degenerate, map.span(),
                          name + " has points without a partner: got " + std::to_string(made.of.size()) + " left and " +
                              std::to_string(made.right.size()) + " right. Write as many on either side.");
         map.finish();
@@ -127,13 +127,13 @@ const Measure* earlier(MapReader& map, const std::string& key, const std::vector
     }
     if (contains(below, id)) {
         report.error(
-            Code::unknown_measure, node->span,
+            text::Code::unknown_measure, node->span,
             "The measure " + quoted_id(id) + " is used above the line that makes it. Move it up, before this one.");
         return nullptr;
     }
-    const std::string meant = closest(straightened(id), known, report);
-    report.error(Code::unknown_measure, node->span,
-                 "The name " + quoted_id(excerpt(id, 40)) + " is no measure above this one: " +
+    const std::string meant = closest(text::straightened(id), known, report);
+    report.error(text::Code::unknown_measure, node->span,
+                 "The name " + quoted_id(text::excerpt(id, 40)) + " is no measure above this one: " +
                      (known.empty() ? "there are none. Write the difference below both of its measures."
                                     : "expected " + listed(known) + "." + or_choose(meant, "Write one of these.")),
                  meant);
@@ -151,7 +151,7 @@ void read_difference(const Node& chosen, const std::vector<Measure>& above, cons
     measure.is_of_angles = of->is_angle();
     const auto sort = [](const Measure& one) { return one.is_angle() ? "an angle" : "a length"; };
     if (of->is_angle() != from->is_angle())
-        report.error(Code::other_sort, map.find("from")->span,
+        report.error(text::Code::other_sort, map.find("from")->span,
                      quoted_id(measure.id) + " is the difference of two sorts of measures: got " + quoted_id(of->id) +
                          ", which is " + sort(*of) + ", and " + quoted_id(from->id) + ", which is " + sort(*from) +
                          ", expected two angles or two lengths. Name such a pair.");
@@ -253,7 +253,7 @@ private:
     }
 
     void refuse(const std::string& id, const std::string& wanted) {
-        report_->error(Code::other_sort, span_of(id),
+        report_->error(text::Code::other_sort, span_of(id),
                        quoted_id(under_.back()) + " is made of another sort of thing: got " + quoted_id(id) +
                            ", which is " + words_of(sorts_.at(id)) + ", expected " + wanted + ". Name one of these.");
     }
@@ -295,7 +295,7 @@ std::vector<Construction> read_constructions(const Node& node, const std::vector
     for (const Node& child : node.children) {
         read_key(child, "A construction's name", report);
         if (contains(landmarks, child.key))
-            report.error(Code::duplicate_id, child.key_span,
+            report.error(text::Code::duplicate_id, child.key_span,
                          "The name " + quoted_id(child.key) +
                              " is there twice: it is a landmark, too. Write another name for the construction.");
         MapReader map(child, shapes::construction, child.key, report);
@@ -343,4 +343,4 @@ void check_sorts(const std::vector<Construction>& constructions, const std::vect
     for (const Measure& measure : measures) check.check(measure);
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

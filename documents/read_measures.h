@@ -8,7 +8,7 @@
 #include "documents/measure_plan.h"
 #include "documents/yaml/read_map.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 /// Reads `constructions:`. A construction refers to landmarks that the procedure needs, and to constructions above it.
 /// @param landmarks   `needs.landmarks`
@@ -23,4 +23,4 @@ namespace kerf {
 void check_sorts(const std::vector<Construction>& constructions, const std::vector<Measure>& measures,
                  const Anatomy& anatomy, const Document& document, Report& report);
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -19,7 +19,7 @@
 #include "documents/yaml/correct_keys.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 constexpr std::size_t max_variants = 32;
@@ -31,8 +31,8 @@ void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Rep
     if (!std::all_of(used.begin(), used.end(), is_known)) return;  // one of these may be meant
     for (const Node& child : instruments.children)
         if (!used.contains(child.key))
-            report.warning(Code::unused_instrument, child.key_span,
-                           "The instrument `" + excerpt(child.key, 40) +
+            report.warning(text::Code::unused_instrument, child.key_span,
+                           "The instrument `" + text::excerpt(child.key, 40) +
                                "` is not used by any step. Remove it, or name it in a step.");
 }
 
@@ -41,7 +41,7 @@ std::vector<Variant> read_variants(const Node& node, Report& report) {
     std::vector<Variant> variants;
     if (!is_kind(node, Node::Kind::map, "variants", report)) return variants;
     if (node.children.size() > max_variants)  // each is read and checked like a procedure
-        report.error(Code::out_of_range, node.children[max_variants].key_span,
+        report.error(text::Code::out_of_range, node.children[max_variants].key_span,
                      "There are too many variants: got " + std::to_string(node.children.size()) +
                          ", expected at most " + std::to_string(max_variants) +
                          ". Move some into a procedure of their own.");
@@ -56,7 +56,7 @@ std::vector<Variant> read_variants(const Node& node, Report& report) {
 }
 
 /// Applies the variant and the settings to the tree, the variant first.
-void apply(const ProcedureChanges& changes, Document& document, Diagnostics& found) {
+void apply(const ProcedureChanges& changes, Document& document, text::Diagnostics& found) {
     if (!changes.variant.empty()) {
         Report report(document, found);
         const Node* variants = document.root.find("variants");
@@ -66,9 +66,9 @@ void apply(const ProcedureChanges& changes, Document& document, Diagnostics& fou
             std::vector<std::string> known;
             if (variants)
                 for (const Node& variant : variants->children) known.push_back(variant.key);
-            refuse_unknown({.code = Code::unknown_variant,
+            refuse_unknown({.code = text::Code::unknown_variant,
                             .span = variants ? variants->key_span : TextSpan{},
-                            .subject = "The variant " + quoted_id(excerpt(changes.variant, 40)),
+                            .subject = "The variant " + quoted_id(text::excerpt(changes.variant, 40)),
                             .word = changes.variant,
                             .known = known,
                             .if_none = "the procedure has none. Run it without."},
@@ -89,7 +89,7 @@ void check_place_axes(const Node& implants, const ProcedureContext& reading) {
         const Node* axis = place != nullptr ? place->find("axis") : nullptr;
         if (!implant.place || axis == nullptr || implant.place->axis.empty()) continue;
         if (!contains(reading.procedure.needs_landmarks, implant.place->axis))
-            reading.refuse_undeclared(Code::undeclared_landmark, *axis, "landmark");
+            reading.refuse_undeclared(text::Code::undeclared_landmark, *axis, "landmark");
     }
 }
 
@@ -148,7 +148,7 @@ private:
         const Node* instruments = map_.find("instruments");
         if (instruments == nullptr || !is_kind(*instruments, Node::Kind::map, "instruments", report_)) return;
         if (instruments->children.empty())
-            report_.error(Code::empty_value, instruments->span, "The list of instruments is empty. Add one.");
+            report_.error(text::Code::empty_value, instruments->span, "The list of instruments is empty. Add one.");
         for (const Node& child : instruments->children) {
             const int errors_before = report_.errors();
             procedure_.instruments.push_back(read_instrument(child, reading_.catalog, report_));
@@ -185,9 +185,9 @@ private:
     ProcedureContext reading_;
 };
 
-Result<ProcedureDraft> draft_of_text(const std::string& file, std::string text, const ComponentCatalog& catalog,
-                                     const ProcedureChanges& changes) {
-    Diagnostics found;
+text::Result<ProcedureDraft> draft_of_text(const std::string& file, std::string text, const ComponentCatalog& catalog,
+                                           const ProcedureChanges& changes) {
+    text::Diagnostics found;
     std::optional<Document> parsed = parse_document(file, std::move(text)).take(found);
     if (!parsed) return found;
     const auto document = std::make_shared<Document>(std::move(*parsed));
@@ -206,30 +206,30 @@ Result<ProcedureDraft> draft_of_text(const std::string& file, std::string text, 
     draft.procedure.document = document;
     draft.procedure.variant = changes.variant;
     if (changes.any()) draft.procedure.text = emitted(*document, false);
-    draft.is_sound = !has_error(found);
+    draft.is_sound = !text::has_error(found);
     return {std::move(draft), std::move(found)};
 }
 
-Result<Procedure> sound(Result<ProcedureDraft> draft) {
+text::Result<Procedure> sound(text::Result<ProcedureDraft> draft) {
     if (!draft || !draft->is_sound) return draft.diagnostics();
     return {std::move(draft->procedure), draft.diagnostics()};
 }
 
 }  // namespace
 
-Result<ProcedureDraft> read_procedure_draft(const std::string& file, const ComponentCatalog& catalog,
-                                            const ProcedureChanges& changes) {
-    Result<std::string> text = read_text_file(file);
+text::Result<ProcedureDraft> read_procedure_draft(const std::string& file, const ComponentCatalog& catalog,
+                                                  const ProcedureChanges& changes) {
+    text::Result<std::string> text = read_text_file(file);
     return text ? draft_of_text(file, *std::move(text), catalog, changes) : text.diagnostics();
 }
 
-Result<Procedure> read_procedure(const std::string& file, const ComponentCatalog& catalog,
-                                 const ProcedureChanges& changes) {
+text::Result<Procedure> read_procedure(const std::string& file, const ComponentCatalog& catalog,
+                                       const ProcedureChanges& changes) {
     return sound(read_procedure_draft(file, catalog, changes));
 }
 
-Result<Procedure> read_procedure_text(const std::string& file, std::string text, const ComponentCatalog& catalog,
-                                      const ProcedureChanges& changes) {
+text::Result<Procedure> read_procedure_text(const std::string& file, std::string text, const ComponentCatalog& catalog,
+                                            const ProcedureChanges& changes) {
     return sound(draft_of_text(file, std::move(text), catalog, changes));
 }
 
@@ -238,4 +238,4 @@ std::shared_ptr<const Document> document_of(const Procedure& procedure) {
                               : std::make_shared<const Document>(read_again(procedure.file, procedure.text));
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -14,7 +14,7 @@
 #include "text/look_alike.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 /// The names by which a rehearsal can expect a limit to break: the zone, the signal, or else the quantity.
@@ -56,10 +56,10 @@ LimitNames limit_names(const ProcedureContext& reading) {
 
 void refuse_limit(const Node& name, const LimitNames& limits, Report& report) {
     if (limits.refused.contains(name.text)) return;
-    refuse_unknown({.code = Code::unknown_limit,
+    refuse_unknown({.code = text::Code::unknown_limit,
                     .span = name.span,
                     .subject = "The limit " + quoted_id(name.text),
-                    .word = straightened(name.text),
+                    .word = text::straightened(name.text),
                     .known = limits.known,
                     .if_none = "no step has a limit. Add one to a step."},
                    report);
@@ -68,7 +68,7 @@ void refuse_limit(const Node& name, const LimitNames& limits, Report& report) {
 /// A limit that breaks in a step must be a limit of that step.
 void refuse_other_step(const Node& name, const Step& step, const std::string& limit, Report& report) {
     if (std::any_of(step.limits.begin(), step.limits.end(), [&](const Limit& l) { return l.name() == limit; })) return;
-    report.error(Code::unknown_limit, name.span,
+    report.error(text::Code::unknown_limit, name.span,
                  "The step " + quoted_id(step.id) + " has no limit " + quoted_id(limit) +
                      ". Name a step that has it, or add the limit.");
 }
@@ -101,8 +101,8 @@ void read_expectation(const Node& node, const LimitNames& limits, const Procedur
     if (!text) return;
     rehearsal.expect = *text;
     if (*text != "pass" && *text != "incomplete")
-        report.error(Code::unknown_word, node.span,
-                     "expect is unknown: got `" + excerpt(*text, 40) +
+        report.error(text::Code::unknown_word, node.span,
+                     "expect is unknown: got `" + text::excerpt(*text, 40) +
                          "`, expected `pass`, `incomplete`, or `{fail: …}` with the limit that breaks. Write one of "
                          "these.");
 }
@@ -115,15 +115,15 @@ void read_implant_name(const Node& node, const ProcedureContext& reading, Waypoi
     at.inputs.push_back({is_placed ? HandInput::Kind::place : HandInput::Kind::insert, id});
     const Implant* implant = find_id(reading.procedure.implants, id);
     if (implant == nullptr)
-        refuse_unknown({.code = Code::unknown_implant,
+        refuse_unknown({.code = text::Code::unknown_implant,
                         .span = node.span,
                         .subject = "The implant " + quoted_id(node.text),
-                        .word = straightened(node.text),
+                        .word = text::straightened(node.text),
                         .known = ids_of(reading.procedure.implants),
                         .if_none = "the procedure has none. Add one under `implants:`."},
                        reading.report);
     else if (is_placed && !implant->place)
-        reading.report.error(Code::missing_key, node.span,
+        reading.report.error(text::Code::missing_key, node.span,
                              "The implant " + quoted_id(id) +
                                  " has no planned pose. Add `place: {axis: …, up: 0 0 1}` to it, or write `insert: " +
                                  id + "`, which puts it at the tool.");
@@ -140,10 +140,10 @@ void read_until(const Node& node, const Instrument* instrument, const ProcedureC
     const std::vector<std::string> known = ids_of(law->events);
     if (contains(known, at.until_event)) return;
     refuse_unknown(
-        {.code = Code::unknown_event,
+        {.code = text::Code::unknown_event,
          .span = event->span,
-         .subject = "The event " + quoted_id(excerpt(at.until_event, 60)),
-         .word = straightened(at.until_event),
+         .subject = "The event " + quoted_id(text::excerpt(at.until_event, 60)),
+         .word = text::straightened(at.until_event),
          .known = known,
          .if_none = "the force of " + quoted_id(instrument->id) + " reports none. Write `until: {torque: 2 N*m}`.",
          .of = " of " + quoted_id(instrument->id)},
@@ -193,8 +193,8 @@ public:
             std::size_t step = reading_.procedure.steps.size();
             for (const Node& point : read_list(path, path.key, report_)) {
                 if (const Node* name = point.find("follow"))
-                    report_.error(Code::unknown_key, name->key_span,
-                                  "The path " + quoted_id(excerpt(path.key, 40)) +
+                    report_.error(text::Code::unknown_key, name->key_span,
+                                  "The path " + quoted_id(text::excerpt(path.key, 40)) +
                                       " follows another, expected waypoints. Write them here, or follow both paths in "
                                       "the rehearsal.");
                 else
@@ -217,7 +217,7 @@ public:
         const std::vector<const Node*> nodes = waypoint_nodes(reading_.document, &path);
         followed_ += nodes.size() - own;
         if (followed_ >= max_followed) {
-            report_.error(Code::out_of_range, path.key_span,
+            report_.error(text::Code::out_of_range, path.key_span,
                           "The rehearsals follow too many waypoints: got " + std::to_string(max_followed) +
                               " or more up to here, expected fewer. Write shorter paths, or follow them less often.");
             return waypoints;
@@ -233,8 +233,8 @@ public:
             return;  // one of these may be meant
         for (const Node& path : place_ != nullptr ? place_->children : std::vector<Node>{})
             if (contains(names_, path.key) && !used_.contains(path.key))
-                report_.warning(Code::unused_path, path.key_span,
-                                "The path " + quoted_id(excerpt(path.key, 40)) +
+                report_.warning(text::Code::unused_path, path.key_span,
+                                "The path " + quoted_id(text::excerpt(path.key, 40)) +
                                     " is not followed by any rehearsal. Remove it, or follow it in one.");
     }
 
@@ -249,12 +249,12 @@ private:
         const Node* paths = reading_.document.root.find("paths");
         if (contains(names_, id)) return true;
         if (id.empty() || (paths != nullptr && place_ == nullptr)) return false;
-        std::optional<Reason> reason;
+        std::optional<text::Reason> reason;
         if (place_ != nullptr) reason = report_.because(place_->key_span, "the paths are here.");
-        refuse_unknown({.code = Code::unknown_path,
+        refuse_unknown({.code = text::Code::unknown_path,
                         .span = name->span,
                         .subject = "The path " + quoted_id(id),
-                        .word = straightened(id),
+                        .word = text::straightened(id),
                         .known = names_,
                         .if_none = "the procedure has none. Add it under `paths:`.",
                         .reason = reason},
@@ -298,4 +298,4 @@ std::vector<Rehearsal> read_rehearsals(const Node* paths, const Node* rehearsals
     return read;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -5,7 +5,7 @@
 
 #include "documents/shapes/shapes.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 EllipticTubeSolid read_elliptic_tube(const Node& node, const std::string& name, Report& report) {
@@ -17,7 +17,7 @@ EllipticTubeSolid read_elliptic_tube(const Node& node, const std::string& name, 
         tube.up = read_vector(*up, map.name_of("up"), map.need_of("up"), report).value_or(tube.up);
         const Vec3 along = normalized(tube.to - tube.from);
         if (length(cross(along, normalized(tube.up))) < 1e-3 && length(along) > 0.0)
-            report.error(Code::degenerate, up->span,
+            report.error(text::Code::degenerate, up->span,
                          map.name_of("up") + " points along the tube, expected across it. Turn it.");
     }
     map.finish();
@@ -77,7 +77,7 @@ std::vector<PhantomPart> read_parts(const Node& node, const std::string& where, 
             part.subtract = read_yes_no(*subtract, "subtract", report).value_or(false);
             if (part.subtract && parts.empty())
                 report.error(
-                    Code::degenerate, subtract->span,
+                    text::Code::degenerate, subtract->span,
                     "The first part is subtracted from nothing. Put it behind the parts that it is subtracted from.");
         }
         map.finish();
@@ -86,4 +86,4 @@ std::vector<PhantomPart> read_parts(const Node& node, const std::string& where, 
     return parts;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

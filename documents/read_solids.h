@@ -7,7 +7,7 @@
 #include "documents/anatomy.h"
 #include "documents/yaml/read_map.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 /// Reads `from` and `to`, the ends of a tube, hole or axis. Reports ends that coincide.   [main]
 template <class Ends>
@@ -19,7 +19,7 @@ void read_ends(MapReader& map, Ends& ends, const std::string& name) {
     ends.from = *from;
     ends.to = *to;
     if (length(*to - *from) < shortest)
-        map.report().error(Code::degenerate, map.span(),
+        map.report().error(text::Code::degenerate, map.span(),
                            name + " has no length: both ends are the same point. Move one of them.");
 }
 
@@ -35,4 +35,4 @@ void read_ends(MapReader& map, Ends& ends, const std::string& name) {
 /// Reads the solids that a phantom or an implant is made of. `where` is their name in messages.   [main]
 [[nodiscard]] std::vector<PhantomPart> read_parts(const Node& node, const std::string& where, Report& report);
 
-}  // namespace kerf
+}  // namespace kerf::documents

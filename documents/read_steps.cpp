@@ -12,16 +12,16 @@
 #include "text/look_alike.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 void refuse_instrument(const Node& name, const ProcedureContext& reading) {
     const Node* place = reading.document.root.find("instruments");
     if (place == nullptr || place->kind != Node::Kind::map || place->children.empty()) return;  // reported there
-    refuse_unknown({.code = Code::unknown_instrument,
+    refuse_unknown({.code = text::Code::unknown_instrument,
                     .span = name.span,
                     .subject = "The instrument " + quoted_id(name.text),
-                    .word = straightened(name.text),
+                    .word = text::straightened(name.text),
                     .known = ids_of(reading.procedure.instruments),
                     .reason = reading.report.because(place->key_span, "the instruments are here.")},
                    reading.report);
@@ -34,7 +34,7 @@ std::string read_axis(const Node& node, const ProcedureContext& reading) {
     if (const auto hole = named_hole(axis, reading.procedure.implants))
         check_named_hole(node, *hole, *reading.document.root.find("implants"), reading.report);
     else
-        reading.refuse_undeclared(Code::undeclared_landmark, node, "landmark");
+        reading.refuse_undeclared(text::Code::undeclared_landmark, node, "landmark");
     return axis;
 }
 
@@ -47,9 +47,9 @@ std::vector<std::string> read_allowed(const Node& node, const Instrument& instru
         if (id.empty()) continue;
         allowed.push_back(id);
         if (contains(known, id)) continue;
-        const std::string meant = closest(straightened(id), known, report);
-        report.error(Code::unknown_event, item.span,
-                     "The event `" + excerpt(id, 60) + "` cannot be allowed: " +
+        const std::string meant = closest(text::straightened(id), known, report);
+        report.error(text::Code::unknown_event, item.span,
+                     "The event `" + text::excerpt(id, 60) + "` cannot be allowed: " +
                          (known.empty() ? "nothing that `" + instrument.id + "` reports fails a step. Remove it."
                                         : "expected " + listed(known) + "." + or_choose(meant)),
                      meant);
@@ -58,7 +58,7 @@ std::vector<std::string> read_allowed(const Node& node, const Instrument& instru
 }
 
 /// What spoils the tool fails the step, unless the step allows it.
-void add_damage_limits(const Instrument& instrument, const SourcePosition& place, Step& step) {
+void add_damage_limits(const Instrument& instrument, const text::SourcePosition& place, Step& step) {
     for (const EventInfo& event : instrument.damages) {
         if (contains(step.allowed, event.id)) continue;
         Limit& limit = step.limits.emplace_back();
@@ -101,4 +101,4 @@ Step read_step(const Node& item, const ProcedureContext& reading) {
     return step;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -3,9 +3,9 @@
 
 #include "documents/procedure_context.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 /// Reads one step, with a limit for each event that spoils its tool.   [main]
 [[nodiscard]] Step read_step(const Node& item, const ProcedureContext& reading);
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -10,7 +10,7 @@
 #include "documents/signal_need.h"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -22,24 +22,24 @@ const Json scalar_types{"string", "number", "boolean"};
 constexpr const char* id_pattern = "^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$";
 constexpr const char* path_pattern = R"(^(?!/)(?!\.\./)[^:\\]+$)";
 
-std::string range_text(const QuantityNeed& need) {
-    return quantity_text(need.min, need.unit) + " … " + quantity_text(need.max, need.unit);
+std::string range_text(const text::QuantityNeed& need) {
+    return text::quantity_text(need.min, need.unit) + " … " + text::quantity_text(need.max, need.unit);
 }
 
-Json quantity_schema(const QuantityNeed& need) {
+Json quantity_schema(const text::QuantityNeed& need) {
     Json schema{{"type", "string"}};
     if (need.unit.empty()) schema = {{"type", {"number", "string"}}, {"minimum", need.min}, {"maximum", need.max}};
-    schema["pattern"] = quantity_pattern(need);
+    schema["pattern"] = text::quantity_pattern(need);
     schema["patternErrorMessage"] = "Must be " + range_text(need) + ", with a unit behind the number.";
     if (need.unit.empty()) schema["patternErrorMessage"] = "Must be a plain number, " + range_text(need) + ".";
     return schema;
 }
 
-Json vector_schema(const QuantityNeed& need) {
+Json vector_schema(const text::QuantityNeed& need) {
     const std::string wanted = need.unit.empty() ? "three numbers, as in `0 0 1`."
                                                  : "three numbers and their unit, as in `1 2 3 " + need.unit + "`.";
     const Json in_one{
-        {"type", "string"}, {"pattern", vector_pattern(need)}, {"patternErrorMessage", "Must be " + wanted}};
+        {"type", "string"}, {"pattern", text::vector_pattern(need)}, {"patternErrorMessage", "Must be " + wanted}};
     const Json listed{{"type", "array"}, {"items", quantity_schema(need)}, {"minItems", 3}, {"maxItems", 3}};
     return {{"anyOf", {in_one, listed}}};
 }
@@ -183,11 +183,11 @@ private:
         for (const auto* table : tables)
             for (const ParameterInfo& p : *table) {
                 if (properties.contains(p.id)) continue;  // tool and force may share one; the reader checks it for both
-                const QuantityNeed need{p.dimension, p.display_unit, p.min, p.max};
+                const text::QuantityNeed need{p.dimension, p.display_unit, p.min, p.max};
                 Json schema = quantity_schema(need);
                 schema["description"] =
                     p.help + " " + range_text(need) + "." + (p.source.empty() ? "" : " Source: " + p.source);
-                schema["default"] = need.unit.empty() ? Json(p.def) : Json(quantity_text(p.def, need.unit));
+                schema["default"] = need.unit.empty() ? Json(p.def) : Json(text::quantity_text(p.def, need.unit));
                 properties[p.id] = std::move(schema);
             }
         return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
@@ -282,4 +282,4 @@ std::string schema_text(const Shape& shape, const ComponentCatalog& catalog, con
     return SchemaWriter(catalog).document(shape, comment).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

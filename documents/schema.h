@@ -7,7 +7,7 @@
 #include "documents/yaml/shape.h"
 
 /// The table of documents as JSON Schema (draft-07), for editors that complete and check while somebody writes.
-namespace kerf {
+namespace kerf::documents {
 
 /// A schema of documents of this shape. It refuses no document that the reader accepts; what needs more than one map to
 /// be judged (names that refer to others, ranges of values with a unit) it leaves to the reader. Ends with a new line.
@@ -16,4 +16,4 @@ namespace kerf {
 /// @param comment   one line that it carries along
 [[nodiscard]] std::string schema_text(const Shape& shape, const ComponentCatalog& catalog, const std::string& comment);
 
-}  // namespace kerf
+}  // namespace kerf::documents

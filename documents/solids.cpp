@@ -5,7 +5,7 @@
 #include <cmath>
 #include <variant>
 
-namespace kerf {
+namespace kerf::documents {
 
 namespace {
 
@@ -112,4 +112,4 @@ Box bounds_of(const std::vector<Solid>& solids) noexcept {
     return all;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -7,7 +7,7 @@
 #include "documents/anatomy.h"
 
 /// Distances to the implicit solids that phantoms and zones are made of.
-namespace kerf {
+namespace kerf::documents {
 
 /// Signed distance [m], negative inside; exact for box, tube and sphere, a lower bound outside an elliptic tube. [any]
 /// pure.
@@ -27,4 +27,4 @@ namespace kerf {
 /// Of the union of solids; for none `low` is above `high`.
 [[nodiscard]] Box bounds_of(const std::vector<Solid>& solids) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::documents

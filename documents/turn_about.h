@@ -5,7 +5,7 @@
 
 #include "kerf/math.hpp"
 
-namespace kerf {
+namespace kerf::documents {
 
 /// Returns the rotation about unit `axis` from unit `from` to unit `to`, which are both across it.   [any] pure.
 [[nodiscard]] inline Quat turn_about(Vec3 axis, Vec3 from, Vec3 to) noexcept {
@@ -22,4 +22,4 @@ namespace kerf {
     return normalized(Quat{half_cosine, half_sine * axis.x, half_sine * axis.y, half_sine * axis.z});
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

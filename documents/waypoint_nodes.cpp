@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "documents/waypoint_nodes.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 std::vector<const Node*> waypoint_nodes(const Document& document, const Node* path) {
     std::vector<const Node*> nodes;
@@ -38,4 +38,4 @@ const Node* waypoint_node(const Document& document, std::size_t rehearsal, std::
     return key != nullptr ? nodes[waypoint]->find(key) : nodes[waypoint];
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -7,7 +7,7 @@
 #include "documents/yaml/document.h"
 
 /// Where the waypoints of a rehearsal are written: in its `path`, or in one of `paths` that it follows.
-namespace kerf {
+namespace kerf::documents {
 
 /// The most waypoints that all rehearsals together may take from `paths`: a small document must not become a large one.
 inline constexpr std::size_t max_followed = 10'000;
@@ -24,4 +24,4 @@ inline constexpr std::size_t max_followed = 10'000;
 [[nodiscard]] const Node* waypoint_node(const Document& document, std::size_t rehearsal, std::size_t waypoint,
                                         const char* key = nullptr);
 
-}  // namespace kerf
+}  // namespace kerf::documents

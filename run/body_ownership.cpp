@@ -9,7 +9,7 @@
 #include "documents/fracture.h"
 #include "documents/solids.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -32,7 +32,8 @@ void inherit(Owners& owners, std::size_t from, const std::vector<std::size_t>& b
     };
     for (std::size_t z = 0; z < owners.zone.size(); ++z)
         if (owners.zone[z] == from)
-            owners.zone[z] = nearest_to([&](Vec3 p) { return distance_to_any(scene.anatomy.zones[z].solids, p); });
+            owners.zone[z] =
+                nearest_to([&](Vec3 p) { return documents::distance_to_any(scene.anatomy.zones[z].solids, p); });
     for (std::size_t s = 0; s < owners.step.size(); ++s)
         if (owners.step[s] == from)
             owners.step[s] = nearest_to([&](Vec3 p) { return length(p - scene.frames[s].entry); });
@@ -42,14 +43,15 @@ void inherit(Owners& owners, std::size_t from, const std::vector<std::size_t>& b
 
 BodyOwnership body_ownership_of(const Scene& scene) {
     BodyOwnership belongings;
-    for (const Zone& zone : scene.anatomy.zones) {
+    for (const documents::Zone& zone : scene.anatomy.zones) {
         const Box box = bounds_of(zone.solids);
-        belongings.owners.zone.push_back(body_at(scene.anatomy, 0.5 * (box.low + box.high)));
+        belongings.owners.zone.push_back(documents::body_at(scene.anatomy, 0.5 * (box.low + box.high)));
     }
-    for (const AxisFrame& frame : scene.frames) belongings.owners.step.push_back(body_at(scene.anatomy, frame.entry));
+    for (const AxisFrame& frame : scene.frames)
+        belongings.owners.step.push_back(documents::body_at(scene.anatomy, frame.entry));
     belongings.inherit = [&scene](Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies,
                                   const PresentBone& bone) { inherit(owners, from, bodies, scene, bone); };
     return belongings;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

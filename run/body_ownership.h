@@ -4,7 +4,7 @@
 #include "core/haptics/scene/bone_scene.h"
 #include "run/scene.h"
 
-namespace kerf {
+namespace kerf::run {
 
 /// Returns the owners of a scene's zones and step axes, and the rule by which they follow the bone. At first body 0
 /// owns all. If it splits, each zone and axis belongs to the nearest part and moves with it; of equally near parts, to
@@ -12,4 +12,4 @@ namespace kerf {
 /// Pre: the scene outlives the result.   [main]
 [[nodiscard]] BodyOwnership body_ownership_of(const Scene& scene);
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -20,65 +20,67 @@
 #include "run/thread_checks.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
-void check_data_file(const Node& node, const std::string& document, Report& report) {
+void check_data_file(const documents::Node& node, const std::string& document, documents::Report& report) {
     std::error_code ignored;
-    if (node.kind != Node::Kind::scalar || std::filesystem::exists(found_data_file(node.text, document), ignored))
+    if (node.kind != documents::Node::Kind::scalar ||
+        std::filesystem::exists(bone::found_data_file(node.text, document), ignored))
         return;
     const char* data = std::getenv("KERF_DATA");
     const std::string first = node.text.substr(0, node.text.find('/'));
     report.error(
-        Code::no_data_file, node.span,
+        text::Code::no_data_file, node.span,
         data != nullptr && *data != '\0'
-            ? "The file or folder does not exist: searched in the document's folder and in `" + printable(data) +
+            ? "The file or folder does not exist: searched in the document's folder and in `" + text::printable(data) +
                   "`, which KERF_DATA names. Check its name, and that KERF_DATA names the folder that "
                   "holds `" +
-                  excerpt(first) + "`."
+                  text::excerpt(first) + "`."
             : "The file or folder does not exist: searched in the document's folder; KERF_DATA is not set. Check its "
               "name, or name the folder that holds `" +
-                  excerpt(first) + "`, as in `export KERF_DATA=/home/me/data`.");
+                  text::excerpt(first) + "`, as in `export KERF_DATA=/home/me/data`.");
 }
 
 /// Checks that every file of the anatomy exists. Import checks the contents.
-void check_data_files(const Anatomy& anatomy, Diagnostics& diagnostics) {
-    const Document document = read_again(anatomy.file, anatomy.text);
-    Report report(document, diagnostics);
-    const auto check = [&](const Node* map, const char* key) {
-        if (const Node* node = map != nullptr ? map->find(key) : nullptr) check_data_file(*node, anatomy.file, report);
+void check_data_files(const documents::Anatomy& anatomy, text::Diagnostics& diagnostics) {
+    const documents::Document document = documents::read_again(anatomy.file, anatomy.text);
+    documents::Report report(document, diagnostics);
+    const auto check = [&](const documents::Node* map, const char* key) {
+        if (const documents::Node* node = map != nullptr ? map->find(key) : nullptr)
+            check_data_file(*node, anatomy.file, report);
     };
-    const Node* ct = document.root.find("ct");
+    const documents::Node* ct = document.root.find("ct");
     check(ct, "image");
     check(ct != nullptr ? ct->find("labels") : nullptr, "file");
-    const Node* mesh = document.root.find("mesh");
+    const documents::Node* mesh = document.root.find("mesh");
     check(mesh, "file");
     check(mesh != nullptr ? mesh->find("canal") : nullptr, "file");
-    const Node* landmarks = document.root.find("landmarks");
-    if (const Node* markups = landmarks != nullptr ? landmarks->find("markups") : nullptr)
-        for (const Node& item : markups->children) check(&item, "file");
+    const documents::Node* landmarks = document.root.find("landmarks");
+    if (const documents::Node* markups = landmarks != nullptr ? landmarks->find("markups") : nullptr)
+        for (const documents::Node& item : markups->children) check(&item, "file");
 }
 
 /// Checks that every file of a procedure's implants exists.
-void check_implant_files(const Procedure& procedure, Diagnostics& diagnostics) {
-    const auto document = document_of(procedure);
-    Report report(*document, diagnostics);
-    for (const Implant& implant : procedure.implants) {
-        const Node* node = &document->root;
+void check_implant_files(const documents::Procedure& procedure, text::Diagnostics& diagnostics) {
+    const auto document = documents::document_of(procedure);
+    documents::Report report(*document, diagnostics);
+    for (const documents::Implant& implant : procedure.implants) {
+        const documents::Node* node = &document->root;
         for (const std::string& key : {std::string("implants"), implant.id, std::string("mesh"), std::string("file")})
             if (node != nullptr) node = node->find(key);
         if (node != nullptr) check_data_file(*node, procedure.file, report);
     }
 }
 
-const Instrument* find_instrument(const Procedure& procedure, const std::string& id) {
+const documents::Instrument* find_instrument(const documents::Procedure& procedure, const std::string& id) {
     const auto found = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
-                                    [&](const Instrument& i) { return i.id == id; });
+                                    [&](const documents::Instrument& i) { return i.id == id; });
     return found != procedure.instruments.end() ? &*found : nullptr;
 }
 
-ToolSetup setup_of(const Instrument& instrument, const PluginRegistry& plugins) {
+ToolSetup setup_of(const documents::Instrument& instrument, const PluginRegistry& plugins) {
     ToolSetup setup;
     setup.tool = plugins.find(instrument.plugin, KERF_KIND_TOOL, instrument.tool);
     setup.force = plugins.find(instrument.force_plugin, KERF_KIND_FORCE, instrument.force);
@@ -89,11 +91,11 @@ ToolSetup setup_of(const Instrument& instrument, const PluginRegistry& plugins) 
 }
 
 /// Makes the tools of the steps by their plugins.
-void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics& diagnostics) {
-    std::vector<const Instrument*> used;
-    const Procedure& procedure = documents.procedure;
-    for (const Step& step : procedure.steps) {
-        const Instrument* instrument = find_instrument(procedure, step.instrument);
+void make_tools(Documents& documents, const PluginRegistry& plugins, text::Diagnostics& diagnostics) {
+    std::vector<const documents::Instrument*> used;
+    const documents::Procedure& procedure = documents.procedure;
+    for (const documents::Step& step : procedure.steps) {
+        const documents::Instrument* instrument = find_instrument(procedure, step.instrument);
         const auto at = std::find(used.begin(), used.end(), instrument);
         documents.tool_of_step.push_back(static_cast<std::size_t>(at - used.begin()));
         if (at != used.end()) continue;
@@ -114,7 +116,7 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
     }
     std::vector<const ToolOutline*> outlines;
     for (const std::size_t tool : documents.tool_of_step) outlines.push_back(&documents.tools[tool].outline);
-    if (!has_error(diagnostics)) {
+    if (!text::has_error(diagnostics)) {
         check_threads(procedure, outlines, diagnostics);
         check_screws_of_plates(procedure, outlines, diagnostics);
         check_plates_are_placed(procedure, diagnostics);
@@ -127,25 +129,26 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
 }
 
 /// Adds the reason to a plugin that was found but refused. It is not unknown.
-void name_refused_plugins(const PluginRegistry& plugins, Diagnostics& diagnostics) {
-    for (Diagnostic& d : diagnostics) {
+void name_refused_plugins(const PluginRegistry& plugins, text::Diagnostics& diagnostics) {
+    for (text::Diagnostic& d : diagnostics) {
         if (d.code != "E0301" || d.reason || d.place.column < 1) continue;
         const auto first = static_cast<std::size_t>(d.place.column - 1);
         if (first >= d.source_line.size()) continue;
         std::string id = d.source_line.substr(first, static_cast<std::size_t>(d.place.length));
         std::erase_if(id, [](char c) { return c == '"' || c == '\''; });
         if (const PluginRefusal* refusal = plugins.refusal_for(id); refusal != nullptr)
-            d.reason = Reason{SourcePosition{refusal->path, 0, 0, 1}, refusal->why, {}};
+            d.reason = text::Reason{text::SourcePosition{refusal->path, 0, 0, 1}, refusal->why, {}};
     }
 }
 
 /// Checks the tools of the sound instruments of a procedure with errors: their plugins may refuse them, too.
-void check_tools(const ProcedureDraft& draft, const PluginRegistry& plugins, Diagnostics& diagnostics) {
+void check_tools(const documents::ProcedureDraft& draft, const PluginRegistry& plugins,
+                 text::Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < draft.procedure.instruments.size(); ++i) {
-        const Instrument& instrument = draft.procedure.instruments[i];
+        const documents::Instrument& instrument = draft.procedure.instruments[i];
         const auto& steps = draft.procedure.steps;
-        const bool is_used =
-            std::any_of(steps.begin(), steps.end(), [&](const Step& step) { return step.instrument == instrument.id; });
+        const bool is_used = std::any_of(steps.begin(), steps.end(),
+                                         [&](const documents::Step& step) { return step.instrument == instrument.id; });
         if (!is_used || !draft.sound_instruments[i]) continue;
         ToolOutline outline;
         if (std::string why; !outline_of(setup_of(instrument, plugins), outline, why))
@@ -165,7 +168,8 @@ std::vector<std::string> shipped_anatomies(const std::string& shipped) {
 }
 
 /// Returns the file of the anatomy. If there is none, reports it and returns an empty text.
-std::string find_anatomy(const DocumentRequest& request, const Procedure& procedure, Diagnostics& diagnostics) {
+std::string find_anatomy(const DocumentRequest& request, const documents::Procedure& procedure,
+                         text::Diagnostics& diagnostics) {
     if (!request.anatomy.empty()) return request.anatomy;
     std::error_code error;
     if (procedure.anatomy_file.empty()) return {};  // reported while the procedure was read
@@ -173,40 +177,43 @@ std::string find_anatomy(const DocumentRequest& request, const Procedure& proced
     const std::string file = shipped_or_own(procedure.anatomy_name, request.shipped);
     if (!request.shipped.empty() && file != procedure.anatomy_name) return file;
 
-    const auto document = document_of(procedure);
-    const Node* node = document->root.find("anatomy");
+    const auto document = documents::document_of(procedure);
+    const documents::Node* node = document->root.find("anatomy");
     const std::vector<std::string> known =
         request.shipped.empty() ? std::vector<std::string>{} : shipped_anatomies(request.shipped);
-    const std::string meant = closest(procedure.anatomy_name, known);
-    Report(*document, diagnostics)
-        .error(Code::file_unreadable, node != nullptr ? node->span : TextSpan{},
-               "The anatomy does not exist: searched in the procedure's folder" +
-                   (known.empty() ? std::string(".") : " and among the shipped ones, " + listed(known) + ".") +
-                   or_choose(meant, "Check its name, or name another with `--anatomy`."),
-               meant);
+    const std::string meant = documents::closest(procedure.anatomy_name, known);
+    documents::Report(*document, diagnostics)
+        .error(
+            text::Code::file_unreadable, node != nullptr ? node->span : documents::TextSpan{},
+            "The anatomy does not exist: searched in the procedure's folder" +
+                (known.empty() ? std::string(".") : " and among the shipped ones, " + documents::listed(known) + ".") +
+                documents::or_choose(meant, "Check its name, or name another with `--anatomy`."),
+            meant);
     return {};
 }
 
 /// Returns the readable part of the anatomy; nothing if it cannot be read at all.
-std::optional<AnatomyDraft> read_the_anatomy(const DocumentRequest& request, const Procedure& procedure,
-                                             Diagnostics& diagnostics) {
+std::optional<documents::AnatomyDraft> read_the_anatomy(const DocumentRequest& request,
+                                                        const documents::Procedure& procedure,
+                                                        text::Diagnostics& diagnostics) {
     const std::string file = find_anatomy(request, procedure, diagnostics);
     if (file.empty()) return std::nullopt;
     const std::size_t first = diagnostics.size();
-    auto draft = read_anatomy_draft(file).take(diagnostics);
-    const auto document = document_of(procedure);
-    const Node* node = document->root.find("anatomy");
+    auto draft = documents::read_anatomy_draft(file).take(diagnostics);
+    const auto document = documents::document_of(procedure);
+    const documents::Node* node = document->root.find("anatomy");
     if (request.anatomy.empty() && node != nullptr)
-        because_of(Report(*document, diagnostics).because(node->span, "the procedure names it here."), diagnostics,
-                   first);
+        text::because_of(documents::Report(*document, diagnostics).because(node->span, "the procedure names it here."),
+                         diagnostics, first);
     return draft;
 }
 
 }  // namespace
 
-Result<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins) {
-    Diagnostics diagnostics;
-    auto draft = read_procedure_draft(request.procedure, plugins.catalog(), request.changes).take(diagnostics);
+text::Result<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins) {
+    text::Diagnostics diagnostics;
+    auto draft =
+        documents::read_procedure_draft(request.procedure, plugins.catalog(), request.changes).take(diagnostics);
     name_refused_plugins(plugins, diagnostics);
     if (!draft) return diagnostics;
     Documents documents;
@@ -214,15 +221,15 @@ Result<Documents> check_documents(const DocumentRequest& request, const PluginRe
     const std::size_t first = diagnostics.size();
     auto anatomy = read_the_anatomy(request, documents.procedure, diagnostics);
     if (anatomy && !anatomy->is_sound && anatomy->anatomy.markups.empty())
-        check_names(documents.procedure, anatomy->anatomy, diagnostics);
+        documents::check_names(documents.procedure, anatomy->anatomy, diagnostics);
     if (anatomy && anatomy->is_sound) {
         documents.anatomy = std::move(anatomy->anatomy);
         const auto has_new_error = [&] {
-            return has_error({diagnostics.begin() + static_cast<std::ptrdiff_t>(first), diagnostics.end()});
+            return text::has_error({diagnostics.begin() + static_cast<std::ptrdiff_t>(first), diagnostics.end()});
         };
         check_data_files(documents.anatomy, diagnostics);
-        if (!has_new_error()) documents.markup_hashes = add_markups(documents.anatomy, diagnostics);
-        if (!has_new_error()) check_needs(documents.procedure, documents.anatomy, diagnostics);
+        if (!has_new_error()) documents.markup_hashes = bone::add_markups(documents.anatomy, diagnostics);
+        if (!has_new_error()) documents::check_needs(documents.procedure, documents.anatomy, diagnostics);
     }
     documents.device = find_device(documents.procedure.device.c_str());
     check_run(documents.procedure, diagnostics);
@@ -234,25 +241,26 @@ Result<Documents> check_documents(const DocumentRequest& request, const PluginRe
         make_tools(documents, plugins, diagnostics);
     else
         check_tools(*draft, plugins, diagnostics);
-    if (has_error(diagnostics)) return diagnostics;
+    if (text::has_error(diagnostics)) return diagnostics;
     return {std::move(documents), std::move(diagnostics)};
 }
 
-Diagnostics check_variants(const DocumentRequest& request, const Diagnostics& base, const PluginRegistry& plugins) {
-    Diagnostics found;
-    const auto draft = read_procedure_draft(request.procedure, plugins.catalog(), request.changes);
+text::Diagnostics check_variants(const DocumentRequest& request, const text::Diagnostics& base,
+                                 const PluginRegistry& plugins) {
+    text::Diagnostics found;
+    const auto draft = documents::read_procedure_draft(request.procedure, plugins.catalog(), request.changes);
     if (!draft) return found;
-    const auto is_known = [&](const Diagnostic& d) {
-        return std::any_of(base.begin(), base.end(), [&](const Diagnostic& b) {
+    const auto is_known = [&](const text::Diagnostic& d) {
+        return std::any_of(base.begin(), base.end(), [&](const text::Diagnostic& b) {
             return b.code == d.code && to_text(b.place) == to_text(d.place);
         });
     };
-    for (const Variant& variant : draft->procedure.variants) {
+    for (const documents::Variant& variant : draft->procedure.variants) {
         DocumentRequest changed = request;
         changed.changes.variant = variant.id;
         const auto of_variant = check_documents(changed, plugins);
-        for (Diagnostic d : of_variant.diagnostics()) {
-            if (d.level == Diagnostic::Level::warning) continue;  // reported for the base, or harmless
+        for (text::Diagnostic d : of_variant.diagnostics()) {
+            if (d.level == text::Diagnostic::Level::warning) continue;  // reported for the base, or harmless
             if (is_known(d)) continue;
             d.message = "In the variant `" + variant.id + "`: " + d.message;
             found.push_back(std::move(d));
@@ -261,4 +269,4 @@ Diagnostics check_variants(const DocumentRequest& request, const Diagnostics& ba
     return found;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -5,16 +5,16 @@
 #include <cstddef>
 #include <utility>
 
-namespace kerf {
+namespace kerf::run {
 
-std::vector<HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs, bool is_regripping) {
-    std::vector<HandInput> inputs;
+std::vector<documents::HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs, bool is_regripping) {
+    std::vector<documents::HandInput> inputs;
     if (recorded_ == nullptr) {
         if (legs == next_ && next_ < plan_->inputs.size()) inputs = plan_->inputs[next_];
         next_ = std::max(next_, legs + 1);  // waypoints that a hand skipped have no inputs
         // First, because the hand regrips before it releases an implant.
         if (is_regripping != std::exchange(is_regripping_, is_regripping))
-            inputs.insert(inputs.begin(), {HandInput::Kind::regrip, {}, is_regripping ? 1.0 : 0.0});
+            inputs.insert(inputs.begin(), {documents::HandInput::Kind::regrip, {}, is_regripping ? 1.0 : 0.0});
     } else {
         for (; next_ < recorded_->size() && (*recorded_)[next_].first <= tick; ++next_)
             inputs.push_back((*recorded_)[next_].second);
@@ -26,12 +26,12 @@ namespace {
 
 /// Inserts an implant at the tool, or at its planned pose. An implant with a planned pose must fit the bone in both
 /// cases.
-std::string bring_in(const HandInput& input, const Scene& scene, Simulation& simulation) {
+std::string bring_in(const documents::HandInput& input, const Scene& scene, Simulation& simulation) {
     const auto implant = std::find_if(scene.implants.begin(), scene.implants.end(),
                                       [&](const Body& body) { return body.id == input.id; });
     if (implant == scene.implants.end()) return "there is no implant " + input.id;
     const std::optional<Pose>& planned = scene.planned[static_cast<std::size_t>(implant - scene.implants.begin())];
-    const bool is_placed = input.kind == HandInput::Kind::place;
+    const bool is_placed = input.kind == documents::HandInput::Kind::place;
     if (is_placed && !planned) return "the implant " + input.id + " has no planned pose";
     const Pose pose = is_placed ? *planned : simulation.world_from_tool();
     if (planned)
@@ -42,9 +42,9 @@ std::string bring_in(const HandInput& input, const Scene& scene, Simulation& sim
 
 }  // namespace
 
-std::string carry_out(const HandInput& input, const Scene& scene, Simulation& simulation) {
+std::string carry_out(const documents::HandInput& input, const Scene& scene, Simulation& simulation) {
     switch (input.kind) {
-        case HandInput::Kind::drive: {
+        case documents::HandInput::Kind::drive: {
             const kerf_tool& tool = *simulation.setup().tool->tool;
             for (std::uint32_t i = 0; i < tool.drive_count; ++i)
                 if (input.id == tool.drives[i].id) {
@@ -53,31 +53,31 @@ std::string carry_out(const HandInput& input, const Scene& scene, Simulation& si
                 }
             return "the tool in hand has no drive " + input.id;
         }
-        case HandInput::Kind::insert:
-        case HandInput::Kind::place:
+        case documents::HandInput::Kind::insert:
+        case documents::HandInput::Kind::place:
             return bring_in(input, scene, simulation);
-        case HandInput::Kind::subtract:
+        case documents::HandInput::Kind::subtract:
             simulation.subtract(simulation.tool(), simulation.world_from_tool());
             return {};
-        case HandInput::Kind::remove:
+        case documents::HandInput::Kind::remove:
             if (simulation.held() < 0) return "nothing is held";
             simulation.remove_held();
             return {};
-        case HandInput::Kind::fuse:
+        case documents::HandInput::Kind::fuse:
             return simulation.fuse();
-        case HandInput::Kind::release:
+        case documents::HandInput::Kind::release:
             return scene.tools[simulation.tool()].outline.is_implant() ? "" : "the tool in hand is no implant";
-        case HandInput::Kind::regrip:
+        case documents::HandInput::Kind::regrip:
             if (input.value != 0.0 && !scene.tools[simulation.tool()].outline.has_thread())
                 return "the tool in hand has no thread, so it is not turned by regripping";
             simulation.loosen_about_shaft(input.value != 0.0);
             return {};
-        case HandInput::Kind::undo:
+        case documents::HandInput::Kind::undo:
             return simulation.undo();
-        case HandInput::Kind::redo:
+        case documents::HandInput::Kind::redo:
             return simulation.redo();
     }
     return {};
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

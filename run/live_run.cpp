@@ -10,7 +10,7 @@
 #include "run/clock/wall_clock.h"
 #include "run/run.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -22,13 +22,13 @@ void tick_until_done(Run& run, TickClock& clock) {
     }
 }
 
-ClockRow::Times times_of(const CallTimes& times) {
+session::ClockRow::Times times_of(const CallTimes& times) {
     const auto at = [&](double fraction) { return 1e-9 * static_cast<double>(times.within(fraction)); };
     return {at(0.5), at(0.99), at(0.999), 1e-9 * static_cast<double>(times.longest())};
 }
 
-ClockRow row_of(const TickTimes& times, const RealtimeState& state) {
-    ClockRow row;
+session::ClockRow row_of(const TickTimes& times, const RealtimeState& state) {
+    session::ClockRow row;
     row.period = Simulation::dt;
     row.ticks = times.ticks;
     row.late_ticks = times.late;
@@ -67,4 +67,4 @@ RunOutcome run_live(const Scene& scene, const PluginRegistry& plugins, const Run
     return run->finish();
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 bool is_fed_sideways(const Tool& tool) { return tool.setup.tool->tool->feed == KERF_FEED_SIDE; }
@@ -29,4 +29,4 @@ Vec3 planned_direction(const Scene& scene, std::size_t step) {
     return is_fed_sideways(scene.tool(step)) ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -11,7 +11,7 @@
 #include "documents/yaml/document.h"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::run {
 
 // ---- bone of several bodies ------------------------------------------------------------------------------------
 
@@ -160,7 +160,7 @@ PlateFit fit_of(const Body& plate, const Pose& world_from_plate, const BoneAroun
 namespace {
 
 /// Rounds to 0.1 mm.
-std::string in_tenths(double length) { return quantity_text(std::round(length / 0.1e-3) * 0.1e-3, "mm"); }
+std::string in_tenths(double length) { return text::quantity_text(std::round(length / 0.1e-3) * 0.1e-3, "mm"); }
 std::string in_percent(double fraction_in_bone) { return std::to_string(std::lround(100.0 * fraction_in_bone)) + " %"; }
 
 bool is_off_bone(const PlateFit& fit) { return fit.gap > max_plate_gap; }
@@ -183,9 +183,9 @@ std::string depth_text(const PlateFit& fit) {
 }
 
 /// Returns the span of the last existing key of this path in an implant.
-TextSpan span_of(const Document& document, const std::vector<std::string>& keys) {
-    const Node* node = document.root.find("implants");
-    TextSpan span;
+documents::TextSpan span_of(const documents::Document& document, const std::vector<std::string>& keys) {
+    const documents::Node* node = document.root.find("implants");
+    documents::TextSpan span;
     for (const std::string& key : keys) {
         node = node != nullptr ? node->find(key) : nullptr;
         if (node != nullptr) span = node->key_span;
@@ -200,19 +200,20 @@ std::string misfit(const PlateFit& fit) {
     return is_in_bone(fit) ? "it lies through bone: " + depth_text(fit) : "";
 }
 
-void check_plate(const Procedure& procedure, const Implant& implant, const PlateFit& fit, Diagnostics& diagnostics) {
+void check_plate(const documents::Procedure& procedure, const documents::Implant& implant, const PlateFit& fit,
+                 text::Diagnostics& diagnostics) {
     if (misfit(fit).empty()) return;
-    const auto document = document_of(procedure);
+    const auto document = documents::document_of(procedure);
     const std::string planned = "The planned pose of `" + implant.id + "` ";
-    const TextSpan place = span_of(*document, {implant.id, "place"});
-    Report report(*document, diagnostics);
+    const documents::TextSpan place = span_of(*document, {implant.id, "place"});
+    documents::Report report(*document, diagnostics);
     if (is_off_bone(fit))
-        report.error(Code::plate_off_bone, place,
+        report.error(text::Code::plate_off_bone, place,
                      planned + "meets no bone: " + gap_text(fit) +
                          ". Choose another `axis:`, or move its solids so that they reach z = 0, where the axis meets "
                          "bone.");
     else
-        report.error(Code::plate_in_bone, place,
+        report.error(text::Code::plate_in_bone, place,
                      planned + "lies through bone: " + depth_text(fit) +
                          ". Turn it with `up:`, choose another `axis:`, or move its solids to z below 0 mm, which is "
                          "outside.");
@@ -220,27 +221,29 @@ void check_plate(const Procedure& procedure, const Implant& implant, const Plate
 
 // ---- holes and screws ---------------------------------------------------------------------------------------------
 
-std::vector<HoleInMetal> check_holes(const Procedure& procedure, const Implant& implant,
-                                     const std::function<double(Vec3)>& distance, Diagnostics& diagnostics) {
-    std::vector<HoleInMetal> found;
+std::vector<documents::HoleInMetal> check_holes(const documents::Procedure& procedure,
+                                                const documents::Implant& implant,
+                                                const std::function<double(Vec3)>& distance,
+                                                text::Diagnostics& diagnostics) {
+    std::vector<documents::HoleInMetal> found;
     if (implant.holes.empty()) return found;
-    const auto document = document_of(procedure);
-    Report report(*document, diagnostics);
-    for (const ImplantHole& hole : implant.holes) {
-        const HoleInMetal& metal = found.emplace_back(hole_in_metal(hole, distance));
-        const TextSpan span = span_of(*document, {implant.id, "holes", hole.id});
+    const auto document = documents::document_of(procedure);
+    documents::Report report(*document, diagnostics);
+    for (const documents::ImplantHole& hole : implant.holes) {
+        const documents::HoleInMetal& metal = found.emplace_back(documents::hole_in_metal(hole, distance));
+        const documents::TextSpan span = span_of(*document, {implant.id, "holes", hole.id});
         const std::string name = "The hole `" + hole.id + "` of `" + implant.id + "` ";
         if (metal.blocked) {
-            const auto mm = [](double v) { return quantity_text(std::round(v / 0.1e-3) * 0.1e-3, "mm"); };
+            const auto mm = [](double v) { return text::quantity_text(std::round(v / 0.1e-3) * 0.1e-3, "mm"); };
             const Vec3 at = *metal.blocked;
             report.error(
-                Code::closed_plate_hole, span,
+                text::Code::closed_plate_hole, span,
                 name + "is closed: there is metal at " + mm(at.x) + ", " + mm(at.y) + ", " + mm(at.z) +
                     ", expected none within " + in_tenths(0.9 * 0.5 * hole.diameter) +
                     " of its axis. Subtract a part along it, or correct the hole.",
                 "{id: …, tube: {from: …, to: …, radius: " + in_tenths(0.5 * hole.diameter) + "}, subtract: true}");
         } else if (!metal.has_metal()) {
-            report.error(Code::closed_plate_hole, span,
+            report.error(text::Code::closed_plate_hole, span,
                          name + "is beside the metal: nowhere on its axis is there metal around it, at a distance of " +
                              in_tenths(0.6 * hole.diameter) +
                              ". Move `from` and `to` into the metal, or write the "
@@ -250,34 +253,34 @@ std::vector<HoleInMetal> check_holes(const Procedure& procedure, const Implant& 
     return found;
 }
 
-void check_holes_of_parts(const Procedure& procedure, Diagnostics& diagnostics) {
-    for (const Implant& implant : procedure.implants)
+void check_holes_of_parts(const documents::Procedure& procedure, text::Diagnostics& diagnostics) {
+    for (const documents::Implant& implant : procedure.implants)
         if (implant.is_made_of_parts())
             (void)check_holes(
                 procedure, implant, [&](Vec3 p) { return distance_to(implant.solids, p); }, diagnostics);
 }
 
-std::optional<NamedHole> hole_of_step(const Procedure& procedure, const Step& step) {
+std::optional<documents::NamedHole> hole_of_step(const documents::Procedure& procedure, const documents::Step& step) {
     const std::vector<std::string>& landmarks = procedure.needs_landmarks;
     if (std::find(landmarks.begin(), landmarks.end(), step.axis) != landmarks.end()) return std::nullopt;
-    const auto named = named_hole(step.axis, procedure.implants);
+    const auto named = documents::named_hole(step.axis, procedure.implants);
     return named && named->hole != nullptr ? named : std::nullopt;
 }
 
-void check_screws_of_plates(const Procedure& procedure, const std::vector<const ToolOutline*>& tools,
-                            Diagnostics& diagnostics) {
-    const auto document = document_of(procedure);
-    const Node* steps = document->root.find("steps");
-    Report report(*document, diagnostics);
-    const auto in_mm = [](double length) { return quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); };
+void check_screws_of_plates(const documents::Procedure& procedure, const std::vector<const ToolOutline*>& tools,
+                            text::Diagnostics& diagnostics) {
+    const auto document = documents::document_of(procedure);
+    const documents::Node* steps = document->root.find("steps");
+    documents::Report report(*document, diagnostics);
+    const auto in_mm = [](double length) { return text::quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); };
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
-        const Step& step = procedure.steps[s];
+        const documents::Step& step = procedure.steps[s];
         const ToolOutline& tool = *tools[s];
         const auto named = hole_of_step(procedure, step);
         if (!named || !tool.has_thread() || !tool.is_implant()) continue;
-        const Node* item = steps != nullptr && s < steps->children.size() ? &steps->children[s] : nullptr;
-        const Node* written = item != nullptr ? item->find("instrument") : nullptr;
-        const TextSpan span = written != nullptr ? written->span : TextSpan{};
+        const documents::Node* item = steps != nullptr && s < steps->children.size() ? &steps->children[s] : nullptr;
+        const documents::Node* written = item != nullptr ? item->find("instrument") : nullptr;
+        const documents::TextSpan span = written != nullptr ? written->span : documents::TextSpan{};
         const auto here = std::optional(report.because(
             span_of(*document, {named->implant->id, "holes", named->name, "diameter"}), "the hole is here."));
         const double hole = named->hole->diameter, thread = 2.0 * tool.thread_radius;
@@ -285,13 +288,13 @@ void check_screws_of_plates(const Procedure& procedure, const std::vector<const 
         for (std::size_t i = tool.cutting_count; i < tool.stay_count; ++i)
             head = std::max(head, 2.0 * tool.profile[i].radius);
         if (thread > hole)
-            report.error(Code::narrow_plate_hole, span,
+            report.error(text::Code::narrow_plate_hole, span,
                          "The thread of `" + step.instrument + "` is " + in_mm(thread) + " wide, and the hole `" +
                              step.axis + "` " + in_mm(hole) + ": it does not go through. Take a screw of at most " +
                              in_mm(hole) + ", or another hole.",
                          {}, here);
         else if (head <= hole)
-            report.error(Code::wide_plate_hole, span,
+            report.error(text::Code::wide_plate_hole, span,
                          "`" + step.instrument + "` would fall through the hole `" + step.axis + "`: its head is " +
                              (head > 0.0 ? in_mm(head) + " wide" : std::string("missing")) + ", and the hole is " +
                              in_mm(hole) + " wide. Take a screw with a wider head, or another hole.",
@@ -299,34 +302,34 @@ void check_screws_of_plates(const Procedure& procedure, const std::vector<const 
     }
 }
 
-void check_plates_are_placed(const Procedure& procedure, Diagnostics& diagnostics) {
-    const auto document = document_of(procedure);
-    Report report(*document, diagnostics);
+void check_plates_are_placed(const documents::Procedure& procedure, text::Diagnostics& diagnostics) {
+    const auto document = documents::document_of(procedure);
+    documents::Report report(*document, diagnostics);
     for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r) {
         if (procedure.rehearsals[r].expect != "pass") continue;
-        const std::vector<Waypoint>& path = procedure.rehearsals[r].path;
+        const std::vector<documents::Waypoint>& path = procedure.rehearsals[r].path;
         std::vector<std::string> placed;
         for (std::size_t w = 0; w < path.size(); ++w) {
             const auto named = hole_of_step(procedure, procedure.steps[path[w].step]);
             if (named && path[w].depth > 0.0 &&
                 std::find(placed.begin(), placed.end(), named->implant->id) == placed.end()) {
-                const std::vector<const Node*> nodes = waypoint_nodes(*document, r);
-                report.error(Code::missing_plate, w < nodes.size() ? nodes[w]->span : TextSpan{},
+                const std::vector<const documents::Node*> nodes = documents::waypoint_nodes(*document, r);
+                report.error(text::Code::missing_plate, w < nodes.size() ? nodes[w]->span : documents::TextSpan{},
                              "The rehearsal works on a hole of `" + named->implant->id +
                                  "`, which is not in the scene yet. Add `place: " + named->implant->id +
                                  "` to a waypoint before this one.");
                 break;
             }
-            for (const HandInput& input : path[w].inputs)
-                if (input.kind == HandInput::Kind::place || input.kind == HandInput::Kind::insert)
+            for (const documents::HandInput& input : path[w].inputs)
+                if (input.kind == documents::HandInput::Kind::place || input.kind == documents::HandInput::Kind::insert)
                     placed.push_back(input.id);
         }
     }
 }
 
-AxisFrame frame_of(const StepHole& hole, const Pose& world_from_implant, const BoneAround& bone, const Anatomy& anatomy,
-                   const LandmarkPlane* plane) {
-    const LandmarkAxis axis = axis_of(hole.hole, world_from_implant, {});
+AxisFrame frame_of(const StepHole& hole, const Pose& world_from_implant, const BoneAround& bone,
+                   const documents::Anatomy& anatomy, const documents::LandmarkPlane* plane) {
+    const documents::LandmarkAxis axis = documents::axis_of(hole.hole, world_from_implant, {});
     const Vec3 along = normalized(axis.to - axis.from);
     const double step = 0.1 * bone.spacing();
     const int steps = static_cast<int>(length(axis.to - axis.from) / step);
@@ -341,4 +344,4 @@ AxisFrame frame_of(const StepHole& hole, const Pose& world_from_implant, const B
     return frame;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -17,7 +17,7 @@
 #include "run/verdict/step_monitor.h"
 
 /// Plates: their fit on bone, and the steps that follow their holes.
-namespace kerf {
+namespace kerf::run {
 
 /// Distances to the bone of several bodies, in the world frame.
 class BoneAround {
@@ -64,40 +64,44 @@ inline constexpr double max_plate_depth = 3e-3;     ///< [m]
 [[nodiscard]] std::string misfit(const PlateFit& fit);
 
 /// Refuses a planned pose that is off the bone, or through it (E0522, E0523).   [main]
-void check_plate(const Procedure& procedure, const Implant& implant, const PlateFit& fit, Diagnostics& diagnostics);
+void check_plate(const documents::Procedure& procedure, const documents::Implant& implant, const PlateFit& fit,
+                 text::Diagnostics& diagnostics);
 
 /// Refuses holes of an implant that are blocked by metal, or not surrounded by it (E0521).
 /// @param distance   signed distance to its surface, negative inside, implant frame [m] → [m]
 /// @return           one for each hole   [main]
-std::vector<HoleInMetal> check_holes(const Procedure& procedure, const Implant& implant,
-                                     const std::function<double(Vec3)>& distance, Diagnostics& diagnostics);
+std::vector<documents::HoleInMetal> check_holes(const documents::Procedure& procedure,
+                                                const documents::Implant& implant,
+                                                const std::function<double(Vec3)>& distance,
+                                                text::Diagnostics& diagnostics);
 /// Same as `check_holes`, for implants made of parts, which need no bone.   [main]
-void check_holes_of_parts(const Procedure& procedure, Diagnostics& diagnostics);
+void check_holes_of_parts(const documents::Procedure& procedure, text::Diagnostics& diagnostics);
 
 /// Returns the hole that a step follows; nothing for a step on a landmark. Pre: the procedure outlives the result.
 /// [main]
-[[nodiscard]] std::optional<NamedHole> hole_of_step(const Procedure& procedure, const Step& step);
+[[nodiscard]] std::optional<documents::NamedHole> hole_of_step(const documents::Procedure& procedure,
+                                                               const documents::Step& step);
 
 /// Refuses screws that do not fit the hole of their step: the thread is wider than the hole, or the head is narrower
 /// (E0525, E0526).
 /// @param tools   one for each step   [main]
-void check_screws_of_plates(const Procedure& procedure, const std::vector<const ToolOutline*>& tools,
-                            Diagnostics& diagnostics);
+void check_screws_of_plates(const documents::Procedure& procedure, const std::vector<const ToolOutline*>& tools,
+                            text::Diagnostics& diagnostics);
 
 /// Refuses rehearsals that are expected to pass but use a hole of an implant that they have not placed (E0527).
 /// [main]
-void check_plates_are_placed(const Procedure& procedure, Diagnostics& diagnostics);
+void check_plates_are_placed(const documents::Procedure& procedure, text::Diagnostics& diagnostics);
 
 /// A step that follows a hole of an implant.
 struct StepHole {
     std::size_t step = 0, implant = 0;  ///< indices in the procedure
-    ImplantHole hole;                   ///< implant frame
-    HoleInMetal metal;
+    documents::ImplantHole hole;        ///< implant frame
+    documents::HoleInMetal metal;
 };
 
 /// Returns the frame of a step on a hole of an implant at a pose, in the world frame of `bone`. Its entry is the first
 /// uncut bone on the hole's axis, else the middle of the metal.   [main]
 [[nodiscard]] AxisFrame frame_of(const StepHole& hole, const Pose& world_from_implant, const BoneAround& bone,
-                                 const Anatomy& anatomy, const LandmarkPlane* plane = nullptr);
+                                 const documents::Anatomy& anatomy, const documents::LandmarkPlane* plane = nullptr);
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -6,7 +6,7 @@
 
 #include "bone/import/make_body.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -39,7 +39,7 @@ void follow_plates(const Scene& scene, const Simulation& simulation, StepMonitor
         AxisFrame frame = in_other_frame(
             inverse(owner.world_from_body),
             frame_of(hole, *pose, bone, scene.anatomy, plane_of(scene.procedure.steps[hole.step], scene.anatomy)));
-        frame.inwards = into_surface(*owner.bone, frame.entry);
+        frame.inwards = bone::into_surface(*owner.bone, frame.entry);
         monitor.set_frame(hole.step, frame);
     }
 }
@@ -56,4 +56,4 @@ std::optional<Guide> guide_of_step(const Scene& scene, const StepMonitor& monito
     return guide;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -7,7 +7,7 @@
 #include "run/scene.h"
 #include "run/verdict/step_monitor.h"
 
-namespace kerf {
+namespace kerf::run {
 
 /// Updates the frames of steps on holes of implants, each in the frame of the body that owns the step. They follow the
 /// implant in the scene, or its planned pose if it is not there yet.   [main] between ticks
@@ -17,4 +17,4 @@ void follow_plates(const Scene& scene, const Simulation& simulation, StepMonitor
 /// an instrument without a sleeve.   [main]
 [[nodiscard]] std::optional<Guide> guide_of_step(const Scene& scene, const StepMonitor& monitor);
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -18,7 +18,7 @@
 #include "run/verdict/run_metrics.h"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -33,7 +33,7 @@ Pose without_negative_zeros(const Pose& p) {
 }
 
 std::string text_of(const Separation& separation) {
-    const auto volume = [](double v) { return quantity_text(std::round(v * 1e9) * 1e-9, "mm3"); };
+    const auto volume = [](double v) { return text::quantity_text(std::round(v * 1e9) * 1e-9, "mm3"); };
     std::string text;
     if (separation.parts.size() > 1)
         for (const auto& part : separation.parts)
@@ -59,9 +59,9 @@ double lateral_force(const TickResult& result) {
 }
 
 /// Returns the part of the summary that is known before the first tick.
-RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
-                      const Rehearsal& rehearsal, const SignalTable& signals) {
-    RunSummary summary;
+session::RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
+                               const documents::Rehearsal& rehearsal, const SignalTable& signals) {
+    session::RunSummary summary;
     summary.procedure = scene.procedure.id;
     summary.procedure_version = scene.procedure.version;
     summary.variant = scene.procedure.variant;
@@ -90,10 +90,10 @@ std::unique_ptr<Run> Run::create(const Scene& scene, const PluginRegistry& plugi
         refusal.is_bad_input = true;
         return nullptr;
     }
-    const auto rehearsal =
-        std::find_if(scene.procedure.rehearsals.begin(), scene.procedure.rehearsals.end(),
-                     [&](const Rehearsal& r) { return request.rehearsal.empty() || r.id == request.rehearsal; });
-    RunSummary summary = summary_of(scene, plugins, request, *rehearsal, SignalTable(scene.tools));
+    const auto rehearsal = std::find_if(
+        scene.procedure.rehearsals.begin(), scene.procedure.rehearsals.end(),
+        [&](const documents::Rehearsal& r) { return request.rehearsal.empty() || r.id == request.rehearsal; });
+    session::RunSummary summary = summary_of(scene, plugins, request, *rehearsal, SignalTable(scene.tools));
     std::unique_ptr<SessionFiles> files;
     if (!request.out.empty()) {
         files = SessionFiles::create(scene, request, summary, refusal);
@@ -102,8 +102,8 @@ std::unique_ptr<Run> Run::create(const Scene& scene, const PluginRegistry& plugi
     return std::unique_ptr<Run>(new Run(scene, request, *rehearsal, std::move(summary), std::move(files)));
 }
 
-Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehearsal, RunSummary summary,
-         std::unique_ptr<SessionFiles> files)
+Run::Run(const Scene& scene, const RunRequest& request, const documents::Rehearsal& rehearsal,
+         session::RunSummary summary, std::unique_ptr<SessionFiles> files)
     : files_(std::move(files)),
       observers_(request.observers),
       scene_(&scene),
@@ -126,7 +126,7 @@ Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehears
     if (is_replay()) simulation_.replay_adoptions(request_.adoptions);
     before_.begin(simulation_.present());
     if (request_.strategies != nullptr && request_.strategies->are_any())
-        exact_ = std::make_unique<ExactFollower>(request_.strategies->tools(*scene_));
+        exact_ = std::make_unique<bone::ExactFollower>(request_.strategies->tools(*scene_));
     lead();
 }
 
@@ -166,7 +166,7 @@ DeviceSample Run::recorded_reading() {
 bool Run::tick(const DeviceSample& reported) {
     const Pose handle = without_negative_zeros(reported.world_from_handle);
     if (reported.missed > 0) {
-        add_event_at(simulation_.ticks(), missed_event, std::to_string(reported.missed));
+        add_event_at(simulation_.ticks(), session::missed_event, std::to_string(reported.missed));
         hash_.add(reported.missed);
     }
     const DeviceSample sample{handle, reported.missed};
@@ -211,18 +211,20 @@ void Run::take_tool_of_step() {
     add_event_at(simulation_.ticks(), "tool.taken", scene_->procedure.steps[monitor_.current()].instrument);
 }
 
-void Run::take_hand_inputs(const std::vector<HandInput>& inputs) {
-    for (const HandInput& input : inputs) {
-        add_event_at(simulation_.ticks(), hand_input_event, text_of(input));
+void Run::take_hand_inputs(const std::vector<documents::HandInput>& inputs) {
+    for (const documents::HandInput& input : inputs) {
+        add_event_at(simulation_.ticks(), session::hand_input_event, text_of(input));
         std::string why_not = carry_out(input, *scene_, simulation_);
-        if (why_not.empty() && input.kind == HandInput::Kind::release) why_not = monitor_.release();
+        if (why_not.empty() && input.kind == documents::HandInput::Kind::release) why_not = monitor_.release();
         if (!why_not.empty()) {
             add_event_at(simulation_.ticks(), "hand.refused", text_of(input) + ": " + why_not);
-        } else if (input.kind != HandInput::Kind::drive && input.kind != HandInput::Kind::regrip) {
-            if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo ||
-                input.kind == HandInput::Kind::subtract)
+        } else if (input.kind != documents::HandInput::Kind::drive &&
+                   input.kind != documents::HandInput::Kind::regrip) {
+            if (input.kind == documents::HandInput::Kind::undo || input.kind == documents::HandInput::Kind::redo ||
+                input.kind == documents::HandInput::Kind::subtract)
                 pass_cuts_on();
-            if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) pass_owners_on();
+            if (input.kind == documents::HandInput::Kind::undo || input.kind == documents::HandInput::Kind::redo)
+                pass_owners_on();
             if (!scene_->holes.empty()) {
                 follow_plates(*scene_, simulation_, monitor_);
                 lead();
@@ -253,7 +255,7 @@ void Run::observe(const Pose& handle, double now) {
                       .signals = {simulation_.signals(), simulation_.setup().force->force->signal_count}},
                      simulation_.outline().cutting);
     row_ = row_of(result_, *scene_, simulation_, monitor_, signals_, handle, tissue, removed_);
-    add_tick(hash_, row_);
+    session::add_tick(hash_, row_);
     add_monitor_events();
 }
 
@@ -269,7 +271,7 @@ void Run::judge_step(std::size_t step, double now) {
         add_monitor_events();
     }
     if (!scene_->procedure.measures.empty()) {
-        std::vector<MeasureReading> measures = measured_bone();
+        std::vector<documents::MeasureReading> measures = measured_bone();
         for (std::size_t m = 0; m < measures.size(); ++m)
             if (!measures[m].value)
                 add_event("measure.failed", scene_->procedure.measures[m].id + ": " + measures[m].why_not);
@@ -282,7 +284,7 @@ void Run::judge_step(std::size_t step, double now) {
     if (monitor_.current() < scene_->procedure.steps.size()) lead();
 }
 
-std::vector<MeasureReading> Run::measured_bone() const {
+std::vector<documents::MeasureReading> Run::measured_bone() const {
     return measure_bone(*scene_, simulation_.present(), world_from_body_);
 }
 
@@ -293,8 +295,8 @@ void Run::leave_implant(std::size_t step) {
     is_tool_left_ = true;
     constexpr double clear = 5e-3;  // [m] distance from the bone
     back_ = std::max(0.0, monitor_.frame(step).depth_of(simulation_.world_from_tool().position)) + clear;
-    for (MetricRow& row : implant_metrics(scene_->procedure.steps[step].id, *scene_->tools[tool].setup.force->force,
-                                          simulation_.signals()))
+    for (session::MetricRow& row : implant_metrics(scene_->procedure.steps[step].id,
+                                                   *scene_->tools[tool].setup.force->force, simulation_.signals()))
         left_.push_back(std::move(row));
     const std::string& instrument = scene_->procedure.steps[step].instrument;
     const std::optional<Body>& implant = scene_->staying[tool];
@@ -327,13 +329,13 @@ std::optional<RunEnd> Run::end_after_tick() {
 // ---- events, bodies, cuts -----------------------------------------------------------------------------------------
 
 void Run::add_event_at(std::uint64_t tick, const std::string& id, const std::string& detail) {
-    EventRow event;
+    session::EventRow event;
     event.tick = tick;
     event.time = static_cast<double>(event.tick) * Simulation::dt;
     event.id = id;
     event.detail = detail;
-    kerf::add_event(hash_, event);
-    const EventRow kept = Recorder::as_kept(std::move(event));
+    session::add_event(hash_, event);
+    const session::EventRow kept = session::Recorder::as_kept(std::move(event));
     for (RunObserver* observer : observers_) observer->on_event(kept);
 }
 
@@ -347,7 +349,8 @@ void Run::pass_owners_on() { monitor_.set_owners(simulation_.owners()); }
 /// Records separations. The tick is the one after which the loop took over the parts.
 void Run::take_separations(std::uint64_t tick) {
     for (const Separation& separation : simulation_.take_separations()) {
-        add_event_at(tick, separation.parts.size() > 1 ? came_apart_event : crumbled_event, text_of(separation));
+        add_event_at(tick, separation.parts.size() > 1 ? session::came_apart_event : session::crumbled_event,
+                     text_of(separation));
         before_.follow(simulation_.present());
         pass_owners_on();
     }
@@ -391,7 +394,7 @@ void Run::finish_exact_surface() {
         return std::any_of(observers_.begin(), observers_.end(),
                            [](RunObserver* observer) { return observer->end() == RunEnd::interrupted; });
     };
-    const ExactSurface made = exact_->finish(
+    const bone::ExactSurface made = exact_->finish(
         simulation_, [this](double fraction, const std::string& what) { report_progress(fraction, what); },
         is_interrupted);
     outcome_.was_interrupted = outcome_.was_interrupted || is_interrupted();
@@ -404,7 +407,7 @@ void Run::finish_exact_surface() {
 
 /// Marks a step as not done if it follows a hole of an implant that was refused or forgotten.
 void Run::mark_missed_implants() {
-    RunSummary& summary = outcome_.summary;
+    session::RunSummary& summary = outcome_.summary;
     for (const StepState& state : monitor_.steps()) {
         const auto named = hole_of_step(scene_->procedure, *state.step);
         if (!named || !state.has_cut_bone()) continue;
@@ -415,12 +418,12 @@ void Run::mark_missed_implants() {
             continue;
         summary.reasons.push_back("Step `" + state.step->id + "`: `" + named->implant->id +
                                   "`, whose hole it follows, was not in the scene.");
-        if (summary.verdict == Verdict::pass) summary.verdict = Verdict::incomplete;
+        if (summary.verdict == session::Verdict::pass) summary.verdict = session::Verdict::incomplete;
     }
 }
 
 void Run::measure() {
-    RunSummary& summary = outcome_.summary;
+    session::RunSummary& summary = outcome_.summary;
     const PresentBone& bone = simulation_.present();
     summary.duration = static_cast<double>(simulation_.ticks()) * Simulation::dt;
     summary.ticks = simulation_.ticks();
@@ -441,10 +444,11 @@ void Run::measure() {
         summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)),
                                   surface_file(body, !simulation_.bodies()[body]->is_cuttable),
                                   !simulation_.bodies()[body]->is_cuttable});
-    for (MetricRow& row : piece_metrics(summary, bone_volume(scene_->body, CutField(scene_->body, 0)) + bone.added(),
-                                        bone.crumbs(), bone.crumb_volume()))
+    for (session::MetricRow& row :
+         piece_metrics(summary, bone_volume(scene_->body, CutField(scene_->body, 0)) + bone.added(), bone.crumbs(),
+                       bone.crumb_volume()))
         summary.metrics.push_back(std::move(row));
     outcome_.is_as_expected = ended_as_expected(*rehearsal_, monitor_, summary.verdict);
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

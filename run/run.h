@@ -18,9 +18,11 @@
 #include "run/verdict/cut_results.h"
 #include "session/content_hash.h"
 
-namespace kerf {
-
+namespace kerf::bone {
 class ExactFollower;
+}  // namespace kerf::bone
+
+namespace kerf::run {
 
 /// A run in lock-step, one tick at a time: call `create`, then `step` while it returns true, then `finish`.
 ///
@@ -46,22 +48,22 @@ public:
     bool step(const DeviceSample& sample);
     /// Requests an input other than motion before the next tick with a device: an undo, a clutch (`regrip`). It is
     /// recorded and replayed. A refusal causes the event `hand.refused`.
-    void request(HandInput input) { requested_.push_back(std::move(input)); }
+    void request(documents::HandInput input) { requested_.push_back(std::move(input)); }
     /// Returns the result of the last tick.
     [[nodiscard]] const TickResult& last() const noexcept { return result_; }
     [[nodiscard]] const Simulation& simulation() const noexcept { return simulation_; }
     [[nodiscard]] const StepMonitor& monitor() const noexcept { return monitor_; }
     /// Returns the exact surface made so far; null if no instrument leaves one.
-    [[nodiscard]] ExactFollower* exact() noexcept { return exact_.get(); }
+    [[nodiscard]] bone::ExactFollower* exact() noexcept { return exact_.get(); }
 
     /// Adds the figures of a clock to the summary.
-    void set_clock(ClockRow clock) { outcome_.summary.clock = std::move(clock); }
+    void set_clock(session::ClockRow clock) { outcome_.summary.clock = std::move(clock); }
     /// Judges the run and writes its results. Pre: called once.
     [[nodiscard]] RunOutcome finish();
 
 private:
-    Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehearsal, RunSummary summary,
-        std::unique_ptr<SessionFiles> files);
+    Run(const Scene& scene, const RunRequest& request, const documents::Rehearsal& rehearsal,
+        session::RunSummary summary, std::unique_ptr<SessionFiles> files);
 
     [[nodiscard]] bool is_replay() const noexcept { return !request_.replay.empty(); }
     void add_event_at(std::uint64_t tick, const std::string& id, const std::string& detail);
@@ -80,10 +82,10 @@ private:
     [[nodiscard]] bool tick(const DeviceSample& reported);
     void move_hand(std::uint32_t periods);
     void take_tool_of_step();
-    void take_hand_inputs(const std::vector<HandInput>& inputs);
+    void take_hand_inputs(const std::vector<documents::HandInput>& inputs);
     void observe(const Pose& handle, double now);
     void judge_step(std::size_t step, double now);
-    [[nodiscard]] std::vector<MeasureReading> measured_bone() const;
+    [[nodiscard]] std::vector<documents::MeasureReading> measured_bone() const;
     void leave_implant(std::size_t step);
     [[nodiscard]] std::optional<RunEnd> end_after_tick();
     void mark_missed_implants();
@@ -94,28 +96,28 @@ private:
     std::vector<RunObserver*> observers_;  ///< the files first, then the observers of the request
     const Scene* scene_;
     RunRequest request_;
-    const Rehearsal* rehearsal_;
+    const documents::Rehearsal* rehearsal_;
     RunOutcome outcome_;
     SignalTable signals_;
     HandPlan plan_;
     simulated_hand::SimulatedHand hand_;
     Simulation simulation_;
     HandInputs hand_inputs_;
-    std::vector<HandInput> requested_;  ///< since the last tick
+    std::vector<documents::HandInput> requested_;  ///< since the last tick
     StepMonitor monitor_;
     EarlierCut before_;
-    ContentHash hash_;
+    session::ContentHash hash_;
     TickResult result_;
-    TickRow row_;                  ///< of the last tick
+    session::TickRow row_;         ///< of the last tick
     std::size_t next_missed_ = 0;  ///< index into the recorded missed ticks
     bool is_led_ = false;          ///< by a device: the simulated hand is not used
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]
-    std::unique_ptr<ExactFollower> exact_;
-    std::vector<MetricRow> left_;  ///< of implants, when their drivers left them
-    double back_ = 0.0;            ///< [m] by which the next tool is retracted: the driver leaves its implant
-    bool is_tool_left_ = false;    ///< left with its implant: a step takes another tool
+    std::unique_ptr<bone::ExactFollower> exact_;
+    std::vector<session::MetricRow> left_;  ///< of implants, when their drivers left them
+    double back_ = 0.0;                     ///< [m] by which the next tool is retracted: the driver leaves its implant
+    bool is_tool_left_ = false;             ///< left with its implant: a step takes another tool
 };
 
-}  // namespace kerf
+}  // namespace kerf::run

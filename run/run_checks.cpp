@@ -15,7 +15,7 @@
 #include "documents/yaml/read_map.h"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -23,39 +23,40 @@ constexpr std::size_t max_tools = 8;
 
 /// Returns the span of a value of item `index` in `list`; of the item without such a value, of the document without
 /// such an item.
-TextSpan span_in(const Document& document, const char* list, std::size_t index, const char* key) {
-    const Node* items = document.root.find(list);
+documents::TextSpan span_in(const documents::Document& document, const char* list, std::size_t index, const char* key) {
+    const documents::Node* items = document.root.find(list);
     if (items == nullptr || index >= items->children.size()) return {};
-    const Node* value = items->children[index].find(key);
+    const documents::Node* value = items->children[index].find(key);
     return value != nullptr ? value->span : items->children[index].span;
 }
 
-void check_device(const Procedure& procedure, const Document& document, Report& report) {
+void check_device(const documents::Procedure& procedure, const documents::Document& document,
+                  documents::Report& report) {
     if (procedure.device.empty() || find_device(procedure.device.c_str()) != nullptr) return;
     int count = 0;
     const DeviceRecord* known = all_devices(count);
     std::vector<std::string> ids;
     ids.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) ids.emplace_back(known[i].id);
-    const Node* haptics = document.root.find("haptics");
-    const Node* device = haptics != nullptr ? haptics->find("device") : nullptr;
-    const std::string meant = closest(procedure.device, ids);
-    report.error(
-        Code::unknown_device, device != nullptr ? device->span : TextSpan{},
-        "The device is unknown: got `" + procedure.device + "`, expected " + listed(ids) + "." + or_choose(meant),
-        meant);
+    const documents::Node* haptics = document.root.find("haptics");
+    const documents::Node* device = haptics != nullptr ? haptics->find("device") : nullptr;
+    const std::string meant = documents::closest(procedure.device, ids);
+    report.error(text::Code::unknown_device, device != nullptr ? device->span : documents::TextSpan{},
+                 "The device is unknown: got `" + procedure.device + "`, expected " + documents::listed(ids) + "." +
+                     documents::or_choose(meant),
+                 meant);
 }
 
 /// Returns the span of a key of an instrument; of the instrument without that key.
-TextSpan span_of_instrument(const Document& document, const std::string& id, const char* key) {
-    const Node* instruments = document.root.find("instruments");
-    const Node* instrument = instruments != nullptr ? instruments->find(id) : nullptr;
-    const Node* value = instrument != nullptr ? instrument->find(key) : nullptr;
-    return value != nullptr ? value->span : instrument != nullptr ? instrument->span : TextSpan{};
+documents::TextSpan span_of_instrument(const documents::Document& document, const std::string& id, const char* key) {
+    const documents::Node* instruments = document.root.find("instruments");
+    const documents::Node* instrument = instruments != nullptr ? instruments->find(id) : nullptr;
+    const documents::Node* value = instrument != nullptr ? instrument->find(key) : nullptr;
+    return value != nullptr ? value->span : instrument != nullptr ? instrument->span : documents::TextSpan{};
 }
 
 /// Rounds to 0.01 mm.
-std::string in_mm(double length) { return quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); }
+std::string in_mm(double length) { return text::quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); }
 
 /// Returns the diameter of the narrowest cylindrical part of the hole [m]; without one, the largest diameter.
 double narrowest_bore(const ToolSolid& turning) {
@@ -68,38 +69,39 @@ double narrowest_bore(const ToolSolid& turning) {
 }
 
 /// Warns of a rehearsal that expects to pass but is not led as deep as the goals of its steps.
-void check_reach(const Procedure& procedure, std::size_t rehearsal, const Document& document, Report& report) {
-    const Rehearsal& r = procedure.rehearsals[rehearsal];
+void check_reach(const documents::Procedure& procedure, std::size_t rehearsal, const documents::Document& document,
+                 documents::Report& report) {
+    const documents::Rehearsal& r = procedure.rehearsals[rehearsal];
     if (r.expect != "pass") return;
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
         double asked = -HUGE_VAL, deepest = -HUGE_VAL;
-        for (const Goal& goal : procedure.steps[s].goals)
+        for (const documents::Goal& goal : procedure.steps[s].goals)
             if (goal.quantity == "depth") asked = std::max(asked, goal.bound.at_least.value_or(asked));
         std::size_t where = 0;
         for (std::size_t w = 0; w < r.path.size(); ++w)
             if (r.path[w].step == s && r.path[w].depth > deepest) deepest = r.path[where = w].depth;
         if (deepest == -HUGE_VAL || deepest >= asked) continue;
-        const Node* depth = waypoint_node(document, rehearsal, where, "depth");
-        report.warning(Code::short_of_goal,
+        const documents::Node* depth = documents::waypoint_node(document, rehearsal, where, "depth");
+        report.warning(text::Code::short_of_goal,
                        depth != nullptr ? depth->span : span_in(document, "rehearsals", rehearsal, "path"),
                        "The path of a rehearsal that expects to pass is too shallow in step `" + procedure.steps[s].id +
-                           "`: got " + quantity_text(deepest, "mm") + ", expected at least " +
-                           quantity_text(asked, "mm") + ". Lead it deeper, or write how it is expected to fail.",
-                       quantity_text(asked, "mm"));
+                           "`: got " + text::quantity_text(deepest, "mm") + ", expected at least " +
+                           text::quantity_text(asked, "mm") + ". Lead it deeper, or write how it is expected to fail.",
+                       text::quantity_text(asked, "mm"));
     }
 }
 
 }  // namespace
 
-void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
-    const auto read = document_of(procedure);
-    const Document& document = *read;
-    Report report(document, diagnostics);
+void check_run(const documents::Procedure& procedure, text::Diagnostics& diagnostics) {
+    const auto read = documents::document_of(procedure);
+    const documents::Document& document = *read;
+    documents::Report report(document, diagnostics);
     check_device(procedure, document, report);
     std::set<std::string> tools;
     for (std::size_t i = 0; i < procedure.steps.size(); ++i)
         if (tools.insert(procedure.steps[i].instrument).second && tools.size() == max_tools + 1)
-            report.error(Code::too_many_tools, span_in(document, "steps", i, "instrument"),
+            report.error(text::Code::too_many_tools, span_in(document, "steps", i, "instrument"),
                          "The steps use too many instruments: got " + std::to_string(tools.size()) +
                              ", expected at most " + std::to_string(max_tools) +
                              ". Use one of the others, or split the procedure in two.");
@@ -107,41 +109,41 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
         const auto& path = procedure.rehearsals[i].path;
         if (path.empty()) continue;  // reported while it was read
         if (path.size() < 2)
-            report.error(Code::path_too_short, span_in(document, "rehearsals", i, "path"),
+            report.error(text::Code::path_too_short, span_in(document, "rehearsals", i, "path"),
                          "The rehearsal's path is too short: got " + std::to_string(path.size()) +
                              " waypoint, expected at least 2, a start and an end. Add one.");
         else if (path.front().depth >= 0.0)
-            report.error(Code::starts_in_bone, span_in(document, "rehearsals", i, "path"),
+            report.error(text::Code::starts_in_bone, span_in(document, "rehearsals", i, "path"),
                          "The rehearsal starts inside the bone: got a depth of " +
-                             quantity_text(path.front().depth, "mm") + ", expected less than 0 mm.",
+                             text::quantity_text(path.front().depth, "mm") + ", expected less than 0 mm.",
                          "[{depth: -5 mm}, …]");
-        else if (!has_error(diagnostics))
+        else if (!text::has_error(diagnostics))
             check_reach(procedure, i, document, report);
     }
 }
 
-void refuse_tool(const Procedure& procedure, const std::string& instrument, const std::string& why,
-                 Diagnostics& diagnostics) {
-    const auto read = document_of(procedure);
-    const Document& document = *read;
-    const Node* instruments = document.root.find("instruments");
-    const Node* node = instruments != nullptr ? instruments->find(instrument) : nullptr;
-    const Node* tool = node != nullptr ? node->find("tool") : nullptr;
-    const Node* plugin = node != nullptr ? node->find("plugin") : nullptr;
+void refuse_tool(const documents::Procedure& procedure, const std::string& instrument, const std::string& why,
+                 text::Diagnostics& diagnostics) {
+    const auto read = documents::document_of(procedure);
+    const documents::Document& document = *read;
+    const documents::Node* instruments = document.root.find("instruments");
+    const documents::Node* node = instruments != nullptr ? instruments->find(instrument) : nullptr;
+    const documents::Node* tool = node != nullptr ? node->find("tool") : nullptr;
+    const documents::Node* plugin = node != nullptr ? node->find("plugin") : nullptr;
     const std::string component = tool != nullptr && plugin != nullptr ? plugin->text + "/" + tool->text : "";
-    Report(document, diagnostics)
-        .error(Code::impossible_tool,
+    documents::Report(document, diagnostics)
+        .error(text::Code::impossible_tool,
                tool != nullptr   ? tool->span
                : node != nullptr ? node->span
-                                 : TextSpan{},
+                                 : documents::TextSpan{},
                why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` explains them."));
 }
 
-void report_strategy(const Procedure& procedure, const std::string& instrument, const std::string& why,
-                     Diagnostics& diagnostics) {
-    const auto document = document_of(procedure);
-    Report(*document, diagnostics)
-        .error(Code::no_strategy, span_of_instrument(*document, instrument, "remeshing"),
+void report_strategy(const documents::Procedure& procedure, const std::string& instrument, const std::string& why,
+                     text::Diagnostics& diagnostics) {
+    const auto document = documents::document_of(procedure);
+    documents::Report(*document, diagnostics)
+        .error(text::Code::no_strategy, span_of_instrument(*document, instrument, "remeshing"),
                "The instrument `" + instrument + "` leaves no exact surface: " + why);
 }
 
@@ -157,13 +159,13 @@ double coarsest_for(const ToolSolid& cutting, double width) { return width / (cu
 
 double coarsest_spacing(const ToolSolid& cutting) { return coarsest_for(cutting, width_of_cut(cutting)); }
 
-void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting,
-                        Diagnostics& diagnostics) {
+void check_width_of_cut(const documents::Procedure& procedure, const std::string& instrument, const ToolSolid& cutting,
+                        text::Diagnostics& diagnostics) {
     const double width = width_of_cut(cutting), coarsest = coarsest_for(cutting, width);
     if (procedure.spacing <= coarsest * (1.0 + 1e-9)) return;
-    const auto document = document_of(procedure);
-    const Node* accuracy = document->root.find("accuracy");
-    const Node* spacing = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
+    const auto document = documents::document_of(procedure);
+    const documents::Node* accuracy = document->root.find("accuracy");
+    const documents::Node* spacing = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
     const std::string voxels = " voxels of " + in_mm(procedure.spacing) + ". ",
                       needed = in_mm(std::floor(coarsest / 0.01e-3 + 1e-6) * 0.01e-3);
     const std::string what =
@@ -172,146 +174,148 @@ void check_width_of_cut(const Procedure& procedure, const std::string& instrumen
                            : "The hole of `" + instrument + "` is too narrow for the spacing: got " + in_mm(width) +
                                  ", expected at least four" + voxels +
                                  "The position of its wall is uncertain, and the tool meets bone that it has cut.";
-    Report(*document, diagnostics)
-        .warning(cutting.is_prism() ? Code::narrow_kerf : Code::narrow_hole,
+    documents::Report(*document, diagnostics)
+        .warning(cutting.is_prism() ? text::Code::narrow_kerf : text::Code::narrow_hole,
                  spacing != nullptr ? spacing->span : span_of_instrument(*document, instrument, "tool"),
                  what + " Use a spacing of " + needed + " or less.", needed);
 }
 
-void check_guide(const Procedure& procedure, const Instrument& instrument, const ToolSolid& whole,
-                 Diagnostics& diagnostics) {
+void check_guide(const documents::Procedure& procedure, const documents::Instrument& instrument, const ToolSolid& whole,
+                 text::Diagnostics& diagnostics) {
     if (!instrument.guide) return;
-    const Sleeve& sleeve = *instrument.guide;
-    const auto document = document_of(procedure);
-    Report report(*document, diagnostics);
-    const TextSpan here = span_of_instrument(*document, instrument.id, "guide");
-    const Node* bore = &document->root;
+    const documents::Sleeve& sleeve = *instrument.guide;
+    const auto document = documents::document_of(procedure);
+    documents::Report report(*document, diagnostics);
+    const documents::TextSpan here = span_of_instrument(*document, instrument.id, "guide");
+    const documents::Node* bore = &document->root;
     for (const std::string& key :
          {std::string("instruments"), instrument.id, std::string("guide"), std::string("bore")})
         bore = bore != nullptr ? bore->find(key) : nullptr;
     const double width = 2.0 * whole.largest_radius(), length = -whole.end_z();
     if (whole.is_prism())
-        return report.error(Code::narrow_guide, here,
+        return report.error(text::Code::narrow_guide, here,
                             "The instrument `" + instrument.id +
                                 "` has a sleeve: got a blade, expected a turning tool. Remove `guide:`.");
     if (width >= sleeve.bore)
-        return report.error(Code::narrow_guide, bore != nullptr ? bore->span : here,
+        return report.error(text::Code::narrow_guide, bore != nullptr ? bore->span : here,
                             "The sleeve's bore is too narrow: got " + in_mm(sleeve.bore) + ", expected more than " +
                                 in_mm(width) + ", the width of the tool. Write a wider `bore:`.");
     const double reach = std::max(0.0, length - sleeve.length - sleeve.gap);
-    for (const Step& step : procedure.steps)
-        for (const Goal& goal : step.goals) {
+    for (const documents::Step& step : procedure.steps)
+        for (const documents::Goal& goal : step.goals) {
             const double asked = goal.quantity == "depth" ? goal.bound.at_least.value_or(0.0) : 0.0;
             if (step.instrument != instrument.id || asked <= reach) continue;
-            return report.warning(Code::short_of_sleeve, here,
+            return report.warning(text::Code::short_of_sleeve, here,
                                   "The tool of " + in_mm(length) + " is too short for its sleeve in step `" + step.id +
                                       "`: got a depth of " + in_mm(reach) + ", expected at least " + in_mm(asked) +
                                       ". Write a shorter `length:`, or take a longer tool.");
         }
 }
 
-void check_hole_limits(const Procedure& procedure, std::size_t step, const ToolSolid& cutting,
-                       Diagnostics& diagnostics) {
+void check_hole_limits(const documents::Procedure& procedure, std::size_t step, const ToolSolid& cutting,
+                       text::Diagnostics& diagnostics) {
     if (!cutting.is_prism()) return;
-    const Step& asked = procedure.steps[step];
-    const auto document = document_of(procedure);
-    const Node* steps = document->root.find("steps");
-    const Node* item = steps != nullptr && step < steps->children.size() ? &steps->children[step] : nullptr;
-    const Node* limits = item != nullptr ? item->find("limits") : nullptr;
+    const documents::Step& asked = procedure.steps[step];
+    const auto document = documents::document_of(procedure);
+    const documents::Node* steps = document->root.find("steps");
+    const documents::Node* item = steps != nullptr && step < steps->children.size() ? &steps->children[step] : nullptr;
+    const documents::Node* limits = item != nullptr ? item->find("limits") : nullptr;
     for (std::size_t l = 0; l < asked.limits.size(); ++l) {
-        const Limit& limit = asked.limits[l];
+        const documents::Limit& limit = asked.limits[l];
         if (!limit.is_of_hole()) continue;
-        const Node* written =
+        const documents::Node* written =
             limits != nullptr && l < limits->children.size() ? limits->children[l].find(limit.quantity) : nullptr;
-        Report(*document, diagnostics)
-            .error(Code::needs_hole, written != nullptr ? written->key_span : TextSpan{},
+        documents::Report(*document, diagnostics)
+            .error(text::Code::needs_hole, written != nullptr ? written->key_span : documents::TextSpan{},
                    "The limit `" + limit.quantity + "` needs a drilled hole: got the blade `" + asked.instrument +
                        "`, expected a turning tool. Use a limit of a cut, or an instrument that drills.");
     }
 }
 
-void check_regrips(const Procedure& procedure, std::size_t step, bool has_thread, Diagnostics& diagnostics) {
+void check_regrips(const documents::Procedure& procedure, std::size_t step, bool has_thread,
+                   text::Diagnostics& diagnostics) {
     if (has_thread) return;
-    const auto document = document_of(procedure);
+    const auto document = documents::document_of(procedure);
     for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r)
         for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
-            const Waypoint& waypoint = procedure.rehearsals[r].path[w];
+            const documents::Waypoint& waypoint = procedure.rehearsals[r].path[w];
             if (waypoint.step != step || waypoint.regrip <= 0.0) continue;
-            const Node* turn = waypoint_node(*document, r, w, "turn");
-            const Node* regrip = turn != nullptr ? turn->find("regrip") : nullptr;
-            Report(*document, diagnostics)
-                .error(Code::needs_driver, regrip != nullptr ? regrip->key_span : TextSpan{},
+            const documents::Node* turn = documents::waypoint_node(*document, r, w, "turn");
+            const documents::Node* regrip = turn != nullptr ? turn->find("regrip") : nullptr;
+            documents::Report(*document, diagnostics)
+                .error(text::Code::needs_driver, regrip != nullptr ? regrip->key_span : documents::TextSpan{},
                        "The hand cannot regrip `" + procedure.steps[step].instrument +
                            "`: got a tool without a thread, expected one with a thread that stays in bone. Remove "
                            "`regrip:`.");
         }
 }
 
-void check_force_scale(const Procedure& procedure, const DeviceRecord& device, double work_force,
-                       Diagnostics& diagnostics) {
+void check_force_scale(const documents::Procedure& procedure, const DeviceRecord& device, double work_force,
+                       text::Diagnostics& diagnostics) {
     if (work_force > 0.0 || procedure.force_scale || procedure.working_force) return;
-    const auto document = document_of(procedure);
-    const Node* haptics = document->root.find("haptics");
-    const Node* instruments = document->root.find("instruments");
-    Report(*document, diagnostics)
-        .warning(Code::no_force_scale,
+    const auto document = documents::document_of(procedure);
+    const documents::Node* haptics = document->root.find("haptics");
+    const documents::Node* instruments = document->root.find("instruments");
+    documents::Report(*document, diagnostics)
+        .warning(text::Code::no_force_scale,
                  haptics != nullptr       ? haptics->span
                  : instruments != nullptr ? instruments->span
-                                          : TextSpan{},
+                                          : documents::TextSpan{},
                  "No force scale can be computed: no tool cuts with its drives and coefficients. The scale is 1/1, at "
                  "which the device renders at most " +
-                     quantity_text(device.peak_force, "N") +
+                     text::quantity_text(device.peak_force, "N") +
                      ". For a pushed tool, write `working_force:` under `haptics:`, such as 100 N, or `force_scale:`.");
 }
 
-void check_felt(const Procedure& procedure, std::size_t step, const std::vector<double>& along,
-                const DeviceRecord& device, double force_scale, Diagnostics& diagnostics) {
+void check_felt(const documents::Procedure& procedure, std::size_t step, const std::vector<double>& along,
+                const DeviceRecord& device, double force_scale, text::Diagnostics& diagnostics) {
     if (std::none_of(along.begin(), along.end(), [](double force) { return force > 0.0; })) return;
     const auto hidden =
         std::count_if(along.begin(), along.end(), [&](double f) { return f * force_scale < device.friction; });
     if (2 * static_cast<std::size_t>(hidden) <= along.size()) return;
-    const auto document = document_of(procedure);
-    const Node* haptics = document->root.find("haptics");
+    const auto document = documents::document_of(procedure);
+    const documents::Node* haptics = document->root.find("haptics");
     const long percent = std::lround(100.0 * static_cast<double>(hidden) / static_cast<double>(along.size()));
-    Report(*document, diagnostics)
+    documents::Report(*document, diagnostics)
         .warning(
-            Code::felt_below_friction,
+            text::Code::felt_below_friction,
             haptics != nullptr ? haptics->span : span_in(*document, "steps", step, "instrument"),
             "Most of step `" + procedure.steps[step].id + "` cannot be felt on `" + procedure.device + "`: over " +
                 std::to_string(percent) + " % of its path, bone resists with less than " +
-                quantity_text(std::round(device.friction / force_scale * 10.0) * 0.1, "N") +
+                text::quantity_text(std::round(device.friction / force_scale * 10.0) * 0.1, "N") +
                 ". At the force scale of 1/" + std::to_string(std::lround(1.0 / force_scale)) +
-                ", that is less than the device's friction of " + quantity_text(device.friction, "N") +
+                ", that is less than the device's friction of " + text::quantity_text(device.friction, "N") +
                 (procedure.force_scale ? ". Write a larger `force_scale:`" : ". Write a smaller `working_force:`") +
                 ", or take a device with less friction.");
 }
 
-void check_time(const Procedure& procedure, std::size_t rehearsal, double min_time, Diagnostics& diagnostics) {
-    const Rehearsal& r = procedure.rehearsals[rehearsal];
+void check_time(const documents::Procedure& procedure, std::size_t rehearsal, double min_time,
+                text::Diagnostics& diagnostics) {
+    const documents::Rehearsal& r = procedure.rehearsals[rehearsal];
     if (r.expect != "pass" || min_time <= procedure.time_limit) return;
-    const auto document = document_of(procedure);
-    const Node* limit = document->root.find("time_limit");
-    const std::string needed = quantity_text(std::ceil(min_time), "s");
-    Report(*document, diagnostics)
-        .warning(Code::short_of_time,
+    const auto document = documents::document_of(procedure);
+    const documents::Node* limit = document->root.find("time_limit");
+    const std::string needed = text::quantity_text(std::ceil(min_time), "s");
+    documents::Report(*document, diagnostics)
+        .warning(text::Code::short_of_time,
                  limit != nullptr ? limit->span : span_in(*document, "rehearsals", rehearsal, "path"),
                  "The time limit is too short for `" + r.id + "`, which expects to pass: got " +
-                     quantity_text(procedure.time_limit, "s") + ", expected at least " + needed +
+                     text::quantity_text(procedure.time_limit, "s") + ", expected at least " + needed +
                      " for its path at its approach and feed. Write a longer `time_limit:`, or a faster hand.",
                  needed);
 }
 
-void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting,
-                      const Region& region, Diagnostics& diagnostics) {
+void check_blade_fits(const documents::Procedure& procedure, const std::string& instrument, const ToolSolid& cutting,
+                      const Region& region, text::Diagnostics& diagnostics) {
     if (!cutting.is_prism() || !region.is_bounded()) return;
     const Vec3 size = region.high - region.low;
     const double least = std::min({size.x, size.y, size.z}), most = std::max({size.x, size.y, size.z}),
                  width = 2.0 * cutting.largest_radius();
     const bool is_thick = cutting.thickness() >= least;
     if (!is_thick && width < most) return;
-    const auto document = document_of(procedure);
-    Report(*document, diagnostics)
-        .error(Code::blade_beyond_region, span_of_instrument(*document, instrument, "tool"),
+    const auto document = documents::document_of(procedure);
+    documents::Report(*document, diagnostics)
+        .error(text::Code::blade_beyond_region, span_of_instrument(*document, instrument, "tool"),
                std::string("The blade is too ") + (is_thick ? "thick" : "wide") +
                    " for the region in which bone can be cut: got " + in_mm(is_thick ? cutting.thickness() : width) +
                    ", expected less than " + in_mm(is_thick ? least : most) + " of " + in_mm(size.x) + " × " +
@@ -338,22 +342,22 @@ double reach_beyond(const Body& body, const ToolSolid& cutting, const Pose& body
 
 }  // namespace
 
-void check_waypoints_in_region(const Procedure& procedure, const std::vector<AxisFrame>& frames,
+void check_waypoints_in_region(const documents::Procedure& procedure, const std::vector<AxisFrame>& frames,
                                const std::vector<const ToolSolid*>& cutting, const Body& body,
-                               Diagnostics& diagnostics) {
+                               text::Diagnostics& diagnostics) {
     if (!body.region.is_bounded()) return;
-    const auto document = document_of(procedure);
-    Report report(*document, diagnostics);
+    const auto document = documents::document_of(procedure);
+    documents::Report report(*document, diagnostics);
     for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r)
         for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
-            const Waypoint& waypoint = procedure.rehearsals[r].path[w];
+            const documents::Waypoint& waypoint = procedure.rehearsals[r].path[w];
             if (!procedure.steps[waypoint.step].cuts()) continue;  // the held piece was separated before
             const double beyond = reach_beyond(body, *cutting[waypoint.step], frames[waypoint.step].pose_at(waypoint));
             if (beyond < body.grid().spacing) continue;
             const Vec3 size = body.region.high - body.region.low;
-            const Node* where = waypoint_node(*document, r, w);
+            const documents::Node* where = documents::waypoint_node(*document, r, w);
             report.warning(
-                Code::waypoint_beyond_region, where != nullptr ? where->span : TextSpan{},
+                text::Code::waypoint_beyond_region, where != nullptr ? where->span : documents::TextSpan{},
                 "Here `" + procedure.steps[waypoint.step].instrument +
                     "` leaves the region in which bone can be cut: got " + in_mm(beyond) +
                     " beyond it, expected less than " + in_mm(body.grid().spacing) + ". Beyond its " + in_mm(size.x) +
@@ -363,4 +367,4 @@ void check_waypoints_in_region(const Procedure& procedure, const std::vector<Axi
         }
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

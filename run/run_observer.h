@@ -9,9 +9,13 @@
 #include "session/recording.h"
 
 namespace kerf {
-
 class Simulation;
+}  // namespace kerf
+namespace kerf::bone {
 struct ExactSurface;
+}  // namespace kerf::bone
+
+namespace kerf::run {
 
 /// Watches a run: its session, a program's progress, a test. The run calls its observers between two ticks, in the
 /// order of the request. An observer may block and allocate.   [main]
@@ -20,22 +24,23 @@ public:
     virtual ~RunObserver() = default;
 
     /// Receives an event, with its texts cut as in the session.
-    virtual void on_event(const EventRow& /*event*/) {}
+    virtual void on_event(const session::EventRow& /*event*/) {}
     /// Receives a record that the cut log has closed.
     virtual void on_cut(const CutRecord& /*cut*/) {}
     /// Receives the row of a tick, after the events of that tick.
-    virtual void on_tick(const TickRow& /*row*/) {}
+    virtual void on_tick(const session::TickRow& /*row*/) {}
     /// Receives the completed fraction of the run [–] and its present activity. Called every 250 ticks and at the end.
     virtual void on_progress(double /*fraction*/, const std::string& /*what*/) {}
     /// Receives the exact surface, before the result, if an instrument leaves one. Returns the error as text, empty on
     /// success.
-    [[nodiscard]] virtual std::string on_exact_surface(const ExactSurface& /*made*/) { return {}; }
+    [[nodiscard]] virtual std::string on_exact_surface(const bone::ExactSurface& /*made*/) { return {}; }
     /// Returns the reason to end the run after this tick; nothing to continue.
     [[nodiscard]] virtual std::optional<RunEnd> end() { return std::nullopt; }
     /// Receives the result and the remaining bone. Returns the error as text, empty on success.
-    [[nodiscard]] virtual std::string on_result(const RunSummary& /*summary*/, const Simulation& /*simulation*/) {
+    [[nodiscard]] virtual std::string on_result(const session::RunSummary& /*summary*/,
+                                                const Simulation& /*simulation*/) {
         return {};
     }
 };
 
-}  // namespace kerf
+}  // namespace kerf::run

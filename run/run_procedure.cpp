@@ -4,16 +4,16 @@
 #include "documents/yaml/read_map.h"
 #include "run/run.h"
 
-namespace kerf {
+namespace kerf::run {
 
-std::string refusal_of_rehearsal(const Procedure& procedure, const std::string& id) {
+std::string refusal_of_rehearsal(const documents::Procedure& procedure, const std::string& id) {
     std::vector<std::string> known;
-    for (const Rehearsal& r : procedure.rehearsals) {
+    for (const documents::Rehearsal& r : procedure.rehearsals) {
         if (id.empty() || r.id == id) return "";
         known.push_back(r.id);
     }
     return known.empty() ? "the procedure has no rehearsal, and there is no device. Add one under `rehearsals:`."
-                         : "there is no rehearsal `" + id + "`. Write " + listed(known) + ".";
+                         : "there is no rehearsal `" + id + "`. Write " + documents::listed(known) + ".";
 }
 
 RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request) {
@@ -25,4 +25,4 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     return run->finish();
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -11,7 +11,7 @@
 #include "run/run_result.h"
 
 /// One run in lock-step: simulated hand, ticks, record and verdict.
-namespace kerf {
+namespace kerf::run {
 
 class ExactStrategies;
 
@@ -31,7 +31,7 @@ struct RunRequest {
 };
 
 struct RunOutcome {
-    RunSummary summary;
+    session::RunSummary summary;
     bool is_as_expected = false;
     std::vector<std::string> over_budget;  ///< laws slower than their declared budget; differs from run to run
     bool was_interrupted = false;          ///< outputs are written nevertheless
@@ -41,10 +41,10 @@ struct RunOutcome {
 
 /// Returns why a procedure does not have this rehearsal, with a suggestion; empty if it does. An empty `id` means the
 /// first one.   [any] pure.
-[[nodiscard]] std::string refusal_of_rehearsal(const Procedure& procedure, const std::string& id);
+[[nodiscard]] std::string refusal_of_rehearsal(const documents::Procedure& procedure, const std::string& id);
 
 /// Runs a rehearsal of the scene's procedure. Memory does not grow with the ticks: the record is in the session, and
 /// the page is made from it.   [main]
 [[nodiscard]] RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request);
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -13,7 +13,7 @@
 #include "text/distinguishing_digits.h"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -40,23 +40,23 @@ std::string with_significant_digits(double value, const std::string& unit, int d
 /// Returns a value in its unit, without trailing zeros.
 std::string with_decimals_and_unit(double value, const std::string& unit, int decimals) {
     const double step = std::pow(10.0, -decimals) * parse_unit(unit).value_or(Unit{}).factor;
-    return quantity_text(std::round(value / step) * step, unit);
+    return text::quantity_text(std::round(value / step) * step, unit);
 }
 
 constexpr int max_digits = 12;
 
 /// Returns the number of digits at which the text of `value` differs from each end of `bound`, unless they are equal.
 template <class TextOf>
-int distinguishing_digits_of(double value, const Bound& bound, int digits, const TextOf& text_of) {
+int distinguishing_digits_of(double value, const documents::Bound& bound, int digits, const TextOf& text_of) {
     int most = digits;
     for (const auto& end : {bound.at_least, bound.at_most})
-        if (end) most = std::max(most, distinguishing_digits(value, *end, digits, max_digits, text_of));
+        if (end) most = std::max(most, text::distinguishing_digits(value, *end, digits, max_digits, text_of));
     return most;
 }
 
 /// Returns ", must be at least 100 N and at most 200 N".
 template <class TextOf>
-std::string bounds_text(const Bound& bound, const TextOf& text_of) {
+std::string bounds_text(const documents::Bound& bound, const TextOf& text_of) {
     std::string text = ", must be ";
     if (bound.at_least) text += "at least " + text_of(*bound.at_least);
     if (bound.at_least && bound.at_most) text += " and ";
@@ -65,14 +65,14 @@ std::string bounds_text(const Bound& bound, const TextOf& text_of) {
 }
 
 /// Returns the unit of a measure for people; empty for an unknown measure.
-std::string unit_of(const std::string& measure, const std::vector<Measure>& measures) {
-    for (const Measure& one : measures)
+std::string unit_of(const std::string& measure, const std::vector<documents::Measure>& measures) {
+    for (const documents::Measure& one : measures)
         if (one.id == measure) return one.unit();
     return {};
 }
 
 /// Returns the value that broke a limit, as a sentence.
-std::string how_far(const LimitState& limit, const std::vector<Measure>& measures) {
+std::string how_far(const LimitState& limit, const std::vector<documents::Measure>& measures) {
     const std::string& quantity = limit.limit->quantity;
     const auto sentence = [&](const char* what, int digits, const auto& text_of) {
         return what + text_of(limit.worst, distinguishing_digits_of(limit.worst, limit.limit->bound, digits, text_of)) +
@@ -118,20 +118,23 @@ std::string how_far(const LimitState& limit, const std::vector<Measure>& measure
 
 /// Returns "`name` 59.98 mm, must be at least 60.00 mm".
 template <class TextOf>
-std::string missed_bound(const std::string& name, double value, const Bound& bound, int digits, const TextOf& text_of) {
+std::string missed_bound(const std::string& name, double value, const documents::Bound& bound, int digits,
+                         const TextOf& text_of) {
     const int enough = distinguishing_digits_of(value, bound, digits, text_of);
     return name + text_of(value, enough) + bounds_text(bound, [&](double end) { return text_of(end, enough); });
 }
 
 /// Returns why a measure of a step has no value.
-std::string why_unmeasured(const std::string& measure, const StepState& state, const std::vector<Measure>& measures) {
+std::string why_unmeasured(const std::string& measure, const StepState& state,
+                           const std::vector<documents::Measure>& measures) {
     for (std::size_t m = 0; m < measures.size() && m < state.measures.size(); ++m)
         if (measures[m].id == measure && !state.measures[m].value)
             return "`" + measure + "` cannot be measured: " + state.measures[m].why_not;
     return "`" + measure + "` was not measured";
 }
 
-std::string what_was_missed(const Goal& goal, const StepState& state, const std::vector<Measure>& measures) {
+std::string what_was_missed(const documents::Goal& goal, const StepState& state,
+                            const std::vector<documents::Measure>& measures) {
     if (goal.quantity == "entry")
         return state.has_met_bone_still && state.is_released_at_end ? "the thread never met bone"
                : state.has_met_bone_still ? "the tool stood on the bone, but it was not running"
@@ -170,17 +173,17 @@ std::string what_was_missed(const Goal& goal, const StepState& state, const std:
 
 }  // namespace
 
-void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, RunSummary& summary) {
-    const std::vector<Measure>& measures = monitor.measures();
+void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, session::RunSummary& summary) {
+    const std::vector<documents::Measure>& measures = monitor.measures();
     int demands = 0, met = 0;
     bool is_broken = false, is_missing = false;
     for (const auto& state : monitor.steps()) {
-        StepRow row{state.step->id,
-                    state.step->title,
-                    state.is_done(),
-                    state.start.value_or(0.0),
-                    state.end.value_or(duration),
-                    {}};
+        session::StepRow row{state.step->id,
+                             state.step->title,
+                             state.is_done(),
+                             state.start.value_or(0.0),
+                             state.end.value_or(duration),
+                             {}};
         for (const auto& limit : state.limits) {
             ++demands;
             if (state.is_done() && limit.limit->is_of_wall() && !limit.is_seen) {
@@ -229,25 +232,25 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
         summary.steps.push_back(std::move(row));
     }
     if (end == RunEnd::time_over)
-        summary.reasons.push_back("The run reached the procedure's `time_limit:` of " + quantity_text(time_limit, "s") +
-                                  ".");
+        summary.reasons.push_back("The run reached the procedure's `time_limit:` of " +
+                                  text::quantity_text(time_limit, "s") + ".");
     if (end == RunEnd::interrupted) summary.reasons.insert(summary.reasons.begin(), "The run was interrupted.");
     if (end == RunEnd::unrecorded)
         summary.reasons.insert(summary.reasons.begin(), "The run ended early: it could not be recorded any more.");
     is_missing = is_missing || end == RunEnd::interrupted || end == RunEnd::unrecorded;
-    summary.verdict = end == RunEnd::fault ? Verdict::invalid
-                      : is_broken          ? Verdict::fail
-                      : is_missing         ? Verdict::incomplete
-                                           : Verdict::pass;
+    summary.verdict = end == RunEnd::fault ? session::Verdict::invalid
+                      : is_broken          ? session::Verdict::fail
+                      : is_missing         ? session::Verdict::incomplete
+                                           : session::Verdict::pass;
     if (end == RunEnd::fault)
         summary.reasons.insert(summary.reasons.begin(), "The force law or the solve failed; force was released.");
     summary.score = demands > 0 ? 100.0 * met / demands : 100.0;
 }
 
-bool ended_as_expected(const Rehearsal& rehearsal, const StepMonitor& monitor, Verdict verdict) {
-    if (rehearsal.expect == "pass") return verdict == Verdict::pass;
-    if (rehearsal.expect == "incomplete") return verdict == Verdict::incomplete;
-    if (verdict != Verdict::fail) return false;
+bool ended_as_expected(const documents::Rehearsal& rehearsal, const StepMonitor& monitor, session::Verdict verdict) {
+    if (rehearsal.expect == "pass") return verdict == session::Verdict::pass;
+    if (rehearsal.expect == "incomplete") return verdict == session::Verdict::incomplete;
+    if (verdict != session::Verdict::fail) return false;
     bool is_named = false;
     for (const auto& state : monitor.steps()) {
         for (const auto& limit : state.limits) {
@@ -265,4 +268,4 @@ bool ended_as_expected(const Rehearsal& rehearsal, const StepMonitor& monitor, V
     return is_named;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

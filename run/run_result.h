@@ -7,7 +7,7 @@
 #include "run/scene.h"
 #include "session/recording.h"
 
-namespace kerf {
+namespace kerf::run {
 
 /// Reason for the end of a run.
 enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrecorded };
@@ -15,11 +15,12 @@ enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrec
 /// Computes step rows, verdict, reasons and score. Pass: every goal reached and no limit broken. Fail: a limit broken.
 /// Incomplete: goals missing, or interrupted before a limit broke. Invalid: a fault.   [any] pure.
 /// @param time_limit   [s] of the procedure
-void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, RunSummary& summary);
+void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, session::RunSummary& summary);
 
 /// Returns whether the run ended as its rehearsal expects: "pass", "incomplete", or "fail". A failure must be by the
 /// one expected limit, in the expected step if there is one. Other limits may break only if the rehearsal expects
 /// others.
-[[nodiscard]] bool ended_as_expected(const Rehearsal& rehearsal, const StepMonitor& monitor, Verdict verdict);
+[[nodiscard]] bool ended_as_expected(const documents::Rehearsal& rehearsal, const StepMonitor& monitor,
+                                     session::Verdict verdict);
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -22,7 +22,7 @@
 #include "run/thread_checks.h"
 #include "run/verdict/measure_bone.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -35,9 +35,9 @@ std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>&
 }
 
 /// Makes the body of an implant, which is read like a bone of one tissue.
-std::optional<Body> plate_body(const Implant& implant, const Procedure& procedure, Diagnostics& diagnostics,
-                               ImportReport& import) {
-    Anatomy surface;
+std::optional<Body> plate_body(const documents::Implant& implant, const documents::Procedure& procedure,
+                               text::Diagnostics& diagnostics, bone::ImportReport& import) {
+    documents::Anatomy surface;
     surface.file = procedure.file;
     surface.text = procedure.text;
     surface.within = {"implants", implant.id};
@@ -48,11 +48,12 @@ std::optional<Body> plate_body(const Implant& implant, const Procedure& procedur
         surface.mesh = implant.mesh;
     surface.tissues.resize(1);
     surface.tissues.front().id = "metal";
-    ImportReport read;
-    auto body =
-        make_body(surface, implant.is_made_of_parts() ? fitting_spacing(implant, procedure.spacing) : procedure.spacing,
-                  &read)
-            .take(diagnostics);
+    bone::ImportReport read;
+    auto body = bone::make_body(surface,
+                                implant.is_made_of_parts() ? documents::fitting_spacing(implant, procedure.spacing)
+                                                           : procedure.spacing,
+                                &read)
+                    .take(diagnostics);
     if (!body) return std::nullopt;
     body->id = implant.id;
     import.file_hashes.insert(import.file_hashes.end(), read.file_hashes.begin(), read.file_hashes.end());
@@ -60,11 +61,12 @@ std::optional<Body> plate_body(const Implant& implant, const Procedure& procedur
 }
 
 /// Returns the sleeve of a step's instrument, on the step's axis.
-std::optional<Guide> guide_of(const Procedure& procedure, const Step& step, const AxisFrame& frame) {
+std::optional<Guide> guide_of(const documents::Procedure& procedure, const documents::Step& step,
+                              const AxisFrame& frame) {
     const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
-                                         [&](const Instrument& i) { return i.id == step.instrument; });
+                                         [&](const documents::Instrument& i) { return i.id == step.instrument; });
     if (instrument == procedure.instruments.end() || !instrument->guide) return std::nullopt;
-    const Sleeve& sleeve = *instrument->guide;
+    const documents::Sleeve& sleeve = *instrument->guide;
     return Guide{.body = 0,
                  .mouth = frame.entry - sleeve.gap * frame.along,
                  .along = frame.along,
@@ -84,9 +86,9 @@ double hardest_of_steps(const Scene& scene) {
 /// Returns the forces at a step's feed, every 0.5 mm of its axis in bone down to its goal [N]. Empty for a step without
 /// depth, and for a screw or a tap, which are turned in.
 std::vector<double> forces_along(const Scene& scene, std::size_t step) {
-    const Step& asked = scene.procedure.steps[step];
+    const documents::Step& asked = scene.procedure.steps[step];
     double depth = 0.0;
-    for (const Goal& goal : asked.goals)
+    for (const documents::Goal& goal : asked.goals)
         if (goal.quantity == "depth") depth = std::max(depth, goal.bound.at_least.value_or(0.0));
     if (depth <= 0.0 || scene.tool(step).outline.has_thread()) return {};
     std::vector<double> forces;
@@ -120,37 +122,38 @@ double min_time_of(const HandPlan& plan) {
     return time;
 }
 
-const LandmarkAxis* find_axis(const Anatomy& anatomy, const std::string& id) {
-    const auto found =
-        std::find_if(anatomy.axes.begin(), anatomy.axes.end(), [&](const LandmarkAxis& a) { return a.id == id; });
+const documents::LandmarkAxis* find_axis(const documents::Anatomy& anatomy, const std::string& id) {
+    const auto found = std::find_if(anatomy.axes.begin(), anatomy.axes.end(),
+                                    [&](const documents::LandmarkAxis& a) { return a.id == id; });
     return found != anatomy.axes.end() ? &*found : nullptr;
 }
 
 /// Finds the planned pose of each implant that has one.
-void plan_implants(Scene& scene, Diagnostics& diagnostics) {
-    const std::vector<Step>& steps = scene.procedure.steps;
+void plan_implants(Scene& scene, text::Diagnostics& diagnostics) {
+    const std::vector<documents::Step>& steps = scene.procedure.steps;
     for (std::size_t i = 0; i < scene.implants.size(); ++i) {
-        const Implant& implant = scene.procedure.implants[i];
+        const documents::Implant& implant = scene.procedure.implants[i];
         scene.planned.emplace_back();
         if (!implant.place) continue;
-        const LandmarkAxis& axis = *find_axis(scene.anatomy, implant.place->axis);
-        const AxisInBone found = axis_in_bone(scene.body, axis);
+        const documents::LandmarkAxis& axis = *find_axis(scene.anatomy, implant.place->axis);
+        const bone::AxisInBone found = bone::axis_in_bone(scene.body, axis);
         if (found.entry < 0.0) {
-            if (std::none_of(steps.begin(), steps.end(), [&](const Step& step) { return step.axis == axis.id; }))
-                check_axis(scene.anatomy, axis, found, diagnostics);
+            if (std::none_of(steps.begin(), steps.end(),
+                             [&](const documents::Step& step) { return step.axis == axis.id; }))
+                bone::check_axis(scene.anatomy, axis, found, diagnostics);
             continue;
         }
         const Vec3 along = normalized(axis.to - axis.from);
-        scene.planned.back() = planned_pose(axis.from + found.entry * along, along, implant.place->up);
+        scene.planned.back() = documents::planned_pose(axis.from + found.entry * along, along, implant.place->up);
         check_plate(scene.procedure, implant, fit_of(scene.implants[i], *scene.planned.back(), BoneAround(scene.body)),
                     diagnostics);
     }
 }
 
 /// Finds the steps that follow holes of planned implants.
-void find_step_holes(Scene& scene, Diagnostics& diagnostics) {
-    const std::vector<Implant>& implants = scene.procedure.implants;
-    std::vector<std::vector<HoleInMetal>> metal;
+void find_step_holes(Scene& scene, text::Diagnostics& diagnostics) {
+    const std::vector<documents::Implant>& implants = scene.procedure.implants;
+    std::vector<std::vector<documents::HoleInMetal>> metal;
     for (std::size_t i = 0; i < implants.size(); ++i) {
         const Body& body = scene.implants[i];
         metal.push_back(check_holes(
@@ -172,18 +175,18 @@ const StepHole* find_hole(const Scene& scene, std::size_t step) {
 }
 
 /// Adds the frame of a step on a hole of an implant, at its planned pose.
-AxisInBone add_frame_of_hole(Scene& scene, const StepHole& hole, Diagnostics& diagnostics) {
-    const Implant& implant = scene.procedure.implants[hole.implant];
+bone::AxisInBone add_frame_of_hole(Scene& scene, const StepHole& hole, text::Diagnostics& diagnostics) {
+    const documents::Implant& implant = scene.procedure.implants[hole.implant];
     const Pose& planned = *scene.planned[hole.implant];
-    const Step& step = scene.procedure.steps[hole.step];
-    const AxisInBone found = axis_in_bone(scene.body, axis_of(hole.hole, planned, step.axis));
+    const documents::Step& step = scene.procedure.steps[hole.step];
+    const bone::AxisInBone found = bone::axis_in_bone(scene.body, documents::axis_of(hole.hole, planned, step.axis));
     if (found.entry < 0.0) {
-        const auto document = document_of(scene.procedure);
-        const Node* node = &document->root;
+        const auto document = documents::document_of(scene.procedure);
+        const documents::Node* node = &document->root;
         for (const std::string& key : {std::string("implants"), implant.id, std::string("holes"), hole.hole.id})
             node = node != nullptr ? node->find(key) : nullptr;
-        Report(*document, diagnostics)
-            .error(Code::plate_off_bone, node != nullptr ? node->key_span : TextSpan{},
+        documents::Report(*document, diagnostics)
+            .error(text::Code::plate_off_bone, node != nullptr ? node->key_span : documents::TextSpan{},
                    "The hole `" + step.axis +
                        "` leads past the bone: at the planned pose its axis meets none between "
                        "`from` and `to`. Move the hole, write a `to:` farther in, or turn the implant with `up:`.");
@@ -195,22 +198,22 @@ AxisInBone add_frame_of_hole(Scene& scene, const StepHole& hole, Diagnostics& di
 
 }  // namespace
 
-const Instrument& instrument_of(const Scene& scene, std::size_t tool) {
+const documents::Instrument& instrument_of(const Scene& scene, std::size_t tool) {
     const auto step =
         std::find(scene.tool_of_step.begin(), scene.tool_of_step.end(), tool) - scene.tool_of_step.begin();
     const std::string& id = scene.procedure.steps[static_cast<std::size_t>(step)].instrument;
     return *std::find_if(scene.procedure.instruments.begin(), scene.procedure.instruments.end(),
-                         [&](const Instrument& i) { return i.id == id; });
+                         [&](const documents::Instrument& i) { return i.id == id; });
 }
 
-const LandmarkPlane* plane_of(const Step& step, const Anatomy& anatomy) {
+const documents::LandmarkPlane* plane_of(const documents::Step& step, const documents::Anatomy& anatomy) {
     const auto plane = std::find_if(anatomy.planes.begin(), anatomy.planes.end(),
-                                    [&](const LandmarkPlane& p) { return p.id == step.plane; });
+                                    [&](const documents::LandmarkPlane& p) { return p.id == step.plane; });
     return plane != anatomy.planes.end() ? &*plane : nullptr;
 }
 
-Result<Scene> make_scene(Documents documents, const ImportOptions& options) {
-    Diagnostics diagnostics;
+text::Result<Scene> make_scene(Documents documents, const bone::ImportOptions& options) {
+    text::Diagnostics diagnostics;
     Scene scene;
     scene.procedure = std::move(documents.procedure);
     scene.anatomy = std::move(documents.anatomy);
@@ -218,53 +221,53 @@ Result<Scene> make_scene(Documents documents, const ImportOptions& options) {
     scene.tools = std::move(documents.tools);
     scene.tool_of_step = std::move(documents.tool_of_step);
 
-    ImportReport& import = scene.import;
-    auto body = make_body(scene.anatomy, scene.procedure.spacing, &import, options).take(diagnostics);
-    if (!body || has_error(diagnostics)) return diagnostics;
+    bone::ImportReport& import = scene.import;
+    auto body = bone::make_body(scene.anatomy, scene.procedure.spacing, &import, options).take(diagnostics);
+    if (!body || text::has_error(diagnostics)) return diagnostics;
     scene.body = std::move(*body);
-    use_fits(scene.anatomy, import);
-    check_axes_in_planes(scene.procedure, scene.anatomy, diagnostics);
+    bone::use_fits(scene.anatomy, import);
+    documents::check_axes_in_planes(scene.procedure, scene.anatomy, diagnostics);
     for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
         check_blade_fits(scene.procedure, instrument_of(scene, tool).id, scene.tools[tool].outline.cutting,
                          scene.body.region, diagnostics);
     }
     for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
-        const Instrument& instrument = instrument_of(scene, tool);
+        const documents::Instrument& instrument = instrument_of(scene, tool);
         scene.staying.emplace_back();
         if (instrument.is_inserted && scene.tools[tool].outline.is_implant())
             scene.staying.back() =
                 staying_implant_body(scene.tools[tool].outline, instrument.id, scene.procedure.spacing);
     }
-    for (const Implant& implant : scene.procedure.implants) {
+    for (const documents::Implant& implant : scene.procedure.implants) {
         auto metal = plate_body(implant, scene.procedure, diagnostics, import);
         if (!metal) return diagnostics;
         scene.implants.push_back(std::move(*metal));
     }
     plan_implants(scene, diagnostics);
     find_step_holes(scene, diagnostics);
-    if (has_error(diagnostics)) return diagnostics;
+    if (text::has_error(diagnostics)) return diagnostics;
     import.file_hashes.insert(import.file_hashes.end(), documents.markup_hashes.begin(), documents.markup_hashes.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     std::vector<const ToolOutline*> outlines;
     for (const std::size_t tool : scene.tool_of_step) outlines.push_back(&scene.tools[tool].outline);
     for (const auto& step : scene.procedure.steps) {
-        AxisInBone found;
+        bone::AxisInBone found;
         if (const StepHole* hole = find_hole(scene, scene.frames.size())) {
             found = add_frame_of_hole(scene, *hole, diagnostics);
         } else {
-            const LandmarkAxis& axis = *find_axis(scene.anatomy, step.axis);
-            found = axis_in_bone(scene.body, axis);
-            check_axis(scene.anatomy, axis, found, diagnostics);
+            const documents::LandmarkAxis& axis = *find_axis(scene.anatomy, step.axis);
+            found = bone::axis_in_bone(scene.body, axis);
+            bone::check_axis(scene.anatomy, axis, found, diagnostics);
             scene.frames.push_back(axis_frame(axis, found.entry, scene.anatomy, plane_of(step, scene.anatomy)));
         }
-        scene.frames.back().inwards = into_surface(scene.body, scene.frames.back().entry);
+        scene.frames.back().inwards = bone::into_surface(scene.body, scene.frames.back().entry);
         scene.fraction_in_bone.push_back(found.share);
         scene.guides.push_back(guide_of(scene.procedure, step, scene.frames.back()));
         const std::size_t index = scene.frames.size() - 1;
         if (found.entry >= 0.0)
             check_screw_in_bone(scene.procedure, outlines, index, scene.frames.back(), scene.body, diagnostics);
     }
-    if (has_error(diagnostics)) return diagnostics;
+    if (text::has_error(diagnostics)) return diagnostics;
     std::vector<const ToolSolid*> cutting;
     for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s) cutting.push_back(&scene.tool(s).outline.cutting);
     check_waypoints_in_region(scene.procedure, scene.frames, cutting, scene.body, diagnostics);
@@ -277,20 +280,20 @@ Result<Scene> make_scene(Documents documents, const ImportOptions& options) {
         check_felt(scene.procedure, s, forces_along(scene, s), *scene.device, scene.gains.force_scale, diagnostics);
     if (scene.anatomy.fracture) {
         scene.whole = scene.body;
-        scene.fragment = break_bone(scene.body, scene.anatomy, import).take(diagnostics);
+        scene.fragment = bone::break_bone(scene.body, scene.anatomy, import).take(diagnostics);
         if (!scene.fragment) return diagnostics;
-        scene.world_from_fragment = world_from_fragment(*scene.anatomy.fracture);
+        scene.world_from_fragment = documents::world_from_fragment(*scene.anatomy.fracture);
     }
     measure_before_cuts(scene, diagnostics);
-    if (has_error(diagnostics)) return diagnostics;
+    if (text::has_error(diagnostics)) return diagnostics;
     for (std::size_t r = 0; r < scene.procedure.rehearsals.size(); ++r)
         check_time(scene.procedure, r, min_time_of(plan_of(scene.procedure.rehearsals[r], scene)), diagnostics);
     return {std::move(scene), std::move(diagnostics)};
 }
 
-Result<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                         const PluginRegistry& plugins, const ImportOptions& options) {
-    Diagnostics diagnostics;
+text::Result<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
+                               const PluginRegistry& plugins, const bone::ImportOptions& options) {
+    text::Diagnostics diagnostics;
     auto documents = check_documents({procedure_file, anatomy_file}, plugins).take(diagnostics);
     if (!documents) return diagnostics;
     auto scene = make_scene(std::move(*documents), options).take(diagnostics);
@@ -298,7 +301,7 @@ Result<Scene> make_scene(const std::string& procedure_file, const std::string& a
     return {std::move(*scene), std::move(diagnostics)};
 }
 
-HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
+HandPlan plan_of(const documents::Rehearsal& rehearsal, const Scene& scene) {
     HandPlan plan;
     plan.plant.device_mass = scene.device->mass;
     plan.plant.device_viscosity = scene.device->viscosity;
@@ -308,7 +311,7 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
     plan.plant = simulated_hand::in_bone(plan.plant, scene.gains.force_scale);
     plan.intent.reaction = rehearsal.reaction;
 
-    const auto pose_at = [&](const Waypoint& waypoint) {
+    const auto pose_at = [&](const documents::Waypoint& waypoint) {
         const Pose planned = scene.frames[waypoint.step].pose_at(waypoint);
         return waypoint.is_displaced ? scene.world_from_fragment * planned : planned;
     };
@@ -316,7 +319,7 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
     plan.inputs.push_back(rehearsal.path.front().inputs);
     for (std::size_t i = 1; i < rehearsal.path.size(); ++i) {
         plan.inputs.push_back(rehearsal.path[i].inputs);
-        const Waypoint &from = rehearsal.path[i - 1], &to = rehearsal.path[i];
+        const documents::Waypoint &from = rehearsal.path[i - 1], &to = rehearsal.path[i];
         const bool is_into_bone = to.step == from.step && to.depth > from.depth && to.depth > 0.0;
         simulated_hand::Leg leg{.target = pose_at(to),
                                 .speed = to.speed.value_or(is_into_bone ? rehearsal.feed : rehearsal.approach),
@@ -337,4 +340,4 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
     return plan;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -20,12 +20,12 @@
 #include "text/result.h"
 
 /// Builds the input of a run from documents and plugins.
-namespace kerf {
+namespace kerf::run {
 
 /// All data that are known before the first tick. [main]
 struct Scene {
-    Procedure procedure;
-    Anatomy anatomy;
+    documents::Procedure procedure;
+    documents::Anatomy anatomy;
     Body body;                                   ///< of a fractured bone: the part behind the fracture
     std::optional<Body> whole{};                 ///< of a fractured bone: the bone before it broke
     std::optional<Body> fragment{};              ///< of a fractured bone: the other part, body 1
@@ -42,36 +42,36 @@ struct Scene {
     /// For each tool: the body that stays when its driver leaves, in the tool's frame; nothing: the implant is not
     /// drawn.
     std::vector<std::optional<Body>> staying;
-    std::vector<MeasureReading> measured_before;  ///< of the procedure's measures, before the first cut
+    std::vector<documents::MeasureReading> measured_before;  ///< of the procedure's measures, before the first cut
     const DeviceRecord* device = nullptr;
     CouplingGains gains;
     double work_force = 0.0;         ///< [N] for which the force scale was computed
-    ImportReport import;             ///< of the import
+    bone::ImportReport import;       ///< of the import
     std::uint64_t anatomy_hash = 0;  ///< of the anatomy's text and data files
 };
 
 /// Returns the instrument of a tool. Pre: a step uses it.   [any] pure.
-[[nodiscard]] const Instrument& instrument_of(const Scene& scene, std::size_t tool);
+[[nodiscard]] const documents::Instrument& instrument_of(const Scene& scene, std::size_t tool);
 
 /// Returns the landmark plane of a step, or null.   [any] pure.
-[[nodiscard]] const LandmarkPlane* plane_of(const Step& step, const Anatomy& anatomy);
+[[nodiscard]] const documents::LandmarkPlane* plane_of(const documents::Step& step, const documents::Anatomy& anatomy);
 
 /// Makes the bone of checked documents and runs the checks that need bone. Error: all that they found.
-[[nodiscard]] Result<Scene> make_scene(Documents documents, const ImportOptions& options = {});
+[[nodiscard]] text::Result<Scene> make_scene(Documents documents, const bone::ImportOptions& options = {});
 
 /// Reads and checks all documents and makes the scene. `anatomy_file` empty: the one that the procedure names. Error:
 /// all mistakes of the documents.
-[[nodiscard]] Result<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                                       const PluginRegistry& plugins, const ImportOptions& options = {});
+[[nodiscard]] text::Result<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
+                                             const PluginRegistry& plugins, const bone::ImportOptions& options = {});
 
 /// A rehearsal as legs of the simulated hand, with its start pose.
 struct HandPlan {
     simulated_hand::Plant plant;
     simulated_hand::Intent intent;
     Pose start = identity_pose();
-    std::vector<std::vector<HandInput>> inputs;  ///< at the start, and at the end of each leg
+    std::vector<std::vector<documents::HandInput>> inputs;  ///< at the start, and at the end of each leg
 };
 /// Returns the plan of a rehearsal.   [main]
-[[nodiscard]] HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene);
+[[nodiscard]] HandPlan plan_of(const documents::Rehearsal& rehearsal, const Scene& scene);
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -11,15 +11,16 @@
 #include "session/report/report.h"
 #include "session/summary.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
 /// Writes the page of the session in a folder. Returns the error as text, empty on success.
 std::string write_report(const std::string& folder) {
     std::string error;
-    const auto run = read_run(folder + "/session.db", error, true);
-    return run ? write_file(folder + "/report.html", report_html(run->summary, run->drawn, run->procedure))
+    const auto run = session::read_run(folder + "/session.db", error, true);
+    return run ? text::write_file(folder + "/report.html",
+                                  session::report_html(run->summary, run->drawn, run->procedure))
                : folder + "/report.html could not be made: " + error;
 }
 
@@ -41,28 +42,28 @@ Mesh all_surfaces(const Simulation& simulation, int stride) {
         const LiveBody& live = *simulation.bodies()[body];
         if (!live.is_present) continue;
         Mesh one = bone_surface(*live.bone, simulation.exact(body), live.is_cuttable ? stride : 1);
-        if (!live.is_cuttable) one.tissue.assign(one.vertices.size(), drawn_metal);
+        if (!live.is_cuttable) one.tissue.assign(one.vertices.size(), session::drawn_metal);
         place(one, live.world_from_body);
         append(one, all);
     }
     return all;
 }
 
-SessionHeader header_of(const Scene& scene, const RunRequest& request, const RunSummary& summary) {
-    SessionHeader header;
+session::SessionHeader header_of(const Scene& scene, const RunRequest& request, const session::RunSummary& summary) {
+    session::SessionHeader header;
     header.procedure = summary.procedure;
     header.procedure_version = summary.procedure_version;
     header.anatomy = summary.anatomy;
     header.rehearsal = summary.rehearsal;
     header.hand = summary.hand;
-    for (const Variant& variant : scene.procedure.variants)
+    for (const documents::Variant& variant : scene.procedure.variants)
         if (variant.id == scene.procedure.variant) header.variant_title = variant.title;
     header.procedure_text = scene.procedure.text;
     header.anatomy_hash = scene.anatomy_hash;
     header.anatomy_notes = scene.import.notes;
     header.versions = summary.versions;
-    header.envelope.uuid = random_uuid();
-    header.envelope.start = utc_now();
+    header.envelope.uuid = session::random_uuid();
+    header.envelope.start = session::utc_now();
     header.envelope.learner = request.learner;
     header.envelope.mode = request.mode;
     header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness,
@@ -75,14 +76,14 @@ SessionHeader header_of(const Scene& scene, const RunRequest& request, const Run
 }  // namespace
 
 std::unique_ptr<SessionFiles> SessionFiles::create(const Scene& scene, const RunRequest& request,
-                                                   const RunSummary& summary, RunOutcome& refusal) {
+                                                   const session::RunSummary& summary, RunOutcome& refusal) {
     std::unique_ptr<SessionFiles> files(new SessionFiles);
     files->folder_ = request.out;
-    if (refusal.error = prepare_output(request.out, files->lock_, files->made_); !refusal.error.empty()) {
+    if (refusal.error = session::prepare_output(request.out, files->lock_, files->made_); !refusal.error.empty()) {
         refusal.is_bad_input = true;
         return nullptr;
     }
-    auto created = Recorder::create(request.out + "/session.db", header_of(scene, request, summary));
+    auto created = session::Recorder::create(request.out + "/session.db", header_of(scene, request, summary));
     refusal.error = created.error;
     files->recorder_ = std::move(created.recorder);
     if (files->recorder_ == nullptr) return nullptr;
@@ -98,27 +99,27 @@ std::optional<RunEnd> SessionFiles::end() {
     return recorder_->wait_for_capacity() ? std::nullopt : std::optional(RunEnd::unrecorded);
 }
 
-std::string SessionFiles::on_exact_surface(const ExactSurface& made) {
+std::string SessionFiles::on_exact_surface(const bone::ExactSurface& made) {
     return made.error.empty() ? write_exact_surfaces(folder_, made) : std::string();
 }
 
-std::string SessionFiles::on_result(const RunSummary& summary, const Simulation& simulation) {
+std::string SessionFiles::on_result(const session::RunSummary& summary, const Simulation& simulation) {
     std::string errors;
     const auto note = [&](const std::string& error) {
         if (!error.empty()) errors += (errors.empty() ? "" : "\n      ") + error;
     };
-    note(recorder_->finish(summary, drawn_surface(all_surfaces(simulation, 2))));
-    note(write_file(folder_ + "/summary.json", summary_json(summary)));
+    note(recorder_->finish(summary, session::drawn_surface(all_surfaces(simulation, 2))));
+    note(text::write_file(folder_ + "/summary.json", session::summary_json(summary)));
     note(write_report(folder_));
     const PresentBone& bone = simulation.present();
-    for (const PieceRow& piece : summary.pieces) {
+    for (const session::PieceRow& piece : summary.pieces) {
         Mesh surface = bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body));
         if (piece.is_metal)  // at its pose in the bone, whose frame is the patient's
             place(surface,
                   inverse(simulation.bodies()[0]->world_from_body) * simulation.bodies()[piece.body]->world_from_body);
-        note(write_file(folder_ + "/" + piece.file, stl_bytes(surface)));
+        note(text::write_file(folder_ + "/" + piece.file, bone::stl_bytes(surface)));
     }
     return errors;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

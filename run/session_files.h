@@ -10,7 +10,7 @@
 #include "session/output_folder.h"
 #include "session/recorder.h"
 
-namespace kerf {
+namespace kerf::run {
 
 /// Writes the files of a run: session.db during the run, then summary.json, report.html and the surfaces of its pieces.
 /// It locks the folder until then.   [main]
@@ -19,23 +19,23 @@ public:
     /// Opens the session in the folder `request.out`. `summary` has the data known before the first tick. Returns null
     /// with the reason in `refusal`; the folder is then unchanged.
     static std::unique_ptr<SessionFiles> create(const Scene& scene, const RunRequest& request,
-                                                const RunSummary& summary, RunOutcome& refusal);
+                                                const session::RunSummary& summary, RunOutcome& refusal);
 
-    void on_event(const EventRow& event) override { recorder_->push_event(event); }
+    void on_event(const session::EventRow& event) override { recorder_->push_event(event); }
     void on_cut(const CutRecord& cut) override;
-    void on_tick(const TickRow& row) override { recorder_->push(row); }
+    void on_tick(const session::TickRow& row) override { recorder_->push(row); }
     /// Waits until the session can take more rows. Returns `unrecorded` if its file cannot be written any more.
     [[nodiscard]] std::optional<RunEnd> end() override;
-    [[nodiscard]] std::string on_exact_surface(const ExactSurface& made) override;
-    [[nodiscard]] std::string on_result(const RunSummary& summary, const Simulation& simulation) override;
+    [[nodiscard]] std::string on_exact_surface(const bone::ExactSurface& made) override;
+    [[nodiscard]] std::string on_result(const session::RunSummary& summary, const Simulation& simulation) override;
 
 private:
     SessionFiles() = default;
 
     std::string folder_;
-    OutputLock lock_;
-    MadeFolders made_;
-    std::unique_ptr<Recorder> recorder_;
+    text::OutputLock lock_;
+    text::MadeFolders made_;
+    std::unique_ptr<session::Recorder> recorder_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace kerf {
+namespace kerf::run {
 
 std::string shipped_or_own(const std::string& name, const std::string& shipped_folder) {
     namespace fs = std::filesystem;
@@ -14,4 +14,4 @@ std::string shipped_or_own(const std::string& name, const std::string& shipped_f
     return fs::is_regular_file(shipped, error) ? shipped.string() : name;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -3,10 +3,10 @@
 
 #include <string>
 
-namespace kerf {
+namespace kerf::run {
 
 /// Returns the file `name` if it exists, else the file of that name in the folder of shipped procedures. Returns `name`
 /// if neither exists.   [main]
 [[nodiscard]] std::string shipped_or_own(const std::string& name, const std::string& shipped_folder);
 
-}  // namespace kerf
+}  // namespace kerf::run

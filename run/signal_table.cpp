@@ -7,7 +7,7 @@
 
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::run {
 
 SignalTable::SignalTable(const std::vector<Tool>& tools) {
     for (std::size_t t = 0; t < tools.size(); ++t) {
@@ -21,10 +21,10 @@ SignalTable::SignalTable(const std::vector<Tool>& tools) {
             columns.push_back({s.id, s.help, unit, parse_unit(unit).value_or(Unit{}).factor});
         }
     }
-    if (columns.size() > max_signal_columns) columns.resize(max_signal_columns);
+    if (columns.size() > session::max_signal_columns) columns.resize(session::max_signal_columns);
 }
 
-void SignalTable::fill(const Simulation& simulation, TickRow& row) const {
+void SignalTable::fill(const Simulation& simulation, session::TickRow& row) const {
     const kerf_force& force = *simulation.setup().force->force;
     for (std::uint32_t i = 0; i < force.signal_count; ++i) {
         const std::size_t column = first[simulation.tool()] + i;
@@ -33,4 +33,4 @@ void SignalTable::fill(const Simulation& simulation, TickRow& row) const {
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -7,16 +7,16 @@
 #include "core/haptics/scene/simulation.h"
 #include "session/recorder.h"
 
-namespace kerf {
+namespace kerf::run {
 
 /// The signals of all tools in one table. Tools with the same law use the same columns.
 struct SignalTable {
-    std::vector<SignalColumn> columns;  ///< at most `max_signal_columns`
-    std::vector<std::size_t> first;     ///< for each tool: its first column
+    std::vector<session::SignalColumn> columns;  ///< at most `max_signal_columns`
+    std::vector<std::size_t> first;              ///< for each tool: its first column
 
     explicit SignalTable(const std::vector<Tool>& tools);
     /// Sets the signals of the present tool; the others are 0.
-    void fill(const Simulation& simulation, TickRow& row) const;
+    void fill(const Simulation& simulation, session::TickRow& row) const;
 };
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -8,7 +8,7 @@
 #include "kerf/exact_math.hpp"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -72,4 +72,4 @@ Body staying_implant_body(const ToolOutline& implant, const std::string& id, dou
     return body;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -12,31 +12,36 @@
 #include "documents/yaml/read_map.h"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
 /// Rounds to 0.01 mm.
-std::string in_mm(double length) { return quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); }
+std::string in_mm(double length) { return text::quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); }
 
 /// Reports errors about one step of a procedure.
 class StepReport {
 public:
-    StepReport(const Procedure& procedure, std::size_t step, Diagnostics& diagnostics)
-        : document_(document_of(procedure)), step_(step), report_(*document_, diagnostics) {}
+    StepReport(const documents::Procedure& procedure, std::size_t step, text::Diagnostics& diagnostics)
+        : document_(documents::document_of(procedure)), step_(step), report_(*document_, diagnostics) {}
 
     /// Reports an error at one of the step's keys, or at the step if it lacks the key.
-    void error(Code code, const char* key, const std::string& text) {
-        const Node* steps = document_->root.find("steps");
-        const Node* item = steps != nullptr && step_ < steps->children.size() ? &steps->children[step_] : nullptr;
-        const Node* value = item != nullptr ? item->find(key) : nullptr;
-        report_.error(code, value != nullptr ? value->span : item != nullptr ? item->span : TextSpan{}, text);
+    void error(text::Code code, const char* key, const std::string& text) {
+        const documents::Node* steps = document_->root.find("steps");
+        const documents::Node* item =
+            steps != nullptr && step_ < steps->children.size() ? &steps->children[step_] : nullptr;
+        const documents::Node* value = item != nullptr ? item->find(key) : nullptr;
+        report_.error(code,
+                      value != nullptr  ? value->span
+                      : item != nullptr ? item->span
+                                        : documents::TextSpan{},
+                      text);
     }
 
 private:
-    std::shared_ptr<const Document> document_;
+    std::shared_ptr<const documents::Document> document_;
     std::size_t step_;
-    Report report_;
+    documents::Report report_;
 };
 
 double seat_of(const ToolOutline& tool) noexcept { return -tool.cutting.end_z(); }
@@ -47,39 +52,40 @@ double tip_core(const ToolOutline& tool) noexcept {
 }
 
 /// Returns the depth of the step's goal; −∞ without one.
-double goal_depth(const Step& step) noexcept {
+double goal_depth(const documents::Step& step) noexcept {
     double depth = -HUGE_VAL;
-    for (const Goal& goal : step.goals)
+    for (const documents::Goal& goal : step.goals)
         if (goal.quantity == "depth") depth = std::max(depth, goal.bound.at_least.value_or(depth));
     return depth;
 }
 
 /// Refuses releases and insertions of tools that are no implant.
-void check_releases(const Procedure& procedure, const std::vector<const ToolOutline*>& tools,
-                    Diagnostics& diagnostics) {
-    const auto document = document_of(procedure);
-    Report report(*document, diagnostics);
+void check_releases(const documents::Procedure& procedure, const std::vector<const ToolOutline*>& tools,
+                    text::Diagnostics& diagnostics) {
+    const auto document = documents::document_of(procedure);
+    documents::Report report(*document, diagnostics);
     const auto is_implant = [&](std::size_t step) { return tools[step]->is_implant(); };
-    for (const Instrument& instrument : procedure.instruments) {
+    for (const documents::Instrument& instrument : procedure.instruments) {
         const auto user = std::find_if(procedure.steps.begin(), procedure.steps.end(),
-                                       [&](const Step& step) { return step.instrument == instrument.id; });
+                                       [&](const documents::Step& step) { return step.instrument == instrument.id; });
         if (!instrument.is_inserted || user == procedure.steps.end() ||
             is_implant(static_cast<std::size_t>(user - procedure.steps.begin())))
             continue;
-        const Node* instruments = document->root.find("instruments");
-        const Node* written = instruments != nullptr ? instruments->find(instrument.id) : nullptr;
-        const Node* key = written != nullptr ? written->find("remeshing") : nullptr;
-        report.error(Code::needs_implant, key != nullptr ? key->span : TextSpan{},
+        const documents::Node* instruments = document->root.find("instruments");
+        const documents::Node* written = instruments != nullptr ? instruments->find(instrument.id) : nullptr;
+        const documents::Node* key = written != nullptr ? written->find("remeshing") : nullptr;
+        report.error(text::Code::needs_implant, key != nullptr ? key->span : documents::TextSpan{},
                      "`" + instrument.id + "` is no implant, so it does not stay. Remove `remeshing: insert`.");
     }
     for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r)
         for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
-            const Waypoint& waypoint = procedure.rehearsals[r].path[w];
-            const bool is_released = std::any_of(waypoint.inputs.begin(), waypoint.inputs.end(),
-                                                 [](const HandInput& i) { return i.kind == HandInput::Kind::release; });
+            const documents::Waypoint& waypoint = procedure.rehearsals[r].path[w];
+            const bool is_released = std::any_of(
+                waypoint.inputs.begin(), waypoint.inputs.end(),
+                [](const documents::HandInput& i) { return i.kind == documents::HandInput::Kind::release; });
             if (!is_released || is_implant(waypoint.step)) continue;
-            const Node* node = waypoint_node(*document, r, w, "do");
-            report.error(Code::needs_implant, node != nullptr ? node->span : TextSpan{},
+            const documents::Node* node = documents::waypoint_node(*document, r, w, "do");
+            report.error(text::Code::needs_implant, node != nullptr ? node->span : documents::TextSpan{},
                          "`" + procedure.steps[waypoint.step].instrument +
                              "` is no implant, so it is not released. Remove `do: release`.");
         }
@@ -111,7 +117,8 @@ double point_of(const ToolOutline& tool) noexcept { return tool.cutting_count > 
 
 /// Returns the hole and the tap before a step. An opening of the cortex alone is no hole for the thread. So the width
 /// counts at half the thread's depth.
-EarlierBores before_step(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step) {
+EarlierBores before_step(const documents::Procedure& procedure, const std::vector<const ToolOutline*>& tools,
+                         std::size_t step) {
     EarlierBores found;
     for (std::size_t b = 0; b < step; ++b) {
         const ToolOutline& tool = *tools[b];
@@ -127,15 +134,15 @@ EarlierBores before_step(const Procedure& procedure, const std::vector<const Too
     return found;
 }
 
-void check_lead(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step,
+void check_lead(const documents::Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step,
                 StepReport& report) {
     constexpr double same = 0.02;  // [–] same as in the law of the screw
     for (std::size_t b = 0; b < step; ++b) {
-        const Step &before = procedure.steps[b], &now = procedure.steps[step];
+        const documents::Step &before = procedure.steps[b], &now = procedure.steps[step];
         if (before.axis != now.axis || !tools[b]->has_thread() || tools[b]->is_implant()) continue;
         const double lead = tools[step]->thread_lead, cut = tools[b]->thread_lead;
         if (std::abs(cut - lead) <= same * lead) continue;
-        report.error(Code::other_lead, "instrument",
+        report.error(text::Code::other_lead, "instrument",
                      "`" + now.instrument + "` goes " + in_mm(lead) + " in a turn, and `" + before.instrument +
                          "`, which cuts its thread in step `" + before.id + "`, " + in_mm(cut) +
                          ". Give both the same `pitch` and `starts`.");
@@ -144,10 +151,11 @@ void check_lead(const Procedure& procedure, const std::vector<const ToolOutline*
 
 }  // namespace
 
-void check_threads(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, Diagnostics& diagnostics) {
+void check_threads(const documents::Procedure& procedure, const std::vector<const ToolOutline*>& tools,
+                   text::Diagnostics& diagnostics) {
     check_releases(procedure, tools, diagnostics);
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
-        const Step& step = procedure.steps[s];
+        const documents::Step& step = procedure.steps[s];
         const ToolOutline& tool = *tools[s];
         if (!tool.has_thread()) continue;
         StepReport report(procedure, s, diagnostics);
@@ -158,20 +166,20 @@ void check_threads(const Procedure& procedure, const std::vector<const ToolOutli
         const std::string wide =
             "The thread of `" + step.instrument + "` is " + in_mm(2.0 * thread) + " wide, and its ";
         if (tool.is_implant() && before.tap > thread + hair)
-            report.error(Code::hole_too_wide, "instrument",
+            report.error(text::Code::hole_too_wide, "instrument",
                          wide + "tap " + in_mm(2.0 * before.tap) + ". Take a thinner tap, or a thicker screw.");
         if (before.hole >= thread)
-            report.error(Code::hole_too_wide, "instrument",
+            report.error(text::Code::hole_too_wide, "instrument",
                          wide + "hole along `" + step.axis + "` " + in_mm(2.0 * before.hole) +
                              ". Take a thinner drill, or a thicker screw.");
         if (before.hole > 0.0 && tip > before.hole + hair)
-            report.error(Code::core_too_wide, "instrument",
+            report.error(text::Code::core_too_wide, "instrument",
                          "The tip of `" + step.instrument + "` has a core of " + in_mm(2.0 * tip) +
                              ", and the hole along `" + step.axis + "` is " + in_mm(2.0 * before.hole) +
                              " wide. Take a wider drill, or a screw with a core of at most " +
                              in_mm(2.0 * before.hole) + ".");
         if (const double asked = goal_depth(step); tool.is_implant() && asked > seat_of(tool))
-            report.error(Code::seats_too_soon, "goals",
+            report.error(text::Code::seats_too_soon, "goals",
                          "The goal is a depth of at least " + in_mm(asked) + ", and the head of `" + step.instrument +
                              "` seats at " + in_mm(seat_of(tool)) + ". Take a longer one, or ask for no more.");
     }
@@ -195,15 +203,15 @@ bool enters_through_hole(const AxisFrame& frame, double radius, const Body& body
 
 }  // namespace
 
-void check_screw_in_bone(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step,
-                         const AxisFrame& frame, const Body& body, Diagnostics& diagnostics) {
+void check_screw_in_bone(const documents::Procedure& procedure, const std::vector<const ToolOutline*>& tools,
+                         std::size_t step, const AxisFrame& frame, const Body& body, text::Diagnostics& diagnostics) {
     const ToolOutline& tool = *tools[step];
-    const Step& asked = procedure.steps[step];
+    const documents::Step& asked = procedure.steps[step];
     if (!tool.has_thread()) return;
     StepReport report(procedure, step, diagnostics);
     const bool is_in_a_hole = enters_through_hole(frame, tool.thread_radius, body);
     if (before_step(procedure, tools, step).hole <= 0.0 && !is_in_a_hole)
-        report.error(Code::no_hole, "instrument",
+        report.error(text::Code::no_hole, "instrument",
                      "`" + asked.instrument + "` has a thread, and no step before `" + asked.id +
                          "` drills a hole for it along `" + asked.axis +
                          "`. Put one before it, with a drill about as wide as its core, " +
@@ -218,11 +226,11 @@ void check_screw_in_bone(const Procedure& procedure, const std::vector<const Too
     // [m] accepted protrusion of a tip that is planned to leave the far side [judgement].
     constexpr double proud = 15e-3;
     if (last + spacing >= seat || (goal_depth(asked) > last && seat <= goal_depth(asked) + proud)) return;
-    report.error(Code::screw_too_long, "instrument",
+    report.error(text::Code::screw_too_long, "instrument",
                  "`" + asked.instrument + "` is " + in_mm(seat) + " long, and along `" + asked.axis +
                      "` the bone ends after " + in_mm(last) +
                      ": seated, its tip would be out of it. Take one of at most " + in_mm(last) +
                      ", or ask for a depth beyond the far side.");
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

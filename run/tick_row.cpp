@@ -7,7 +7,7 @@
 
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::run {
 
 double tip_inside(const Simulation& simulation, const StepMonitor& monitor, Vec3 tip) {
     const auto& owners = monitor.owners().step;
@@ -39,9 +39,10 @@ std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 ti
     return -1;
 }
 
-TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation, const StepMonitor& monitor,
-               const SignalTable& signals, const Pose& world_from_handle, std::int32_t tissue, double removed) {
-    TickRow row;
+session::TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation,
+                        const StepMonitor& monitor, const SignalTable& signals, const Pose& world_from_handle,
+                        std::int32_t tissue, double removed) {
+    session::TickRow row;
     row.tick = simulation.ticks() - 1;
     row.time = static_cast<double>(row.tick) * Simulation::dt;
     row.step = monitor.current() < scene.procedure.steps.size() ? static_cast<std::int32_t>(monitor.current()) : -1;
@@ -67,10 +68,10 @@ TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& s
 std::string event_detail(const std::string& event, const Simulation& simulation) {
     if (event == "haptics.quarantined") return text_of(simulation.law_fault());
     if (event != "haptics.unresisted") return "";
-    const auto in_mm = [](double v) { return quantity_text(std::round(v * 1e4) * 1e-4, "mm"); };
+    const auto in_mm = [](double v) { return text::quantity_text(std::round(v * 1e4) * 1e-4, "mm"); };
     const Unresisted& where = simulation.unresisted();
     return "the tool, " + in_mm(-where.point.z) + " behind its tip, is " + in_mm(where.depth) +
            " or more in uncut bone, and no channel of " + name_of_law(*simulation.setup().force) + " resists it there";
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

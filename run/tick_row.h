@@ -11,7 +11,7 @@
 #include "session/recording.h"
 
 /// Computes the recorded row of a tick.
-namespace kerf {
+namespace kerf::run {
 
 /// Returns the depth of the tip below the surface of the uncut bone [m], at the body's present pose. [main]
 [[nodiscard]] double tip_inside(const Simulation& simulation, const StepMonitor& monitor, Vec3 tip);
@@ -22,11 +22,11 @@ namespace kerf {
 /// Returns the row of the last tick.   [main]
 /// @param handle    pose that the device reported, world frame
 /// @param removed   [m³] total so far
-[[nodiscard]] TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation,
-                             const StepMonitor& monitor, const SignalTable& signals, const Pose& world_from_handle,
-                             std::int32_t tissue, double removed);
+[[nodiscard]] session::TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation,
+                                      const StepMonitor& monitor, const SignalTable& signals,
+                                      const Pose& world_from_handle, std::int32_t tissue, double removed);
 
 /// Returns details of an event of the host, as text.   [main]
 [[nodiscard]] std::string event_detail(const std::string& event, const Simulation& simulation);
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 // A block fills in 17 batches or more. It is compressed in eight parts.
@@ -100,4 +100,4 @@ void BlockWriter::write_block() {
     full_.clear();
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -12,7 +12,7 @@
 #include "session/session_tables.h"
 #include "session/sqlite_database.h"
 
-namespace kerf {
+namespace kerf::session {
 
 /// Rows of one table in memory, stored by column.
 class RowBlock {
@@ -91,4 +91,4 @@ private:
     SqliteStatement insert_, remove_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::session

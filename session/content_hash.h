@@ -11,7 +11,7 @@
 #include "core/field/fnv1a.h"
 #include "session/recording.h"
 
-namespace kerf {
+namespace kerf::session {
 
 /// A 64-bit hash of a run: FNV-1a over the bytes of each value. Two runs that agree bit for bit have the same hash on
 /// every machine.   [any]
@@ -86,4 +86,4 @@ inline void add_event(ContentHash& hash, const EventRow& event) noexcept {
     return digits;
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 using Bytes = std::vector<unsigned char>;
@@ -74,4 +74,4 @@ bool is_sound(const DrawnSurface& surface) {
     return true;
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -6,7 +6,7 @@
 
 #include "core/field/surface/mesh.h"
 
-namespace kerf {
+namespace kerf::session {
 
 /// A packed surface, as the page draws it and the session stores it. Numbers are little-endian. Empty: no surface.
 struct DrawnSurface {
@@ -32,4 +32,4 @@ inline constexpr std::uint8_t drawn_metal = 15;
 /// Returns whether the arrays have consistent lengths and every triangle has valid vertices.   [any]
 [[nodiscard]] bool is_sound(const DrawnSurface& surface);
 
-}  // namespace kerf
+}  // namespace kerf::session

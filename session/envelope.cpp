@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <ctime>
 
-namespace kerf {
+namespace kerf::session {
 
 std::string random_uuid() {
     std::array<std::uint8_t, 16> bytes{};
@@ -34,4 +34,4 @@ std::string utc_now() {
     return text;
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

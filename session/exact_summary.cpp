@@ -6,7 +6,7 @@
 
 #include "session/content_hash.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 double in_mm3(double volume) { return std::round(volume * 1e13) / 1e4; }
@@ -54,4 +54,4 @@ nlohmann::ordered_json exact_summary(const ExactRow& exact) {
             {"notes", exact.notes}};
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -16,7 +16,7 @@
 #include "core/field/pieces/present_bone.h"
 #include "session/recorder.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,7 +72,7 @@ std::string refusal_of_length(const std::string& folder) {
 
 }  // namespace
 
-std::string prepare_output(const std::string& folder, OutputLock& lock, MadeFolders& made) {
+std::string prepare_output(const std::string& folder, text::OutputLock& lock, text::MadeFolders& made) {
     std::error_code error;
     const fs::path path(folder);
     const fs::file_status status = fs::status(path, error);
@@ -106,4 +106,4 @@ std::string prepare_output(const std::string& folder, OutputLock& lock, MadeFold
     return error ? folder + " could not be emptied: " + error.message() : std::string();
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

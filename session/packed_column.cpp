@@ -13,7 +13,7 @@
 
 #include "kerf/assert.hpp"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 constexpr int level = 6;
@@ -213,4 +213,4 @@ bool ColumnUnpacker::unpack(std::span<const unsigned char> bytes, int difference
     return true;
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace kerf {
+namespace kerf::session {
 
 /// Rows of a block. A column has at most 8 bytes per row before compression.
 inline constexpr std::size_t max_block_rows = 4096;
@@ -81,4 +81,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::session

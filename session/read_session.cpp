@@ -14,7 +14,7 @@
 #include "session/session_file.h"
 #include "session/session_tables.h"
 
-namespace kerf {
+namespace kerf::session {
 
 namespace {
 
@@ -99,4 +99,4 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
     return inputs;
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

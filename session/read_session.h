@@ -10,7 +10,7 @@
 #include "session/record_checksum.h"
 #include "session/recording.h"
 
-namespace kerf {
+namespace kerf::session {
 
 /// The inputs of a session that a replay needs: all inputs of each tick, and the hash at the end.
 struct RecordedInputs {
@@ -34,4 +34,4 @@ struct RecordedInputs {
 /// or an invalid count of missed ticks; `error` is a text for people.   [main]
 [[nodiscard]] std::optional<RecordedInputs> read_session(const std::string& path, std::string& error);
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -16,7 +16,7 @@
 #include "session/session_file.h"
 #include "session/session_tables.h"
 
-namespace kerf {
+namespace kerf::session {
 
 namespace {
 
@@ -85,4 +85,4 @@ RecordCheck check_record(sqlite3* database) {
     return found && hex16(*found) == expected ? RecordCheck::same : RecordCheck::changed;
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -6,7 +6,7 @@
 
 struct sqlite3;
 
-namespace kerf {
+namespace kerf::session {
 
 /// The key of the checksum in table `session`, which a run writes at its end.
 inline constexpr const char* record_checksum_key = "record_checksum";
@@ -28,4 +28,4 @@ enum class RecordCheck {
 /// Compares the rows with the checksum. Pre: the session is open and its tables compute nothing.   [main]
 [[nodiscard]] RecordCheck check_record(sqlite3* database);
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -10,7 +10,7 @@
 #include "session/recorder.h"
 #include "text/plain_numbers.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 // Upper bound of zlib's output for incompressible numbers. A run writes no more.
@@ -141,7 +141,7 @@ std::vector<Table> recorded_tables(sqlite3* database) {
     SessionQuery ids(database, "SELECT id, display_unit FROM signals ORDER BY position");
     while (signals.size() < max_signal_columns && ids.next()) signals.push_back({ids.text(0), {}, ids.text(1), 1.0});
     SessionQuery scale(database, "SELECT value FROM session WHERE key = 'condition.force_scale'");
-    const PlainNumbers point;
+    const text::PlainNumbers point;
     return session_tables(signals, scale.next() ? std::strtod(scale.text(0).c_str(), nullptr) : 1.0);
 }
 
@@ -158,4 +158,4 @@ std::optional<std::uint64_t> recorded_row_count(sqlite3* database, const std::st
     return count + static_cast<std::uint64_t>(std::clamp(blocks.number(0), 0.0, most));
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

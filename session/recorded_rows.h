@@ -11,7 +11,7 @@
 #include "session/session_file.h"
 #include "session/session_tables.h"
 
-namespace kerf {
+namespace kerf::session {
 
 /// Reads the rows of `ticks` or `cuts` in the order in which a run wrote them: first the rows compressed in `blocks`,
 /// then the plain ones. Sessions before schema 4 have plain rows only. Keeps one block in memory at a time.   [main]
@@ -57,4 +57,4 @@ private:
 /// Returns the number of rows that `RecordedRows` reads, according to the file; nothing if it cannot be read.   [main]
 [[nodiscard]] std::optional<std::uint64_t> recorded_row_count(sqlite3* database, const std::string& table);
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -17,7 +17,7 @@
 #include "session/recorder_impl.h"
 #include "text/write_file.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 /// Copies as much as fits, without cutting a UTF-8 character.
@@ -85,7 +85,7 @@ Recorder::Created Recorder::create(const std::string& path, const SessionHeader&
     if (database.open(part)) impl->create(header);
     if (!database.is_good()) return failed(refusal());
     database.close();
-    if (std::string why = rename_into_position(part, path); !why.empty()) return failed(why);
+    if (std::string why = text::rename_into_position(part, path); !why.empty()) return failed(why);
     if (database.open(path)) impl->open_to_write();
     if (database.is_good()) impl->start();
     if (!database.is_good()) {
@@ -154,4 +154,4 @@ std::string Recorder::finish(const RunSummary& summary, const DrawnSurface& bone
     return {};
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

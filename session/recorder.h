@@ -10,7 +10,7 @@
 #include "session/drawn_surface.h"
 #include "session/recording.h"
 
-namespace kerf {
+namespace kerf::session {
 
 /// `PRAGMA application_id` of a session: "KERF".
 inline constexpr std::int32_t session_application_id = 0x4b455246;
@@ -136,4 +136,4 @@ struct Recorder::Created {
     std::string error;  ///< for people; empty if there is a recorder
 };
 
-}  // namespace kerf
+}  // namespace kerf::session

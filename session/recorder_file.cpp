@@ -13,11 +13,11 @@
 #include "session/recorder_impl.h"
 #include "text/plain_numbers.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 std::string text_of(double value) {
-    const PlainNumbers point;
+    const text::PlainNumbers point;
     char text[40];
     std::snprintf(text, sizeof text, "%.17g", value);
     return text;
@@ -206,4 +206,4 @@ void Recorder::Impl::close(const char* state) {
     is_closed = true;
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

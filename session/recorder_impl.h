@@ -21,7 +21,7 @@
 
 /// The inside of a recorder: recorder.cpp has its face, recorder_file.cpp begins and ends the file, recorder_writer.cpp
 /// has the threads that write it.
-namespace kerf {
+namespace kerf::session {
 
 /// An event without heap memory.
 struct EventSlot {
@@ -97,4 +97,4 @@ private:
     void fold_when_long();
 };
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -13,7 +13,7 @@
 
 #include "session/recorder_impl.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -213,4 +213,4 @@ void Recorder::Impl::stop() {
     lost_events += events.size();
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -14,7 +14,7 @@
 #include "kerf/math.hpp"
 
 /// The results of a run as plain values. The recorder writes them, the report draws them.
-namespace kerf {
+namespace kerf::session {
 
 /// Maximum number of recorded signals, over all tools of a run. Further signals are left out.
 inline constexpr std::size_t max_signal_columns = 2 * KERF_MAX_SIGNALS;
@@ -162,4 +162,4 @@ struct RunSummary {
     std::optional<ClockRow> clock{};         ///< of a run on the clock
 };
 
-}  // namespace kerf
+}  // namespace kerf::session

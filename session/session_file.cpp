@@ -11,7 +11,7 @@
 #include "session/recorder.h"
 #include "text/write_file.h"
 
-namespace kerf {
+namespace kerf::session {
 
 namespace {
 
@@ -109,7 +109,7 @@ std::string SessionFile::open(const std::string& path, const std::vector<std::st
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return cannot;
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (!is_own && is_being_written(folder.empty() ? "." : folder.string()))
+    if (!is_own && text::is_being_written(folder.empty() ? "." : folder.string()))
         return path + ": a run is writing it. Wait until that has ended.";
 
     // A finished session is one file. It is opened as immutable: without locks, so without files next to it. The -wal
@@ -140,4 +140,4 @@ std::string SessionFile::open(const std::string& path, const std::vector<std::st
     return {};
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -10,7 +10,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace kerf {
+namespace kerf::session {
 
 /// One SELECT, read row by row. After a failure there are no more rows.
 class SessionQuery {
@@ -66,4 +66,4 @@ private:
     std::int64_t steps_left_ = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -6,7 +6,7 @@
 
 #include "core/plugin/si_unit.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 using Columns = std::vector<TableColumn>;
@@ -237,4 +237,4 @@ std::string insert_sql(const Table& table) {
     return "INSERT INTO " + quoted(table.name) + " VALUES(" + places + ")";
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -11,7 +11,7 @@
 #include "session/recording.h"
 #include "session/sqlite_database.h"
 
-namespace kerf {
+namespace kerf::session {
 
 /// One column of one table, as the file describes it in its table `columns`.
 struct TableColumn {
@@ -57,4 +57,4 @@ void create_tables(SqliteDatabase& database, const std::vector<Table>& tables);
 /// Returns INSERT INTO name VALUES(?,…), with one `?` per column.
 [[nodiscard]] std::string insert_sql(const Table& table);
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace kerf {
+namespace kerf::session {
 
 bool SqliteDatabase::check(int code) {
     if (code == SQLITE_OK || code == SQLITE_DONE || code == SQLITE_ROW) return error_.empty();
@@ -98,4 +98,4 @@ bool SqliteStatement::run() {
     return is_done;
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

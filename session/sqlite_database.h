@@ -9,7 +9,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace kerf {
+namespace kerf::session {
 
 /// One connection to an SQLite file. It keeps the first error; after that every call does nothing and returns false. So
 /// a long list of statements needs one check at its end.   [one thread at a time]
@@ -67,4 +67,4 @@ private:
     int column_ = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -13,7 +13,7 @@
 #include "text/plain_numbers.h"
 #include "text/printable_lines.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 /// Rounds to twelve digits: 0.0065 m is then 6.5 mm, not 6.499999999999999.
 Json plain_number(double value) {
     if (!std::isfinite(value)) return nullptr;
-    const PlainNumbers point;
+    const text::PlainNumbers point;
     char text[40];
     std::snprintf(text, sizeof text, "%.12g", value);
     return std::strtod(text, nullptr);
@@ -121,7 +121,7 @@ std::string summary_json(const RunSummary& summary) {
                   {"variant", summary.variant}};
     if (summary.exact) document["exact_surface"] = exact_summary(*summary.exact);
     if (summary.clock) document["clock"] = to_json(*summary.clock);
-    return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+    return text::printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

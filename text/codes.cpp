@@ -8,7 +8,7 @@
 #include <ranges>
 #include <system_error>
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 constexpr bool error = false, warning = true;
@@ -79,4 +79,4 @@ std::string table_of_codes() {
     return text;
 }
 
-}  // namespace kerf
+}  // namespace kerf::text

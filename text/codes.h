@@ -9,7 +9,7 @@
 /// The catalogue of error codes: documents, data files (E06xx) and runs (E07xx). The files `codes_*.def` are the one
 /// table; this enumeration, `kerf explain` and docs/codes.md come from it. A number is never reused, so that a search
 /// for it finds its meaning.
-namespace kerf {
+namespace kerf::text {
 
 /// The number is the one in messages: 412 is `E0412`, as a warning `W0412`.
 enum class Code {
@@ -53,4 +53,4 @@ struct CodeEntry {
 /// Returns the table of docs/codes.md: a row for each code.   [any]
 [[nodiscard]] std::string table_of_codes();
 
-}  // namespace kerf
+}  // namespace kerf::text

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace kerf {
+namespace kerf::text {
 
 /// Returns the smallest number of digits, at least `digits`, that makes the texts of a value and its bound differ:
 /// 59.98 and 60.00, not 60.0 and 60.0. Returns `digits` for equal numbers, and for numbers whose texts agree up to
@@ -15,4 +15,4 @@ template <class TextOf>
     return digits;
 }
 
-}  // namespace kerf
+}  // namespace kerf::text

@@ -7,7 +7,7 @@
 #include "kerf/units.hpp"
 
 /// Foreign units: Kerf refuses them, and converts them in its advice.
-namespace kerf {
+namespace kerf::text {
 
 inline constexpr double inch = 0.0254;               // [m] exact by definition
 inline constexpr double pound = 0.45359237;          // [kg] exact by definition
@@ -157,4 +157,4 @@ inline constexpr std::array foreign_unit_symbols{
     UnitSymbol{"uL", 1, 1e9, dimension::volume},
 };
 
-}  // namespace kerf
+}  // namespace kerf::text

@@ -5,7 +5,7 @@
 #include <exception>
 #include <filesystem>
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 std::filesystem::path resolved(const std::string& path) {
@@ -25,4 +25,4 @@ bool is_inside_folder(const std::string& path, const std::string& folder) {
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::text

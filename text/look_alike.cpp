@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdio>
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 /// Returns the first code point of checked UTF-8. A byte out of sequence is a character of its own.
@@ -186,4 +186,4 @@ std::string about(const LookAlike& found) {
     return "`" + character + "` is " + code + " (" + found.name + "), not `" + found.ascii + "`";
 }
 
-}  // namespace kerf
+}  // namespace kerf::text

@@ -8,7 +8,7 @@
 #include <string_view>
 
 /// Characters that look like ASCII but are not: a typographic minus sign, a no-break space, curly quotation marks.
-namespace kerf {
+namespace kerf::text {
 
 struct LookAlike {
     std::uint32_t code = 0;  ///< code point
@@ -35,4 +35,4 @@ struct LookAlike {
 /// end, a mark of writing direction, or a line separator unknown to YAML. `name` describes it.   [any] pure.
 [[nodiscard]] std::optional<LookAlike> find_control(std::string_view text);
 
-}  // namespace kerf
+}  // namespace kerf::text

@@ -5,7 +5,7 @@
 
 #include <clocale>
 
-namespace kerf {
+namespace kerf::text {
 
 /// While an object of this class lives, the C library reads and writes numbers on this thread with a decimal point. The
 /// program's locale does not matter: a library in the program, or a program around Kerf, may have set a decimal comma.
@@ -25,4 +25,4 @@ private:
     locale_t before_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::text

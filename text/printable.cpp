@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 /// One character of a text: its code point and its number of bytes. A byte that is not UTF-8 is a character of its own.
@@ -124,4 +124,4 @@ std::string yaml_word(std::string_view text) {
     return is_plain ? std::string(text) : yaml_quoted(text);
 }
 
-}  // namespace kerf
+}  // namespace kerf::text

@@ -6,7 +6,7 @@
 #include <string_view>
 
 /// Makes text from a file safe to show on a terminal, in HTML and in JSON.
-namespace kerf {
+namespace kerf::text {
 
 /// Returns the text with all characters escaped that a terminal or a reader would not see as a letter. These are
 /// control characters (also above ASCII), marks of writing direction, invisible marks, line separators and bytes that
@@ -26,4 +26,4 @@ namespace kerf {
 /// [any] pure.
 [[nodiscard]] std::string yaml_word(std::string_view text);
 
-}  // namespace kerf
+}  // namespace kerf::text

@@ -9,7 +9,7 @@
 
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::text {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::string printable_json(std::string_view json) {
     return safe;
 }
 
-}  // namespace kerf
+}  // namespace kerf::text

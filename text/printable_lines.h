@@ -5,7 +5,7 @@
 #include <string_view>
 
 /// `printable` and its JSON form for whole outputs.
-namespace kerf {
+namespace kerf::text {
 
 /// Returns several lines, each printable. Line breaks (`\n`, `\r\n`) and tabs stay.   [any] pure.
 [[nodiscard]] std::string printable_lines(std::string_view text);
@@ -14,4 +14,4 @@ namespace kerf {
 /// JSON in UTF-8, so that hidden characters other than line breaks are in strings.   [any] pure.
 [[nodiscard]] std::string printable_json(std::string_view json);
 
-}  // namespace kerf
+}  // namespace kerf::text

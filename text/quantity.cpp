@@ -15,7 +15,7 @@
 #include "text/look_alike.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -472,4 +472,4 @@ Parsed<Vec3> parse_vector(std::string_view text, const std::string& name, const 
     return {std::nullopt, explain({text, name, need, true})};
 }
 
-}  // namespace kerf
+}  // namespace kerf::text

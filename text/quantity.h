@@ -11,7 +11,7 @@
 #include "text/codes.h"
 
 /// Quantities as people write them: "3.2 mm", "1.85 g/cm3". Independent of the computer's locale.
-namespace kerf {
+namespace kerf::text {
 
 /// Requirements on a value. `unit` is the unit of messages; "" for a plain number.
 struct QuantityNeed {
@@ -54,4 +54,4 @@ std::string vector_pattern(const QuantityNeed& need);
 /// Returns `value` in `unit`, with at most ten digits: "0.5 mm".   [any]
 std::string quantity_text(double value, std::string_view unit);
 
-}  // namespace kerf
+}  // namespace kerf::text

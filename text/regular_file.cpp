@@ -5,7 +5,7 @@
 #include <ios>
 #include <system_error>
 
-namespace kerf {
+namespace kerf::text {
 
 std::optional<FileFault> fault_of_file(const std::string& file) {
     std::error_code error;
@@ -37,4 +37,4 @@ std::ifstream open_regular_file(const std::string& file) {
     return stream;
 }
 
-}  // namespace kerf
+}  // namespace kerf::text

@@ -6,7 +6,7 @@
 #include <string>
 
 /// Opens files for reading, only if they are regular files.
-namespace kerf {
+namespace kerf::text {
 
 /// The reason why a file cannot be read, and advice: one sentence each.
 struct FileFault {
@@ -21,4 +21,4 @@ struct FileFault {
 /// [main]
 [[nodiscard]] std::ifstream open_regular_file(const std::string& file);
 
-}  // namespace kerf
+}  // namespace kerf::text

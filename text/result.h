@@ -7,7 +7,7 @@
 #include "kerf/assert.hpp"
 #include "text/source.h"
 
-namespace kerf {
+namespace kerf::text {
 
 /// A value, or the errors because of which there is none. Warnings may come with a value. So may errors where the
 /// function returns the part that it could read.
@@ -41,4 +41,4 @@ private:
     Diagnostics found_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::text

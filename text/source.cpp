@@ -8,7 +8,7 @@
 
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::text {
 
 std::string shown(std::string_view text) {
     std::string safe;
@@ -109,4 +109,4 @@ std::string to_text(const Diagnostics& diagnostics) {
     return text;
 }
 
-}  // namespace kerf
+}  // namespace kerf::text

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// Positions in a document, and the problems there.
-namespace kerf {
+namespace kerf::text {
 
 /// A position in a text file, counted from 1; line 0 means "the file as a whole".
 struct SourcePosition {
@@ -64,4 +64,4 @@ std::string shown(std::string_view text);
 /// the same form.
 std::string to_text(const Diagnostics& diagnostics);
 
-}  // namespace kerf
+}  // namespace kerf::text

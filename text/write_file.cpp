@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 namespace fs = std::filesystem;
@@ -203,4 +203,4 @@ std::string MadeFolders::make(const std::string& folder) {
     return {};
 }
 
-}  // namespace kerf
+}  // namespace kerf::text

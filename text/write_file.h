@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kerf {
+namespace kerf::text {
 
 /// Writes a whole file in parts. Readers see the old file or the new one, never half of it, also after a power cut. The
 /// writer fills a temporary file `PATH.part` in the same folder, syncs it to disk, renames it and syncs the folder. It
@@ -80,4 +80,4 @@ private:
 /// Returns whether a process has locked a folder with an OutputLock.   [main]
 [[nodiscard]] bool is_being_written(const std::string& folder);
 
-}  // namespace kerf
+}  // namespace kerf::text

@@ -3,7 +3,7 @@
 
 #include <zlib.h>
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 void put(std::string& out, std::uint32_t value) {
@@ -58,4 +58,4 @@ std::string png_link(const Picture& picture) {
     return text;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace kerf {
+namespace kerf::app {
 
 /// Pixels, row by row from the top, red, green and blue of each.
 struct Picture {
@@ -23,4 +23,4 @@ struct Picture {
 /// Returns the picture as a link for <img> or <image>: `data:image/png;base64,…`.   [any]
 [[nodiscard]] std::string png_link(const Picture& picture);
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -15,7 +15,7 @@
 #include "session/recorder.h"
 #include "session/report/report_data.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 constexpr std::string_view style = R"css(
@@ -29,11 +29,11 @@ figcaption { font-size: 13px; color: #5b666f; padding: 4px 2px 0; } svg { displa
 li { margin: 2px 0; } footer { color: #5b666f; margin-top: 24px; font-size: 13px; }
 )css";
 
-std::string px(double value) { return rounded(value, 1); }
+std::string px(double value) { return bone::rounded(value, 1); }
 
 std::string label(double x, double y, const std::string& text, const char* colour) {
     return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" font-size=\"12\" fill=\"" + colour +
-           "\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">" + html_escaped(text) + "</text>";
+           "\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">" + session::html_escaped(text) + "</text>";
 }
 
 std::string line(const View& view, Vec3 from, Vec3 to, const char* colour, const char* more = "") {
@@ -48,22 +48,22 @@ bool is_in(const View& view, Vec3 p) {
 
 /// Draws landmarks, with their tolerance as a circle.
 /// @param reach   largest distance of a landmark from the plane of the view [m]
-std::string landmarks(const View& view, const Scene& scene, double reach) {
+std::string landmarks(const View& view, const run::Scene& scene, double reach) {
     std::string marks;
     const auto is_near = [&](Vec3 p) { return std::abs(dot(p - view.centre, view.away())) <= reach && is_in(view, p); };
-    for (const LandmarkAxis& axis : scene.anatomy.axes) {
+    for (const documents::LandmarkAxis& axis : scene.anatomy.axes) {
         if (!is_near(axis.from) && !is_near(axis.to)) continue;
         marks += line(view, axis.from, axis.to, "#1f6f9f", "stroke-dasharray=\"6 3\"");
         if (is_in(view, axis.from)) marks += label(view.x_of(axis.from) + 6, view.y_of(axis.from), axis.id, "#1f6f9f");
     }
-    for (const LandmarkPoint& point : scene.anatomy.points) {
+    for (const documents::LandmarkPoint& point : scene.anatomy.points) {
         if (!is_near(point.at)) continue;
         marks += "<circle cx=\"" + px(view.x_of(point.at)) + "\" cy=\"" + px(view.y_of(point.at)) + "\" r=\"" +
                  px(std::max(3.0, point.tolerance / view.pixel())) +
                  "\" fill=\"none\" stroke=\"#0a7d4b\" stroke-width=\"1.6\"/>";
         marks += label(view.x_of(point.at) + 8, view.y_of(point.at) - 6, point.id, "#0a7d4b");
     }
-    for (const LandmarkPlane& plane : scene.anatomy.planes) {
+    for (const documents::LandmarkPlane& plane : scene.anatomy.planes) {
         if (!is_in(view, plane.at)) continue;
         marks += line(view, plane.at, plane.at + 10e-3 * plane.normal, "#7a3fa0");
         marks += label(view.x_of(plane.at) + 8, view.y_of(plane.at), plane.id, "#7a3fa0");
@@ -83,15 +83,15 @@ std::string figure(const View& view, const Picture& picture, const std::string& 
     const std::string size =
         "width=\"" + std::to_string(view.columns) + "\" height=\"" + std::to_string(view.rows) + "\"";
     return "<figure><svg " + size + " viewBox=\"0 0 " + std::to_string(view.columns) + " " + std::to_string(view.rows) +
-           "\" role=\"img\"><title>" + html_escaped(view.title) + "</title><image " + size + " href=\"" +
-           png_link(picture) + "\"/>" + marks + scale(view) + "</svg><figcaption>" + html_escaped(view.title) +
+           "\" role=\"img\"><title>" + session::html_escaped(view.title) + "</title><image " + size + " href=\"" +
+           png_link(picture) + "\"/>" + marks + scale(view) + "</svg><figcaption>" + session::html_escaped(view.title) +
            "</figcaption></figure>\n";
 }
 
 /// Returns the pose of the tool at the goal of a step.
-Pose goal_pose(const Scene& scene, std::size_t step) {
+Pose goal_pose(const run::Scene& scene, std::size_t step) {
     double depth = 0.0;
-    for (const Goal& goal : scene.procedure.steps[step].goals)
+    for (const documents::Goal& goal : scene.procedure.steps[step].goals)
         if (goal.quantity == "depth" && goal.bound.at_least) depth = std::max(depth, *goal.bound.at_least);
     return scene.frames[step].pose_at({.depth = depth});
 }
@@ -131,7 +131,7 @@ std::string tool_outline(const View& view, const ToolOutline& outline, const Pos
 }
 
 /// Returns the box that all outside views show: the region, or the bone.
-Box shown_box(const Scene& scene) {
+Box shown_box(const run::Scene& scene) {
     const Body& bone = planned_bone(scene);
     if (bone.region.is_bounded()) return {bone.region.low, bone.region.high};
     Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
@@ -149,7 +149,7 @@ Box shown_box(const Scene& scene) {
     return box;
 }
 
-std::string outside_views(const Scene& scene, const std::vector<Pose>& tools) {
+std::string outside_views(const run::Scene& scene, const std::vector<Pose>& tools) {
     const Box box = shown_box(scene);
     const Vec3 centre = 0.5 * (box.low + box.high), size = box.high - box.low;
     struct Direction {
@@ -172,8 +172,8 @@ std::string outside_views(const Scene& scene, const std::vector<Pose>& tools) {
     return "<section><h2>From outside</h2><div class=\"views\">" + figures + "</div></section>\n";
 }
 
-std::string step_views(const Scene& scene, std::size_t step) {
-    const AxisFrame& frame = scene.frames[step];
+std::string step_views(const run::Scene& scene, std::size_t step) {
+    const run::AxisFrame& frame = scene.frames[step];
     const Pose tool = goal_pose(scene, step);
     const double depth = frame.depth_of(tool.position);
     const bool has_plane = frame.across != Vec3{};
@@ -193,25 +193,25 @@ std::string step_views(const Scene& scene, std::size_t step) {
         figures += figure(view, cut_through(view, scene),
                           tool_outline(view, scene.tool(step).outline, tool) + landmarks(view, scene, 3e-3));
     }
-    View section{"Across the axis, " + rounded(0.5e3 * depth, 1) + " mm behind the entry",
+    View section{"Across the axis, " + bone::rounded(0.5e3 * depth, 1) + " mm behind the entry",
                  frame.entry + 0.5 * depth * frame.along, across, cross(across, frame.along), 50e-3};
     figures += figure(section, cut_through(section, scene),
                       tool_outline(section, scene.tool(step).outline, {section.centre, tool.rotation}));
-    return "<section><h2>Step " + html_escaped(scene.procedure.steps[step].id) + ": the tool at its goal, " +
-           rounded(depth * 1e3, 1) + " mm deep</h2><div class=\"views\">" + figures + "</div></section>\n";
+    return "<section><h2>Step " + session::html_escaped(scene.procedure.steps[step].id) + ": the tool at its goal, " +
+           bone::rounded(depth * 1e3, 1) + " mm deep</h2><div class=\"views\">" + figures + "</div></section>\n";
 }
 
-std::string notes_section(const Scene& scene) {
+std::string notes_section(const run::Scene& scene) {
     std::string items, text = anatomy_text(scene);
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = text.find('\n', at);
-        items += "<li>" + html_escaped(text.substr(at, end - at)) + "</li>";
+        items += "<li>" + session::html_escaped(text.substr(at, end - at)) + "</li>";
         at = end + 1;
     }
     return "<section><h2>Import and positions</h2><ul>" + items + "</ul></section>\n";
 }
 
-std::string key(const Scene& scene) {
+std::string key(const run::Scene& scene) {
     const auto entry = [](const char* colour, const char* text) {
         return std::string("<span><i style=\"background:") + colour + "\"></i>" + text + "</span>";
     };
@@ -225,18 +225,19 @@ std::string key(const Scene& scene) {
 
 }  // namespace
 
-std::string preview_page(const Scene& scene) {
+std::string preview_page(const run::Scene& scene) {
     std::vector<Pose> tools;
     for (std::size_t step = 0; step < scene.procedure.steps.size(); ++step) tools.push_back(goal_pose(scene, step));
     std::string page = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                       html_escaped(scene.procedure.title) + "</title><style>" + std::string(style) +
-                       "</style></head><body><main><h1>" + html_escaped(scene.procedure.title) +
-                       "</h1><p class=\"soft\">" + html_escaped(scene.anatomy.title) +
-                       ", before anything is cut. Spacing " + rounded(scene.procedure.spacing * 1e3, 2) + " mm.</p>" +
-                       key(scene);
+                       session::html_escaped(scene.procedure.title) + "</title><style>" + std::string(style) +
+                       "</style></head><body><main><h1>" + session::html_escaped(scene.procedure.title) +
+                       "</h1><p class=\"soft\">" + session::html_escaped(scene.anatomy.title) +
+                       ", before anything is cut. Spacing " + bone::rounded(scene.procedure.spacing * 1e3, 2) +
+                       " mm.</p>" + key(scene);
     page += outside_views(scene, tools);
     for (std::size_t step = 0; step < scene.procedure.steps.size(); ++step) page += step_views(scene, step);
-    return page + notes_section(scene) + "<footer>" + std::string(notice_line) + ".</footer></main></body></html>\n";
+    return page + notes_section(scene) + "<footer>" + std::string(session::notice_line) +
+           ".</footer></main></body></html>\n";
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

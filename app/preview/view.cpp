@@ -10,7 +10,7 @@
 #include "core/field/grid/body.h"
 #include "documents/solids.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 /// Linear red, green, blue, 0 … 1.
@@ -97,9 +97,10 @@ Colour shaded(Colour colour, Vec3 normal, Vec3 away) {
     return (0.35 + 0.65 * facing) * colour;
 }
 
-double zones_distance(const Scene& scene, Vec3 p) {
+double zones_distance(const run::Scene& scene, Vec3 p) {
     double nearest = 1e9;
-    for (const Zone& zone : scene.anatomy.zones) nearest = std::min(nearest, distance_to_any(zone.solids, p));
+    for (const documents::Zone& zone : scene.anatomy.zones)
+        nearest = std::min(nearest, documents::distance_to_any(zone.solids, p));
     return nearest;
 }
 
@@ -111,7 +112,7 @@ struct OtherBody {
 };
 
 /// Returns the fragment at its present pose, and implants at their planned poses.
-std::vector<OtherBody> other_bodies(const Scene& scene) {
+std::vector<OtherBody> other_bodies(const run::Scene& scene) {
     std::vector<OtherBody> things;
     if (scene.fragment) things.push_back({&*scene.fragment, inverse(scene.world_from_fragment), fragment_colour});
     for (std::size_t i = 0; i < scene.planned.size(); ++i)
@@ -121,9 +122,9 @@ std::vector<OtherBody> other_bodies(const Scene& scene) {
 
 }  // namespace
 
-const Body& planned_bone(const Scene& scene) noexcept { return scene.whole ? *scene.whole : scene.body; }
+const Body& planned_bone(const run::Scene& scene) noexcept { return scene.whole ? *scene.whole : scene.body; }
 
-Picture from_outside(const View& view, const Scene& scene, const std::vector<Pose>& tools) {
+Picture from_outside(const View& view, const run::Scene& scene, const std::vector<Pose>& tools) {
     Picture picture(view.columns, view.rows);
     const Body& body = planned_bone(scene);
     const double h = body.grid().spacing;
@@ -171,7 +172,7 @@ Picture from_outside(const View& view, const Scene& scene, const std::vector<Pos
     return picture;
 }
 
-Picture cut_through(const View& view, const Scene& scene) {
+Picture cut_through(const View& view, const run::Scene& scene) {
     Picture picture(view.columns, view.rows);
     const Body& body = planned_bone(scene);
     const auto& scan = scene.import.scan_value;
@@ -197,4 +198,4 @@ Picture cut_through(const View& view, const Scene& scene) {
     return picture;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -8,7 +8,7 @@
 #include "run/scene.h"
 
 /// Pictures of a scene before it is cut.
-namespace kerf {
+namespace kerf::app {
 
 /// A rectangle in the patient, in parallel projection. Frame: LPS, metres.
 struct View {
@@ -28,15 +28,15 @@ struct View {
 };
 
 /// Returns the bone of the plan; if it is fractured, as it was before the fracture.   [any]
-[[nodiscard]] const Body& planned_bone(const Scene& scene) noexcept;
+[[nodiscard]] const Body& planned_bone(const run::Scene& scene) noexcept;
 
 /// Draws the whole region from outside: bone, zones red, tools blue, implants grey, and a fragment brown at its present
 /// pose. Parts behind bone are paler.   [main]
 /// @param tools   world_from_tool of each step
-[[nodiscard]] Picture from_outside(const View& view, const Scene& scene, const std::vector<Pose>& tools);
+[[nodiscard]] Picture from_outside(const View& view, const run::Scene& scene, const std::vector<Pose>& tools);
 
 /// Draws the section in the plane of the view: the values of the scan if there is one, tissues in their colours, zones
 /// red, and the border of bone as a line.   [main]
-[[nodiscard]] Picture cut_through(const View& view, const Scene& scene);
+[[nodiscard]] Picture cut_through(const View& view, const run::Scene& scene);
 
-}  // namespace kerf
+}  // namespace kerf::app

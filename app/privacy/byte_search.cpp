@@ -6,7 +6,7 @@
 
 #include "app/privacy/text_search.h"
 
-namespace kerf::privacy {
+namespace kerf::app::privacy {
 
 namespace {
 
@@ -44,7 +44,7 @@ void ByteSearch::search() {
     kept_.clear();
 }
 
-void search_voxels(PackedBytes& bytes, PrivacyReport& report) {
+void search_voxels(bone::PackedBytes& bytes, PrivacyReport& report) {
     ByteSearch search(report, ", among the voxels");
     std::string buffer(1 << 18, '\0');
     std::uint64_t sum = 0;
@@ -93,4 +93,4 @@ void search_base64(const std::string& text, PrivacyReport& report) {
     search.end();
 }
 
-}  // namespace kerf::privacy
+}  // namespace kerf::app::privacy

@@ -8,7 +8,7 @@
 #include "app/privacy/privacy_report.h"
 #include "bone/image/packed_bytes.h"
 
-namespace kerf::privacy {
+namespace kerf::app::privacy {
 
 /// Searches bytes that are not text, such as voxels, triangles and pictures. Only runs of eight ASCII letters or more
 /// are searched. Memory is bounded to a few megabytes, for any number of bytes.   [main]
@@ -34,9 +34,9 @@ private:
 };
 
 /// Searches the rest of `bytes`, at most 4 GB of it.   [main]
-void search_voxels(PackedBytes& bytes, PrivacyReport& report);
+void search_voxels(bone::PackedBytes& bytes, PrivacyReport& report);
 
 /// Searches the surfaces and pictures that a page contains as base64.   [main]
 void search_base64(const std::string& text, PrivacyReport& report);
 
-}  // namespace kerf::privacy
+}  // namespace kerf::app::privacy

@@ -16,7 +16,7 @@
 #include "session/packed_column.h"
 #include "session/recorder.h"
 
-namespace kerf::privacy {
+namespace kerf::app::privacy {
 namespace {
 
 /// Whether a text has the form of `pattern`: 0 is a digit, f a hexadecimal digit.
@@ -36,17 +36,17 @@ bool is_written_by_kerf(const std::string& key, const std::string& value) {
 }
 
 /// Whether a row of a session's table `blocks` contains only numbers, whose bytes resemble text by chance.
-bool is_packed_column(sqlite3_stmt* row, ColumnUnpacker& unpacker, std::vector<std::uint64_t>& cells) {
+bool is_packed_column(sqlite3_stmt* row, session::ColumnUnpacker& unpacker, std::vector<std::uint64_t>& cells) {
     constexpr int rows_column = 2, differences_column = 4, data_column = 5;
     if (sqlite3_column_count(row) != data_column + 1) return false;
     const auto rows = static_cast<std::uint64_t>(sqlite3_column_int64(row, rows_column));
-    if (rows > max_block_rows || sqlite3_column_type(row, data_column) != SQLITE_BLOB) return false;
+    if (rows > session::max_block_rows || sqlite3_column_type(row, data_column) != SQLITE_BLOB) return false;
     cells.resize(rows);
     const std::span<const unsigned char> bytes(static_cast<const unsigned char*>(sqlite3_column_blob(row, data_column)),
                                                static_cast<std::size_t>(sqlite3_column_bytes(row, data_column)));
     const int differences = sqlite3_column_int(row, differences_column);
-    return unpacker.unpack(bytes, differences, NumberFormat::float64, cells) ||
-           unpacker.unpack(bytes, differences, NumberFormat::float32, cells);
+    return unpacker.unpack(bytes, differences, session::NumberFormat::float64, cells) ||
+           unpacker.unpack(bytes, differences, session::NumberFormat::float32, cells);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyRe
         sqlite3_finalize(statement);
     };
     ByteSearch among_bytes(report, ", among bytes");
-    ColumnUnpacker unpacker;
+    session::ColumnUnpacker unpacker;
     std::vector<std::uint64_t> cells;
     std::vector<std::string> tables;
     const auto text_of = [](sqlite3_stmt* row, int column) {
@@ -75,8 +75,9 @@ std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyRe
     };
     bool is_session = false;
     if (is_whole)
-        each_row("PRAGMA application_id",
-                 [&](sqlite3_stmt* row) { is_session = sqlite3_column_int64(row, 0) == session_application_id; });
+        each_row("PRAGMA application_id", [&](sqlite3_stmt* row) {
+            is_session = sqlite3_column_int64(row, 0) == session::session_application_id;
+        });
     if (is_whole)
         each_row("SELECT name, sql FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE %'",
                  [&](sqlite3_stmt* row) {
@@ -102,4 +103,4 @@ std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyRe
     return all;
 }
 
-}  // namespace kerf::privacy
+}  // namespace kerf::app::privacy

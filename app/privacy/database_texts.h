@@ -5,11 +5,11 @@
 
 #include "app/privacy/privacy_report.h"
 
-namespace kerf::privacy {
+namespace kerf::app::privacy {
 
 /// Returns the texts of all tables of an SQLite database, each with a line end; numbers are left out, for they resemble
 /// anything. Bytes are searched here.   [main]
 /// @param is_whole   set to whether the whole database could be read
 [[nodiscard]] std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyReport& report);
 
-}  // namespace kerf::privacy
+}  // namespace kerf::app::privacy

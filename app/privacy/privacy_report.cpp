@@ -16,7 +16,7 @@
 #include "bone/image/dicom_identity.h"
 #include "bone/image/packed_bytes.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using namespace privacy;
@@ -24,8 +24,8 @@ using namespace privacy;
 constexpr std::uintmax_t max_bytes = 500'000'000;  // of a text file
 
 void search_dicom(const std::string& file, PrivacyReport& report) {
-    const DicomIdentity identity = read_dicom_identity(file);
-    for (const DicomIdentityElement& element : identity.elements) {
+    const bone::DicomIdentity identity = bone::read_dicom_identity(file);
+    for (const bone::DicomIdentityElement& element : identity.elements) {
         if (element.is_in_sequence)
             add_finding(report, element.name + ", in a sequence", element.value);
         else
@@ -61,8 +61,8 @@ bool ends_in(const std::string& name, std::string_view ending) {
 
 void search_nifti(const std::string& file, PrivacyReport& report) {
     std::string header(348, '\0');
-    const auto packing = ends_in(file, ".gz") ? PackedBytes::Packing::deflated : PackedBytes::Packing::none;
-    PackedBytes bytes(file, 0, packing);
+    const auto packing = ends_in(file, ".gz") ? bone::PackedBytes::Packing::deflated : bone::PackedBytes::Packing::none;
+    bone::PackedBytes bytes(file, 0, packing);
     header.resize(bytes.take(header.data(), header.size()));
     if (header.size() < 348) return void(report.error = file + ": is not a NIfTI file. Check its name.");
     struct Field {
@@ -104,7 +104,8 @@ void search_voxels_behind(const std::string& file, const std::string& header, st
         return report.unseen.push_back("The voxels are compressed, but not by gzip. They were not checked.");
     if (!header_value(header, "data file").empty() || !header_value(header, "datafile").empty())
         report.unseen.push_back("The voxels are in another file. Check that file too.");
-    PackedBytes bytes(file, offset, is_packed ? PackedBytes::Packing::deflated : PackedBytes::Packing::none);
+    bone::PackedBytes bytes(file, offset,
+                            is_packed ? bone::PackedBytes::Packing::deflated : bone::PackedBytes::Packing::none);
     search_voxels(bytes, report);
 }
 
@@ -117,7 +118,7 @@ PrivacyReport privacy_report(const std::string& file) {
         report.error = file + ": there is no such file. Name single files; of a series, name its slices.";
         return report;
     }
-    if (read_dicom_elements(file).is_dicom) {
+    if (bone::read_dicom_elements(file).is_dicom) {
         search_dicom(file, report);
         return report;
     }
@@ -189,4 +190,4 @@ std::string privacy_text(const std::string& file, const PrivacyReport& report, b
     return text;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

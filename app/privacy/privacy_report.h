@@ -5,7 +5,7 @@
 #include <vector>
 
 /// Lists the personal data in a file.
-namespace kerf {
+namespace kerf::app {
 
 struct PrivacyFinding {
     std::string what;   ///< "patient's name (0010,0010)", "a path"
@@ -38,4 +38,4 @@ struct PrivacyReport {
 /// `shows_values`.   [any]
 [[nodiscard]] std::string privacy_text(const std::string& file, const PrivacyReport& report, bool shows_values);
 
-}  // namespace kerf
+}  // namespace kerf::app

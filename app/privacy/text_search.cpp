@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace kerf::privacy {
+namespace kerf::app::privacy {
 namespace {
 
 constexpr std::size_t max_findings = 20;  // of one kind, in one file
@@ -189,4 +189,4 @@ void search_text_and_utf16(const std::string& bytes, PrivacyReport& report) {
     search_text(out_of_utf16(bytes), report);
 }
 
-}  // namespace kerf::privacy
+}  // namespace kerf::app::privacy

@@ -6,7 +6,7 @@
 #include "app/privacy/privacy_report.h"
 
 /// Searches text for personal data.
-namespace kerf::privacy {
+namespace kerf::app::privacy {
 
 [[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 [[nodiscard]] constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -21,4 +21,4 @@ void search_text(const std::string& text, PrivacyReport& report, const std::stri
 /// As search_text(), in letters of one byte and of two.   [main]
 void search_text_and_utf16(const std::string& bytes, PrivacyReport& report);
 
-}  // namespace kerf::privacy
+}  // namespace kerf::app::privacy

@@ -13,15 +13,15 @@
 #include "session/recorder.h"
 #include "studies/chart/chart_files.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 /// Starts the strategies whose surfaces are compared. Returns none if one of them cannot be started.
-std::map<std::string, std::unique_ptr<RemeshChild>> start_strategies(const StrategyHost& host) {
-    std::map<std::string, std::unique_ptr<RemeshChild>> started;
+std::map<std::string, std::unique_ptr<bone::RemeshChild>> start_strategies(const run::StrategyHost& host) {
+    std::map<std::string, std::unique_ptr<bone::RemeshChild>> started;
     for (const std::string id : chart::surface_strategies) {
         std::string error;
-        auto child = start_strategy(host, id, {}, error);
+        auto child = run::start_strategy(host, id, {}, error);
         if (child == nullptr) {
             print_error("kerf: " + error + " The chart has no surfaces.\n");
             return {};
@@ -38,16 +38,16 @@ ExitCode draw_chart(const ChartOptions& options, const PluginRegistry& plugins, 
     scan_printed_laws(printed, here);
     if (printed.plugins().empty())
         print_error("kerf: the papers as printed are not in " + here.printed_laws() + ": the chart leaves them out.\n");
-    print(std::string(notice_line) + ".\n");
+    print(std::string(session::notice_line) + ".\n");
     chart::Request request{.scene = options.scene, .is_quick = options.is_quick};
     request.progress = [](const std::string& what) { print_error(what + "\n"); };
     // First, while this process has one thread and little memory.
     const auto strategies = start_strategies(here.strategies(plugins));
     if (!strategies.empty())
-        request.strategies = [&](const std::string& id) -> StrategyCall {
-            RemeshChild* child = strategies.at(id).get();
+        request.strategies = [&](const std::string& id) -> bone::StrategyCall {
+            bone::RemeshChild* child = strategies.at(id).get();
             constexpr std::chrono::minutes limit(5);
-            return [child, limit](const RemeshRequest& one) { return child->remesh(one, limit); };
+            return [child, limit](const bone::RemeshRequest& one) { return child->remesh(one, limit); };
         };
     std::string error;
     const chart::Chart drawn = chart::make_chart({&plugins, &printed}, request, error);
@@ -58,10 +58,11 @@ ExitCode draw_chart(const ChartOptions& options, const PluginRegistry& plugins, 
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app
 
 int main(int argc, char** argv) {
     using namespace kerf;
+    using namespace kerf::app;
     return run_own_program<ChartOptions>(argc, argv, [](const ChartOptions& options, const Installation& here) {
         return with_plugins(here, [&](const PluginRegistry& plugins) { return draw_chart(options, plugins, here); });
     });

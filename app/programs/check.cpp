@@ -4,6 +4,6 @@
 #include "app/programs/check_plugins.h"
 
 int main(int argc, char** argv) {
-    using namespace kerf;
+    using namespace kerf::app;
     return run_own_program<CheckOptions>(argc, argv, &check_plugins);
 }

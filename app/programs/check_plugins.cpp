@@ -16,7 +16,7 @@
 #include "session/recorder.h"
 #include "text/write_file.h"
 
-namespace kerf {
+namespace kerf::app {
 
 namespace {
 
@@ -60,7 +60,7 @@ ExitCode accept_or_record(const CheckOptions& options, const std::string& child)
                                     .folder = options.differences.empty() ? "out/check" : options.differences};
     const AcceptanceOutcome outcome = is_record ? record(request) : accept(request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
-    print(std::string(notice_line) + ".\n" + outcome.text);
+    print(std::string(session::notice_line) + ".\n" + outcome.text);
     return outcome.is_accepted ? exit_pass : exit_not_passed;
 }
 
@@ -89,7 +89,7 @@ ExitCode check_plugins(const CheckOptions& options, const Installation& here) {
         text += more;
         if (shows_text) print(more);
     };
-    show(std::string(notice_line) + ".\n");
+    show(std::string(session::notice_line) + ".\n");
     for (const std::string& file : options.plugins) {
         reports.push_back(check_plugin(file, request, [&](const TestResult& result) {
             show_work(result.id);
@@ -108,10 +108,10 @@ ExitCode check_plugins(const CheckOptions& options, const Installation& here) {
                                                            : text;
     if (options.out.empty()) {
         if (!is_text) print(report);
-    } else if (const std::string error = write_file(options.out, report); !error.empty()) {
+    } else if (const std::string error = text::write_file(options.out, report); !error.empty()) {
         return complain(error, exit_fault);
     }
     return std::all_of(reports.begin(), reports.end(), is_conforming) ? exit_pass : exit_not_passed;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -8,7 +8,7 @@
 #include "app/read_scene.h"
 #include "app/standard_streams.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 ExitCode plan(const PlanOptions& options, const PluginRegistry& plugins, const Installation& here) {
@@ -23,10 +23,11 @@ ExitCode plan(const PlanOptions& options, const PluginRegistry& plugins, const I
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app
 
 int main(int argc, char** argv) {
     using namespace kerf;
+    using namespace kerf::app;
     return run_own_program<PlanOptions>(argc, argv, [](const PlanOptions& options, const Installation& here) {
         return with_plugins(here, [&](const PluginRegistry& plugins) { return plan(options, plugins, here); });
     });

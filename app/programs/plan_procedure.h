@@ -8,7 +8,7 @@
 #include "run/scene.h"
 
 /// `kerf plan`: finds the coarsest settings that each step of a procedure allows.
-namespace kerf {
+namespace kerf::app {
 
 struct PlanOutcome {
     bool is_planned = false;  ///< all steps; false if the planned path or the bone does not suit
@@ -19,8 +19,8 @@ struct PlanOutcome {
 /// Plans every step of `scene`; with `folder` not empty, writes plan.txt and plan.csv there as well.   [main]
 /// @param host   calls the strategies for exact surfaces
 /// @param show        takes the plan, for people, step by step
-[[nodiscard]] PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, const std::string& folder,
-                                         const StrategyHost& host,
+[[nodiscard]] PlanOutcome plan_procedure(const run::Scene& scene, const PluginRegistry& plugins,
+                                         const std::string& folder, const run::StrategyHost& host,
                                          const std::function<void(const std::string& text)>& show);
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -5,7 +5,7 @@
 #include "app/standard_streams.h"
 #include "core/plugin/loader.h"
 
-namespace kerf {
+namespace kerf::app {
 
 /// Loads the laws as printed in papers, which only `stability` and `chart` use.   [main]
 inline void scan_printed_laws(PluginRegistry& laws, const Installation& here) {
@@ -13,4 +13,4 @@ inline void scan_printed_laws(PluginRegistry& laws, const Installation& here) {
     for (const auto& refusal : laws.refusals()) print_error(refusal + "\n");
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

@@ -11,7 +11,7 @@
 #include "studies/stability/atlas.h"
 #include "studies/stability/suite.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 ExitCode run_stability(const StabilityOptions& options, const PluginRegistry& plugins, const Installation& here) {
@@ -20,7 +20,7 @@ ExitCode run_stability(const StabilityOptions& options, const PluginRegistry& pl
     if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
     PluginRegistry printed;
     scan_printed_laws(printed, here);
-    print(std::string(notice_line) + ".\n" + table_head() + "\n");
+    print(std::string(session::notice_line) + ".\n" + table_head() + "\n");
     const stability::Report print_line = [](const Finding& finding) {
         print(table_line(finding) + "\n");
         std::fflush(stdout);
@@ -35,10 +35,11 @@ ExitCode run_stability(const StabilityOptions& options, const PluginRegistry& pl
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app
 
 int main(int argc, char** argv) {
     using namespace kerf;
+    using namespace kerf::app;
     return run_own_program<StabilityOptions>(argc, argv, [](const StabilityOptions& options, const Installation& here) {
         return with_plugins(here, [&](const PluginRegistry& plugins) { return run_stability(options, plugins, here); });
     });

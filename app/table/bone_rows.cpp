@@ -2,7 +2,7 @@
 #include "app/table/parameters.h"
 #include "app/table/rows.h"
 
-namespace kerf::table {
+namespace kerf::app::table {
 
 std::vector<Command> bone_commands() {
     std::vector<Command> rows;
@@ -79,4 +79,4 @@ std::vector<Command> bone_commands() {
     return rows;
 }
 
-}  // namespace kerf::table
+}  // namespace kerf::app::table

@@ -12,7 +12,7 @@
 #include "app/program.h"
 
 /// Values, parameters and functions that several rows of the table of commands share.
-namespace kerf::table {
+namespace kerf::app::table {
 
 // ---- values ------------------------------------------------------------------------------------------------------
 
@@ -130,4 +130,4 @@ inline RunFunction own_program(const std::string& name) {
     return [name](const Options&, const Invocation& call) { return become_program_of(name, call.here, call.argv); };
 }
 
-}  // namespace kerf::table
+}  // namespace kerf::app::table

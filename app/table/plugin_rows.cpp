@@ -2,7 +2,7 @@
 #include "app/table/parameters.h"
 #include "app/table/rows.h"
 
-namespace kerf::table {
+namespace kerf::app::table {
 
 namespace {
 
@@ -118,4 +118,4 @@ std::vector<Command> plugin_commands() {
     return rows;
 }
 
-}  // namespace kerf::table
+}  // namespace kerf::app::table

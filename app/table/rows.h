@@ -6,7 +6,7 @@
 #include "app/command_table.h"
 
 /// The rows of the table of commands, one function a group of the help.
-namespace kerf::table {
+namespace kerf::app::table {
 
 [[nodiscard]] std::vector<Command> procedure_commands();
 [[nodiscard]] std::vector<Command> bone_commands();
@@ -15,4 +15,4 @@ namespace kerf::table {
 [[nodiscard]] std::vector<Command> study_commands();
 [[nodiscard]] std::vector<Command> program_commands();
 
-}  // namespace kerf::table
+}  // namespace kerf::app::table

@@ -2,7 +2,7 @@
 #include "app/table/parameters.h"
 #include "app/table/rows.h"
 
-namespace kerf::table {
+namespace kerf::app::table {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::vector<Command> session_commands() {
     return rows;
 }
 
-}  // namespace kerf::table
+}  // namespace kerf::app::table

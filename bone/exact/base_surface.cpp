@@ -4,10 +4,10 @@
 #include "bone/import/mesh_body.h"
 #include "bone/remesh/base_mesh.h"
 
-namespace kerf {
+namespace kerf::bone {
 
-std::optional<SurfaceMesh> base_surface(const Anatomy* own, const Body& bone, std::vector<std::string>& notes,
-                                        std::string& error) {
+std::optional<SurfaceMesh> base_surface(const documents::Anatomy* own, const Body& bone,
+                                        std::vector<std::string>& notes, std::string& error) {
     std::string flaw;
     if (own != nullptr) {
         if (const auto read = make_mesh_bone(*own)) {  // the scene has reported its diagnostics
@@ -32,4 +32,4 @@ std::optional<SurfaceMesh> base_surface(const Anatomy* own, const Body& bone, st
     return std::nullopt;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 CutHistory common_of(const std::vector<ExactBody>& bodies) {
@@ -255,4 +255,4 @@ std::vector<LocalCutting::Stale> ExactBone::stale() const {
     return all;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -11,7 +11,7 @@
 #include "bone/exact/exact_track.h"
 #include "bone/exact/mesh_parts.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A body of a bone in the field.
 struct ExactBody {
@@ -98,4 +98,4 @@ private:
     std::vector<std::string> notes_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

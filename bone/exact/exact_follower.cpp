@@ -5,7 +5,7 @@
 #include <chrono>
 #include <exception>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 ExactTools with_reports(ExactTools tools, std::function<void(double, const std::string&)> report,
@@ -145,4 +145,4 @@ void ExactFollower::show() {
     view_ = std::move(view);
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

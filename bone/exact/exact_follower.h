@@ -15,7 +15,7 @@
 
 #include "bone/exact/exact_surface.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A snapshot of a body's exact surface, for a viewer. It never changes.
 struct ExactView {
@@ -78,4 +78,4 @@ private:
     std::thread thread_;  // last member: it uses all of the above
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

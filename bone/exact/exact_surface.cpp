@@ -11,7 +11,7 @@
 #include "core/field/cut/removed_volume.h"
 #include "core/field/fnv1a.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 std::string text_of(double volume) { return rounded(volume * 1e9, 1) + " mm3"; }
@@ -86,7 +86,7 @@ ExactSurfaces::Bone& ExactSurfaces::bone(const Body& field) {
     if (known != bones_.end()) return *known;
     tools_.report(0.0, "reading the uncut surface");
     Bone& made = bones_.emplace_back(Bone{&field, nullptr, {}, {}});
-    const Anatomy* own = &field == tools_.meshed ? tools_.anatomy : nullptr;
+    const documents::Anatomy* own = &field == tools_.meshed ? tools_.anatomy : nullptr;
     if (auto base = base_surface(own, field, made.notes, made.error))
         made.surface = std::make_unique<ExactBone>(field, tagged(std::move(*base)), tools_);
     return made;
@@ -167,4 +167,4 @@ ExactSurface exact_surface(const Simulation& simulation, ExactTools tools) {
     return ExactSurfaces(std::move(tools)).finish(exact_state(simulation, true));
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -10,7 +10,7 @@
 #include "bone/exact/exact_bone.h"
 #include "core/haptics/scene/simulation.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A body's exact surface at the end of a run.
 struct ExactPiece {
@@ -79,4 +79,4 @@ private:
 /// Returns the exact surface at the end of a run.   [main]
 [[nodiscard]] ExactSurface exact_surface(const Simulation& simulation, ExactTools tools);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -12,7 +12,7 @@
 #include "core/field/grid/body.h"
 #include "documents/anatomy.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A running strategy.
 struct ExactStrategy {
@@ -31,7 +31,7 @@ struct ExactTools {
                                            ///< part of a sentence
     std::vector<std::string> notes{};      ///< for people; included in the results
     /// The anatomy whose `mesh:` is the surface of `meshed`; null: exact cuts begin with the fields' surfaces.
-    const Anatomy* anatomy = nullptr;
+    const documents::Anatomy* anatomy = nullptr;
     const Body* meshed = nullptr;
     double volume_accuracy = 0.0;  ///< [–] of the procedure: allowed relative difference of removed volumes
     double tolerance = 20e-6;      ///< [m] largest distance of a straight stretch from the recorded path
@@ -47,4 +47,4 @@ struct ExactTools {
     [[nodiscard]] bool are_cancelled() const { return is_cancelled && is_cancelled(); }
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 #include "bone/remesh/accept.h"
 #include "bone/remesh/removal.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr int max_refusals = 4;  // of one result
@@ -264,4 +264,4 @@ LocalCutting::Moment ExactTrack::shown() {
     return now;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -11,7 +11,7 @@
 #include "bone/remesh/local_cutting.h"
 #include "core/field/cut/cut_history.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// The exact surface of a body, which follows the body's records. The same history gives the same surface, regardless
 /// of intermediate requests and undone cuts.   [worker]
@@ -83,4 +83,4 @@ private:
     FailuresByStrategy refused_, declined_;  ///< by strategies for whole meshes
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 #include "bone/surface/edges.h"
 #include "kerf/remesh.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// Returns whether one of the eight samples around a point has bone of a body.
@@ -95,4 +95,4 @@ std::vector<double> wall_areas_of(const TaggedMesh& mesh, const Body& bone) {
     return areas;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

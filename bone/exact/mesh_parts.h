@@ -9,7 +9,7 @@
 #include "core/field/cut/cut_field.h"
 
 /// Parts of an exact surface, and the bodies of the field on which they lie.
-namespace kerf {
+namespace kerf::bone {
 
 /// A connected part of a mesh.
 struct MeshPart {
@@ -31,4 +31,4 @@ void append(const TaggedMesh& more, TaggedMesh& mesh);
 /// Returns the area of the walls cut by tools [m²], for each material of the bone.   [any] pure.
 [[nodiscard]] std::vector<double> wall_areas_of(const TaggedMesh& mesh, const Body& bone);
 
-}  // namespace kerf
+}  // namespace kerf::bone

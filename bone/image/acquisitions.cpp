@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// Returns the groups in the order of their keys.
@@ -66,4 +66,4 @@ bool do_overlap(const std::vector<Acquisition>& acquisitions) {
     return false;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 
 #include "bone/image/dicom_slice.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Slices of one pass over the patient. A series may have several: before and after contrast, two phases, two voltages.
 struct Acquisition {
@@ -25,4 +25,4 @@ struct Acquisition {
 /// [any] pure.
 [[nodiscard]] bool do_overlap(const std::vector<Acquisition>& acquisitions);
 
-}  // namespace kerf
+}  // namespace kerf::bone

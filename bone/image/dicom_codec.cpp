@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <fstream>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr rlim_t max_seconds = 10;                    // of processor time, for one slice
@@ -132,4 +132,4 @@ std::vector<char> unpacked_pixels(const DicomSlice& slice, const std::vector<std
     return is_whole ? pixels : std::vector<char>();
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -6,7 +6,7 @@
 
 #include "bone/image/dicom_slice.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns whether pixels of this transfer syntax can be unpacked: run length, JPEG, JPEG-LS, JPEG 2000.   [any]
 [[nodiscard]] bool can_unpack(const std::string& encoding);
@@ -16,4 +16,4 @@ namespace kerf {
 /// limits of time and memory, so a crash there does no harm here. Only this unit includes GDCM.   [main]
 [[nodiscard]] std::vector<char> unpacked_pixels(const DicomSlice& slice, const std::vector<std::string>& fragments);
 
-}  // namespace kerf
+}  // namespace kerf::bone

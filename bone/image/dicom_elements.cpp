@@ -13,7 +13,7 @@
 
 #include "text/regular_file.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr std::uint64_t preamble = 128;          // [bytes]
@@ -32,7 +32,7 @@ struct Fault {
 /// The file as a stream of bytes. Reading beyond its end throws a Fault.
 class Bytes {
 public:
-    explicit Bytes(const std::string& file) : in_(open_regular_file(file)) {
+    explicit Bytes(const std::string& file) : in_(text::open_regular_file(file)) {
         in_.seekg(0, std::ios::end);
         const auto end = in_.tellg();
         size_ = in_ && end > 0 ? static_cast<std::uint64_t>(end) : 0;
@@ -350,4 +350,4 @@ std::optional<int> DicomElements::word(std::uint16_t group, std::uint16_t elemen
     return is_signed ? static_cast<int>(static_cast<std::int16_t>(raw)) : static_cast<int>(raw);
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

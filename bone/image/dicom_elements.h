@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace kerf {
+namespace kerf::bone {
 
 /// The outermost elements of a DICOM file: short values as bytes, and the position of its voxels. The reader checks
 /// every length before use. Debian's GDCM aborts at a malformed header, so it never gets one.
@@ -60,4 +60,4 @@ using NestedDicomElement = std::function<void(std::uint32_t tag, const std::stri
 /// @param nested  called for every element within a sequence, 16 deep at most; empty: sequences are skipped
 [[nodiscard]] DicomElements read_dicom_elements(const std::string& file, const NestedDicomElement& nested = {});
 
-}  // namespace kerf
+}  // namespace kerf::bone

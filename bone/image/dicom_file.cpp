@@ -16,7 +16,7 @@
 #include "bone/image/dicom_elements.h"
 #include "text/regular_file.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr int min_edge = 2, max_edge = 4096;                // [voxels]
@@ -167,7 +167,7 @@ std::string bytes_of(std::ifstream& in, const DicomElements::Piece& piece, std::
 
 /// Returns the pixels as rows × columns × bits_allocated / 8 bytes, least significant first.
 std::vector<char> raw_pixels(const DicomSlice& slice) {
-    std::ifstream in = open_regular_file(slice.file);
+    std::ifstream in = text::open_regular_file(slice.file);
     if (slice.is_compressed) {
         std::vector<std::string> fragments;
         for (std::size_t n = 1; n < slice.voxels.size(); ++n)
@@ -241,4 +241,4 @@ std::vector<float> read_dicom_voxels(const DicomSlice& slice, std::string& troub
     return {};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 #include "bone/image/dicom_slice.h"
 
 /// Reads one DICOM file at a time: its header and its voxels.
-namespace kerf {
+namespace kerf::bone {
 
 struct DicomHeader {
     enum class Kind {
@@ -29,4 +29,4 @@ struct DicomHeader {
 /// cannot be decoded; then `trouble` has the reason. Never throws.   [main]
 [[nodiscard]] std::vector<float> read_dicom_voxels(const DicomSlice& slice, std::string& trouble);
 
-}  // namespace kerf
+}  // namespace kerf::bone

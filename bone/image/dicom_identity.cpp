@@ -10,7 +10,7 @@
 
 #include "bone/image/dicom_elements.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr std::size_t max_nested_text = 16'000'000;  // [bytes]
@@ -137,4 +137,4 @@ DicomIdentity read_dicom_identity(const std::string& file) {
     return identity;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace kerf {
+namespace kerf::bone {
 
 /// An element that may identify a person, and has a value.
 struct DicomIdentityElement {
@@ -31,4 +31,4 @@ struct DicomIdentity {
 /// sequences too. A file that is no DICOM gives an empty result. Never throws.   [main]
 [[nodiscard]] DicomIdentity read_dicom_identity(const std::string& file);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -14,7 +14,7 @@
 #include "bone/report/import_report.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double same_direction = 1e-3;  // [–] between unit vectors
@@ -101,7 +101,7 @@ const Group& chosen(const std::vector<Group>& groups, const std::string& name) {
                                      "`, or `--series " + sorted.front()->name + "`."};
     for (const Group& group : groups)
         if (group.name == name) return group;
-    throw ReadError{"E0662", "the folder has no series `" + excerpt(name) + "`: expected one of " +
+    throw ReadError{"E0662", "the folder has no series `" + text::excerpt(name) + "`: expected one of " +
                                  listed(offers, "series") + ". Choose one of these."};
 }
 
@@ -169,14 +169,14 @@ std::string offer_of(const Acquisition& one) {
 /// Keeps the slices of one acquisition. Several acquisitions form one volume only if each covers another part of the
 /// patient.
 void choose_acquisition(DicomSeries& series, const std::string& name, const std::string& folder,
-                        Diagnostics& diagnostics) {
+                        text::Diagnostics& diagnostics) {
     const std::vector<Acquisition> all = acquisitions_of(series.slices);
     std::vector<std::string> offers;
     for (const Acquisition& one : all) offers.push_back(offer_of(one));
     if (!name.empty()) {
         const auto found = std::find_if(all.begin(), all.end(), [&](const Acquisition& a) { return a.name == name; });
         if (found == all.end())
-            throw ReadError{"E0677", "the series has no acquisition `" + excerpt(name) + "`: expected one of " +
+            throw ReadError{"E0677", "the series has no acquisition `" + text::excerpt(name) + "`: expected one of " +
                                          listed(offers, "acquisitions") + ". Choose one of these."};
         std::vector<DicomSlice> kept;
         for (const std::size_t n : found->slices) kept.push_back(series.slices[n]);
@@ -199,7 +199,7 @@ void choose_acquisition(DicomSeries& series, const std::string& name, const std:
                                 ". They were joined. The patient may have moved between them.";
     series.notes.push_back(message);
     // A scanner that stops after every slice, or every few slices, numbers each stop. That needs no warning.
-    if (largest.slices.size() > 1) diagnostics.push_back(warning_about(folder, "W0673", message));
+    if (largest.slices.size() > 1) diagnostics.push_back(text::warning_about(folder, "W0673", message));
 }
 
 void check_positions(const DicomSeries& series, bool may_resample) {
@@ -233,7 +233,7 @@ void check_positions(const DicomSeries& series, bool may_resample) {
                                      "`ct.resample: true` or `--allow-resample`."};
 }
 
-void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& diagnostics) {
+void note_shape(DicomSeries& series, const std::string& folder, text::Diagnostics& diagnostics) {
     const StackShape& shape = series.shape;
     const DicomSlice& first = series.slices.front();
     const std::size_t count = series.slices.size();
@@ -242,7 +242,7 @@ void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& dia
                            millimetres(first.between_columns) + " × " + millimetres(first.between_rows) + " mm, " +
                            millimetres(shape.distance) + " mm apart, sorted along their normal.");
     const auto warn = [&](const char* code, const std::string& message) {
-        diagnostics.push_back(warning_about(folder, code, message));
+        diagnostics.push_back(text::warning_about(folder, code, message));
         series.notes.push_back(message);
     };
     if (shape.is_tilted())
@@ -289,7 +289,7 @@ void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& dia
 }
 
 DicomSeries checked_series(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
-                           const std::string& folder, Diagnostics& diagnostics) {
+                           const std::string& folder, text::Diagnostics& diagnostics) {
     std::vector<const DicomHeader*> slices;
     std::size_t damaged = 0, others = 0, no_dicom = 0;
     const DicomHeader* first_damaged = nullptr;
@@ -343,16 +343,16 @@ DicomSeries checked_series(const std::vector<DicomHeader>& headers, const Series
 
 }  // namespace
 
-Result<DicomSeries> series_of(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
-                              const std::string& folder) {
-    Diagnostics diagnostics;
+text::Result<DicomSeries> series_of(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
+                                    const std::string& folder) {
+    text::Diagnostics diagnostics;
     try {
         DicomSeries series = checked_series(headers, choice, folder, diagnostics);
         return {std::move(series), std::move(diagnostics)};
     } catch (const ReadError& refusal) {
-        diagnostics.push_back(error_about(folder, refusal.code, refusal.message));
+        diagnostics.push_back(text::error_about(folder, refusal.code, refusal.message));
     }
     return diagnostics;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

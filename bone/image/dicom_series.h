@@ -27,7 +27,7 @@
 ///     W0672  uneven distances: resampled
 ///     W0673  doubtful data: not a CT, lossy compression, a tilt or distance in the header that contradicts the
 ///            positions, several acquisitions of different parts of the patient
-namespace kerf {
+namespace kerf::bone {
 
 /// The slices of one volume, ready to be read.
 struct DicomSeries {
@@ -47,7 +47,7 @@ struct SeriesChoice {
 /// Returns the slices sorted by position along their normal, with checked distances, orientation and frame of
 /// reference. Order and names of files have no effect. `folder` is the folder's name in messages.
 /// Error: one of the codes above; nothing is guessed. A result may have warnings.   [main]
-[[nodiscard]] Result<DicomSeries> series_of(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
-                                            const std::string& folder);
+[[nodiscard]] text::Result<DicomSeries> series_of(const std::vector<DicomHeader>& headers, const SeriesChoice& choice,
+                                                  const std::string& folder);
 
-}  // namespace kerf
+}  // namespace kerf::bone

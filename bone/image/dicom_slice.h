@@ -8,7 +8,7 @@
 #include "bone/image/dicom_elements.h"
 #include "kerf/math.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Header of one DICOM slice: geometry and values. It keeps nothing that identifies the patient, except for fields that
 /// are marked "never shown or written". Frame: LPS, metres.
@@ -51,4 +51,4 @@ struct DicomSlice {
     [[nodiscard]] Vec3 normal() const noexcept { return cross(along_row, down_column); }
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

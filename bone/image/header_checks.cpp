@@ -14,7 +14,7 @@
 #include "text/printable.h"
 #include "text/regular_file.h"
 
-namespace kerf::header {
+namespace kerf::bone::header {
 namespace {
 
 constexpr int min_edge = 2, max_edge = 4096;  // [voxels]
@@ -101,7 +101,7 @@ bool differ(double a, double b, double tolerance) {
 }
 
 std::uint64_t size_of_file(const std::string& file) {
-    if (const auto fault = fault_of_file(file)) refuse("E0620", fault->problem, fault->advice);
+    if (const auto fault = text::fault_of_file(file)) refuse("E0620", fault->problem, fault->advice);
     std::error_code error;
     const auto size = std::filesystem::file_size(file, error);
     if (error) refuse("E0620", "its size cannot be read.", "Check the permissions.");
@@ -109,7 +109,7 @@ std::uint64_t size_of_file(const std::string& file) {
 }
 
 std::string first_bytes(const std::string& file, std::size_t count) {
-    std::ifstream in = open_regular_file(file);
+    std::ifstream in = text::open_regular_file(file);
     if (!in) refuse("E0620", "the file cannot be opened.", "Check the permissions.");
     std::string bytes(count, '\0');
     in.read(bytes.data(), static_cast<std::streamsize>(count));
@@ -124,16 +124,16 @@ std::string data_file_of(const std::string& header, const std::string& name, con
     const std::string folder = std::filesystem::path(header).parent_path().string();
     if (name.empty() || !is_one_file || leaves)
         refuse("E0622",
-               "`" + std::string(field) + "` names the voxels' file \"" + excerpt(name) +
+               "`" + std::string(field) + "` names the voxels' file \"" + text::excerpt(name) +
                    "\", must be one file beside the header, or in a folder beside it.",
                "Put the file there, or export the image as one file.");
     std::string file = (std::filesystem::path(folder) / written).string();
-    if (!is_inside_folder(file, folder))
+    if (!text::is_inside_folder(file, folder))
         refuse("E0619",
-               "`" + std::string(field) + "` names \"" + excerpt(name) +
+               "`" + std::string(field) + "` names \"" + text::excerpt(name) +
                    "\", a link that leads out of the header's folder.",
                "Put the file itself there.");
     return file;
 }
 
-}  // namespace kerf::header
+}  // namespace kerf::bone::header

@@ -13,7 +13,7 @@
 #include "kerf/math.hpp"
 
 /// Functions for the readers of all image headers. A reader throws a Refusal; `check_image_file()` reports it.
-namespace kerf::header {
+namespace kerf::bone::header {
 
 struct HeaderError {
     const char* code;
@@ -56,4 +56,4 @@ void place(ImageFile& image, const Placement& placement, Vec3 to_lps);
 [[nodiscard]] ImageFile read_nrrd(const std::string& file);
 [[nodiscard]] ImageFile read_meta(const std::string& file);
 
-}  // namespace kerf::header
+}  // namespace kerf::bone::header

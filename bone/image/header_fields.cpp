@@ -9,7 +9,7 @@
 #include "bone/image/header_checks.h"
 #include "text/printable.h"
 
-namespace kerf::header {
+namespace kerf::bone::header {
 namespace {
 
 template <class Number>
@@ -21,7 +21,7 @@ std::vector<Number> numbers_of(std::string_view text, const std::string& field) 
         Number value{};
         const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (end.ec != std::errc{} || end.ptr != digits.data() + digits.size())
-            refuse("E0622", "`" + field + "` in the header is \"" + excerpt(text) + "\", must be numbers.",
+            refuse("E0622", "`" + field + "` in the header is \"" + text::excerpt(text) + "\", must be numbers.",
                    "Export the image again.");
         numbers.push_back(value);
     }
@@ -56,7 +56,7 @@ std::vector<std::string_view> words_of(std::string_view text, std::string_view s
 
 void add(Fields& fields, std::string_view name, std::string_view value) {
     if (!fields.emplace(lower(trimmed(name)), std::string(trimmed(value))).second)
-        refuse("E0622", "the header has `" + excerpt(trimmed(name)) + "` twice.", "Export the image again.");
+        refuse("E0622", "the header has `" + text::excerpt(trimmed(name)) + "` twice.", "Export the image again.");
 }
 
 const std::string* find(const Fields& fields, std::initializer_list<const char*> names) {
@@ -83,7 +83,7 @@ std::vector<long long> wholes_of(std::string_view text, const std::string& field
 long long whole_of(std::string_view text, const std::string& field) {
     const auto numbers = wholes_of(text, field);
     if (numbers.size() != 1)
-        refuse("E0622", "`" + field + "` in the header is \"" + excerpt(text) + "\", must be one whole number.",
+        refuse("E0622", "`" + field + "` in the header is \"" + text::excerpt(text) + "\", must be one whole number.",
                "Export the image again.");
     return numbers.front();
 }
@@ -159,12 +159,12 @@ ImageFile::Number named_number(const std::string& type) {
     const auto found = known.find(name);
     if (found != known.end()) return found->second;
     if (name == "met_long" || name == "met_ulong")
-        refuse("E0625", "the voxel type `" + excerpt(type) + "` has 4 bytes in some programs and 8 in others.",
+        refuse("E0625", "the voxel type `" + text::excerpt(type) + "` has 4 bytes in some programs and 8 in others.",
                "Export the image as MET_INT or MET_SHORT.");
     refuse("E0625",
-           "the header names voxel type `" + excerpt(type) +
+           "the header names voxel type `" + text::excerpt(type) +
                "`, must be one whole number or floating point number per voxel.",
            "Export the image as 16-bit integers.");
 }
 
-}  // namespace kerf::header
+}  // namespace kerf::bone::header

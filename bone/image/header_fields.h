@@ -10,7 +10,7 @@
 #include "bone/image/image_file.h"
 
 /// Headers of text lines, each with a name and a value.
-namespace kerf::header {
+namespace kerf::bone::header {
 
 /// Fields by name in lower case. NRRD and MetaImage have several names for some fields.
 using Fields = std::map<std::string, std::string>;
@@ -39,4 +39,4 @@ void add(Fields& fields, std::string_view name, std::string_view value);
 /// Returns the type of a voxel from its name in NRRD or MetaImage.
 [[nodiscard]] ImageFile::Number named_number(const std::string& type);
 
-}  // namespace kerf::header
+}  // namespace kerf::bone::header

@@ -9,7 +9,7 @@
 #include "bone/image/header_fields.h"
 #include "bone/image/packed_bytes.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using header::refuse;
@@ -95,15 +95,15 @@ ImageFile checked(const std::string& file) {
 
 }  // namespace
 
-Result<ImageFile> check_image_file(const std::string& file) {
+text::Result<ImageFile> check_image_file(const std::string& file) {
     try {
         return checked(file);
     } catch (const header::HeaderError& refusal) {
-        return Diagnostics{error_about(file, refusal.code, refusal.message + " " + refusal.advice)};
+        return text::Diagnostics{text::error_about(file, refusal.code, refusal.message + " " + refusal.advice)};
     } catch (const std::exception& error) {  // out of memory, or an invalid path
-        return Diagnostics{
-            error_about(file, "E0620", std::string("the file cannot be checked: ") + error.what() + ".")};
+        return text::Diagnostics{
+            text::error_about(file, "E0620", std::string("the file cannot be checked: ") + error.what() + ".")};
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -25,7 +25,7 @@
 ///
 /// Every field of the formats' specifications that changes geometry or values is applied, refused or reported as a
 /// doubt: tests/bone/image/header_fields_test.cpp lists them.
-namespace kerf {
+namespace kerf::bone {
 
 /// One structure of a segmentation by 3D Slicer.
 struct Segment {
@@ -70,6 +70,6 @@ struct ImageFile {
 
 /// Reads the header and counts the bytes of the voxels. Compressed voxels are unpacked into a small buffer and dropped,
 /// so that their checksum is checked. Returns nothing, with one error, if a check fails. Never throws.   [main]
-[[nodiscard]] Result<ImageFile> check_image_file(const std::string& file);
+[[nodiscard]] text::Result<ImageFile> check_image_file(const std::string& file);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -14,7 +14,7 @@
 #include "bone/image/header_fields.h"
 #include "text/printable.h"
 
-namespace kerf::header {
+namespace kerf::bone::header {
 namespace {
 
 constexpr std::size_t max_header = 64 * 1024;  // [bytes] of text
@@ -27,7 +27,8 @@ bool is_true(const Fields& fields, std::initializer_list<const char*> names, boo
         if (word == yes) return true;
     for (const char* no : {"false", "f", "no", "0"})
         if (word == no) return false;
-    refuse("E0622", "`" + std::string(*names.begin()) + "` is \"" + excerpt(*value) + "\", must be True or False.",
+    refuse("E0622",
+           "`" + std::string(*names.begin()) + "` is \"" + text::excerpt(*value) + "\", must be True or False.",
            "Export the image again.");
 }
 
@@ -36,7 +37,7 @@ std::optional<double> decimal_in(const Fields& fields, const char* name) {
     if (!text) return std::nullopt;
     const auto numbers = decimals_of(*text, name);
     if (numbers.size() != 1 || !std::isfinite(numbers[0]))
-        refuse("E0622", "`" + std::string(name) + "` is \"" + excerpt(*text) + "\", must be one finite number.",
+        refuse("E0622", "`" + std::string(name) + "` is \"" + text::excerpt(*text) + "\", must be one finite number.",
                "Export the image again.");
     return numbers[0];
 }
@@ -64,8 +65,8 @@ std::vector<double> spacing_of(const Fields& fields, ImageFile& image) {
         const auto covered = three(*size, "ElementSize");
         if (differ(covered[0], found[0], 1e-3) || differ(covered[1], found[1], 1e-3) ||
             differ(covered[2], found[2], 1e-3))
-            image.doubts.push_back("A voxel is " + excerpt(*spacing) + " wide by `ElementSpacing` and " +
-                                   excerpt(*size) + " by `ElementSize`; `ElementSpacing` was taken.");
+            image.doubts.push_back("A voxel is " + text::excerpt(*spacing) + " wide by `ElementSpacing` and " +
+                                   text::excerpt(*size) + " by `ElementSize`; `ElementSpacing` was taken.");
     }
     return found;
 }
@@ -74,7 +75,7 @@ double unit_of(const Fields& fields) {
     const std::string* unit = find(fields, {"distanceunits"});
     if (!unit || *unit == "?" || unit->empty()) return 1.0;  // not given
     if (const auto mm = millimetres_in(*unit)) return *mm;
-    refuse("E0627", "`DistanceUnits` is \"" + excerpt(*unit) + "\", must be um, mm, cm or m.",
+    refuse("E0627", "`DistanceUnits` is \"" + text::excerpt(*unit) + "\", must be um, mm, cm or m.",
            "Export the image in millimetres.");
 }
 
@@ -99,7 +100,7 @@ void check_letters(const Fields& fields, bool has_matrix, const std::array<Vec3,
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
     const std::string by_matrix = letters_of(axes);
     if (letters == by_matrix) return;
-    const std::string both = "`AnatomicalOrientation` is " + excerpt(*written) + ", but the axes " +
+    const std::string both = "`AnatomicalOrientation` is " + text::excerpt(*written) + ", but the axes " +
                              (has_matrix ? "of `TransformMatrix`" : "without a `TransformMatrix`") + " are " +
                              by_matrix;
     if (!has_matrix) refuse("E0627", both + ".", "Export the image with its `TransformMatrix`.");
@@ -134,13 +135,13 @@ void place_meta(const Fields& fields, ImageFile& image) {
         if (!is_zero &&
             length(axes[0] - Vec3{1, 0, 0}) + length(axes[1] - Vec3{0, 1, 0}) + length(axes[2] - Vec3{0, 0, 1}) > 1e-6)
             refuse("E0627",
-                   "`CenterOfRotation` is " + excerpt(*centre) +
+                   "`CenterOfRotation` is " + text::excerpt(*centre) +
                        "; programs do not agree what that does to the place "
                        "of a turned image.",
                    "Export the image with CenterOfRotation = 0 0 0.");
     }
     if (const std::string* parent = find(fields, {"parentid"}); parent && whole_of(*parent, "ParentID") >= 0)
-        refuse("E0627", "the image is placed in another object's frame: `ParentID` is " + excerpt(*parent) + ".",
+        refuse("E0627", "the image is placed in another object's frame: `ParentID` is " + text::excerpt(*parent) + ".",
                "Export the image alone.");
     if (!rotation)
         image.doubts.push_back(
@@ -153,7 +154,7 @@ void read_values(const Fields& fields, ImageFile& image) {
     image.number = named_number(need(fields, {"elementtype"}));
     if (const std::string* channels = find(fields, {"elementnumberofchannels"});
         channels && whole_of(*channels, "ElementNumberOfChannels") != 1)
-        refuse("E0623", "there are " + excerpt(*channels) + " numbers per voxel, must be 1.",
+        refuse("E0623", "there are " + text::excerpt(*channels) + " numbers per voxel, must be 1.",
                "Export a single channel.");
     if (!is_true(fields, {"binarydata"}, true))
         refuse("E0625", "the voxels are written as text.", "Export the image with binary data.");
@@ -172,7 +173,7 @@ void read_values(const Fields& fields, ImageFile& image) {
     if (const std::string* modality = find(fields, {"modality"})) {
         const std::string word = lower(*modality);
         if (word != "met_mod_ct" && word != "met_mod_unknown" && word != "met_mod_other" && word != "?")
-            image.doubts.push_back("The image is no CT but " + excerpt(*modality) + ": its values are no HU.");
+            image.doubts.push_back("The image is no CT but " + text::excerpt(*modality) + ": its values are no HU.");
     }
 }
 
@@ -189,13 +190,13 @@ ImageFile read_meta(const std::string& file) {
         if (line.empty()) continue;
         const std::size_t equals = line.find('=');
         if (equals == std::string_view::npos)
-            refuse("E0622", "the header has the line \"" + excerpt(line) + "\".",
+            refuse("E0622", "the header has the line \"" + text::excerpt(line) + "\".",
                    "Export the image as .mha, .nrrd or .nii.gz.");
         add(fields, line.substr(0, equals), line.substr(equals + 1));
     }
     const std::string& data = need(fields, {"elementdatafile"});
     if (const std::string* type = find(fields, {"objecttype"}); type && lower(*type) != "image")
-        refuse("E0622", "the header describes an object of type `" + excerpt(*type) + "`, must be Image.",
+        refuse("E0622", "the header describes an object of type `" + text::excerpt(*type) + "`, must be Image.",
                "Export the image as .mha, .nrrd or .nii.gz.");
 
     ImageFile image;
@@ -218,4 +219,4 @@ ImageFile read_meta(const std::string& file) {
     return image;
 }
 
-}  // namespace kerf::header
+}  // namespace kerf::bone::header

@@ -14,7 +14,7 @@
 #include "bone/image/header_checks.h"
 #include "bone/image/packed_bytes.h"
 
-namespace kerf::header {
+namespace kerf::bone::header {
 namespace {
 
 constexpr std::size_t header_size = 348;  // [bytes]
@@ -238,4 +238,4 @@ ImageFile read_nifti(const std::string& file, bool is_packed) {
     return image;
 }
 
-}  // namespace kerf::header
+}  // namespace kerf::bone::header

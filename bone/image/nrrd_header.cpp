@@ -15,7 +15,7 @@
 #include "bone/image/segments.h"
 #include "text/printable.h"
 
-namespace kerf::header {
+namespace kerf::bone::header {
 namespace {
 
 constexpr std::size_t max_header = 1024 * 1024;  // [bytes] of text; 3D Slicer writes about 1 kB for each segment
@@ -59,14 +59,14 @@ Text lines_of(const std::string& file) {
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos && bytes.find('\n', at - 1) == std::string::npos) break;  // cut short
         if (colon == std::string_view::npos)
-            refuse("E0622", "the header has the line \"" + excerpt(line) + "\".", "Export the image again.");
+            refuse("E0622", "the header has the line \"" + text::excerpt(line) + "\".", "Export the image again.");
         if (colon + 1 == line.size() || line[colon + 1] != '=') {
             add(text.fields, line.substr(0, colon), line.substr(colon + 1));
             continue;
         }
         const bool is_new = text.remarks.emplace(line.substr(0, colon), unescaped(line.substr(colon + 2))).second;
         if (!is_new && line.starts_with("Segment"))
-            refuse("E0622", "the header has `" + excerpt(line.substr(0, colon)) + "` twice.",
+            refuse("E0622", "the header has `" + text::excerpt(line.substr(0, colon)) + "` twice.",
                    "Export the segmentation again.");
     }
     text.end = at;
@@ -90,7 +90,7 @@ std::vector<std::optional<Vec3>> vectors_of(std::string_view text, const char* f
     std::vector<std::optional<Vec3>> vectors;
     const auto malformed = [&] {
         refuse("E0627",
-               "`" + std::string(field) + "` in the header is \"" + excerpt(text) +
+               "`" + std::string(field) + "` in the header is \"" + text::excerpt(text) +
                    "\", must be `none` or three numbers in parentheses for each axis.",
                "Export the image again.");
     };
@@ -134,7 +134,7 @@ void check_kinds(const Fields& fields, std::size_t axes, std::size_t first) {
         const std::string kind = lower(words[axis]);
         if (kind != "domain" && kind != "space" && kind != "???" && kind != "none")
             refuse("E0623",
-                   "axis " + std::to_string(axis + 1) + " of the image is of kind `" + excerpt(words[axis]) +
+                   "axis " + std::to_string(axis + 1) + " of the image is of kind `" + text::excerpt(words[axis]) +
                        "`, must be `domain` or `space`.",
                    "Export a single volume, not a series over time, vectors or colours.");
     }
@@ -153,7 +153,7 @@ double unit_of(const Fields& fields, std::size_t axes, std::size_t first) {
             const auto one = millimetres_in(words[i]);
             if (!one || (all && *all != *one))
                 refuse("E0627",
-                       "`" + std::string(field) + "` in the header is " + excerpt(*text) +
+                       "`" + std::string(field) + "` in the header is " + text::excerpt(*text) +
                            ", must be mm, cm, m or um for all three axes alike.",
                        "Export the image in millimetres.");
             all = one;
@@ -164,8 +164,9 @@ double unit_of(const Fields& fields, std::size_t axes, std::size_t first) {
     const double mm = of_space.value_or(1.0);
     if (of_axes && *of_axes != mm)
         refuse("E0627",
-               "`units` in the header is " + excerpt(need(fields, {"units"})) + ", but `space directions` are in " +
-                   (of_space ? excerpt(need(fields, {"space units"})) : "\"mm\"") + ".",
+               "`units` in the header is " + text::excerpt(need(fields, {"units"})) +
+                   ", but `space directions` are in " +
+                   (of_space ? text::excerpt(need(fields, {"space units"})) : "\"mm\"") + ".",
                "Export the image in millimetres.");
     return mm;
 }
@@ -201,10 +202,10 @@ Vec3 frame_of(const Fields& fields) {
     static const std::array<const char*, 6> spaces{"left-posterior-superior", "lps", "right-anterior-superior", "ras",
                                                    "left-anterior-superior",  "las"};
     if (std::find(spaces.begin(), spaces.end(), space) == spaces.end())
-        refuse("E0627", "`space` is \"" + excerpt(space) + "\": left and right cannot be distinguished.",
+        refuse("E0627", "`space` is \"" + text::excerpt(space) + "\": left and right cannot be distinguished.",
                "Export the image with space: left-posterior-superior.");
     if (const std::string* dimension = find(fields, {"space dimension"}); dimension && *dimension != "3")
-        refuse("E0627", "`space dimension` is " + excerpt(*dimension) + ", but `space` has three.",
+        refuse("E0627", "`space dimension` is " + text::excerpt(*dimension) + ", but `space` has three.",
                "Export the image again.");
     const bool is_lps = space == "lps" || space == "left-posterior-superior";
     return {space[0] == 'r' ? -1.0 : 1.0, is_lps ? 1.0 : -1.0, 1.0};
@@ -223,7 +224,7 @@ void check_values(const Fields& fields, const ImageFile& image) {
         const auto all = image.voxels() * static_cast<std::uint64_t>(image.layers);
         if (whole_of(*number, "number") != static_cast<long long>(all))
             refuse("E0622",
-                   "`number` is " + excerpt(*number) + ", but `sizes` make " + std::to_string(all) + " numbers.",
+                   "`number` is " + text::excerpt(*number) + ", but `sizes` make " + std::to_string(all) + " numbers.",
                    "Export the image again.");
     }
 }
@@ -255,7 +256,7 @@ void skip(const Fields& fields, ImageFile& image) {
 void check_representation(const Remarks& remarks) {
     for (const char* key : {"Segmentation_SourceRepresentation", "Segmentation_MasterRepresentation"})
         if (const auto at = remarks.find(key); at != remarks.end() && lower(trimmed(at->second)) != "binary labelmap")
-            refuse("E0623", "the segmentation is a \"" + excerpt(at->second) + "\", must be a binary labelmap.",
+            refuse("E0623", "the segmentation is a \"" + text::excerpt(at->second) + "\", must be a binary labelmap.",
                    "Export it from 3D Slicer as a binary labelmap.");
 }
 
@@ -291,7 +292,7 @@ ImageFile read_nrrd(const std::string& file) {
     if (image.bytes_per_voxel() > 1) {
         const std::string endian = lower(need(fields, {"endian"}));
         if (endian != "little" && endian != "big")
-            refuse("E0622", "`endian` is \"" + excerpt(endian) + "\", must be little or big.",
+            refuse("E0622", "`endian` is \"" + text::excerpt(endian) + "\", must be little or big.",
                    "Export the image again.");
         image.is_big_endian = endian == "big";
     }
@@ -299,7 +300,7 @@ ImageFile read_nrrd(const std::string& file) {
     if (encoding == "gzip" || encoding == "gz")
         image.packing = ImageFile::Packing::deflated;
     else if (encoding != "raw")
-        refuse("E0625", "the encoding is `" + excerpt(encoding) + "`, must be raw or gzip.",
+        refuse("E0625", "the encoding is `" + text::excerpt(encoding) + "`, must be raw or gzip.",
                "Export the image with gzip.");
     check_values(fields, image);
     skip(fields, image);
@@ -334,4 +335,4 @@ ImageFile read_nrrd(const std::string& file) {
     return image;
 }
 
-}  // namespace kerf::header
+}  // namespace kerf::bone::header

@@ -9,7 +9,7 @@
 
 #include "text/regular_file.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 struct PackedBytes::Stream {
     std::ifstream in;
@@ -33,7 +33,7 @@ PackedBytes::PackedBytes(const std::string& file, std::uint64_t offset, Packing 
     : stream_(std::make_unique<Stream>()) {
     Stream& s = *stream_;
     s.packing = packing;
-    s.in = open_regular_file(file);
+    s.in = text::open_regular_file(file);
     s.is_open = static_cast<bool>(s.in) && inflateInit2(&s.unpacker, 15 + 32 /* zlib or gzip */) == Z_OK;
     s.in.seekg(static_cast<std::streamoff>(offset));
 }
@@ -82,4 +82,4 @@ std::uint64_t PackedBytes::take(char* into, std::uint64_t count) {
     return taken;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace kerf {
+namespace kerf::bone {
 
 /// The bytes of a file from an offset on, in order, unpacked if they are packed as gzip or zlib. Gzip in several
 /// pieces, as bgzip writes it, is one stream. It needs the memory of one buffer only. Opens regular files only.
@@ -36,4 +36,4 @@ private:
     std::unique_ptr<Stream> stream_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

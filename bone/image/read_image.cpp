@@ -16,7 +16,7 @@
 #include "bone/image/image_file.h"
 #include "bone/image/packed_bytes.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "swap the bytes of little-endian files");
@@ -27,8 +27,8 @@ struct ReadError {
     std::string message;
 };
 
-Diagnostic refused(const std::string& file, const char* code, std::string message) {
-    return error_about(file, code, std::move(message) + " Export the image again, for example as .nii.gz.");
+text::Diagnostic refused(const std::string& file, const char* code, std::string message) {
+    return text::error_about(file, code, std::move(message) + " Export the image again, for example as .nii.gz.");
 }
 
 /// Appends the numbers of one layer from `bytes`: `count` voxels with `layers` numbers each.
@@ -109,17 +109,18 @@ std::vector<float> values_of(const ImageFile& header, const VoxelGrid& grid, con
 
 }  // namespace
 
-Result<VoxelImage> read_image(const std::string& file) {
-    const Result<ImageFile> header = check_image_file(file);
+text::Result<VoxelImage> read_image(const std::string& file) {
+    const text::Result<ImageFile> header = check_image_file(file);
     if (!header) return header.diagnostics();
     if (header->layers > 1)
-        return Diagnostics{
+        return text::Diagnostics{
             refused(file, "E0623",
                     "the voxels have too many numbers: got " + std::to_string(header->layers) + ", expected 1.")};
     return read_image(file, *header, {{0, 0, 0}, header->size}, 0);
 }
 
-Result<VoxelImage> read_image(const std::string& file, const ImageFile& header, const VoxelRange& range, int layer) {
+text::Result<VoxelImage> read_image(const std::string& file, const ImageFile& header, const VoxelRange& range,
+                                    int layer) {
     try {
         VoxelGrid grid;
         grid.size = header.size;
@@ -131,10 +132,10 @@ Result<VoxelImage> read_image(const std::string& file, const ImageFile& header, 
             throw ReadError{"E0629", "a voxel is not a finite number."};
         return image;
     } catch (const ReadError& refusal) {
-        return Diagnostics{refused(file, refusal.code, refusal.message)};
+        return text::Diagnostics{refused(file, refusal.code, refusal.message)};
     } catch (const std::exception& error) {  // out of memory
-        return Diagnostics{refused(file, "E0628", std::string("reading stopped: ") + error.what() + ".")};
+        return text::Diagnostics{refused(file, "E0628", std::string("reading stopped: ") + error.what() + ".")};
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

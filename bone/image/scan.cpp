@@ -12,14 +12,14 @@
 #include "bone/image/read_image.h"
 #include "bone/report/import_report.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr std::size_t max_files = 20'000;  // in a folder
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
 /// Returns all files in a folder and its subfolders, sorted. Does not follow links; leaves out hidden files.
-std::optional<std::vector<std::string>> files_in(const std::string& folder, Diagnostics& diagnostics) {
+std::optional<std::vector<std::string>> files_in(const std::string& folder, text::Diagnostics& diagnostics) {
     namespace fs = std::filesystem;
     std::vector<std::string> files;
     std::error_code error;
@@ -33,13 +33,13 @@ std::optional<std::vector<std::string>> files_in(const std::string& folder, Diag
         }
         if (!at->is_symlink(ignored) && at->is_regular_file(ignored)) files.push_back(at->path().string());
         if (files.size() > max_files) {
-            diagnostics.push_back(
-                error_about(folder, "E0670", "the folder holds more than 20000 files. Name the folder of one series."));
+            diagnostics.push_back(text::error_about(
+                folder, "E0670", "the folder holds more than 20000 files. Name the folder of one series."));
             return std::nullopt;
         }
     }
     if (error) {
-        diagnostics.push_back(error_about(folder, "E0670", "the folder cannot be read. Check its permissions."));
+        diagnostics.push_back(text::error_about(folder, "E0670", "the folder cannot be read. Check its permissions."));
         return std::nullopt;
     }
     std::sort(files.begin(), files.end());
@@ -117,8 +117,8 @@ std::string size_text(const VoxelGrid& grid) {
            " voxels of " + mm(0) + " × " + mm(1) + " × " + mm(2) + " mm";
 }
 
-Result<VoxelImage> read_slices(const DicomSeries& series, const VoxelGrid& grid, const VoxelRange& range,
-                               const std::string& source, const Progress& progress) {
+text::Result<VoxelImage> read_slices(const DicomSeries& series, const VoxelGrid& grid, const VoxelRange& range,
+                                     const std::string& source, const Progress& progress) {
     std::string trouble;
     const auto read = [&](std::size_t n) {
         if (progress) progress(static_cast<double>(n) / static_cast<double>(series.slices.size()), "reading slices");
@@ -126,19 +126,19 @@ Result<VoxelImage> read_slices(const DicomSeries& series, const VoxelGrid& grid,
     };
     VoxelImage image = straightened(series.stack, series.shape, grid, range, read);
     if (image.values.empty())
-        return Diagnostics{error_about(
+        return text::Diagnostics{text::error_about(
             source, "E0674", "a slice cannot be read: " + trouble + ". Export the series again, without compression.")};
     return image;
 }
 
 }  // namespace
 
-Result<VoxelImage> Scan::read(const VoxelRange& range, int layer, const Progress& progress) const {
+text::Result<VoxelImage> Scan::read(const VoxelRange& range, int layer, const Progress& progress) const {
     if (series_) return read_slices(*series_, grid_, range, source_, progress);
     const VoxelGrid stored = placed(*file_);
     if (!stored.is_sheared()) return read_image(source_, *file_, range, layer);
 
-    const Result<VoxelImage> image = read_image(source_, *file_, stored.all(), layer);
+    const text::Result<VoxelImage> image = read_image(source_, *file_, stored.all(), layer);
     if (!image) return image.diagnostics();
     const StackOfImage of = stack_of(stored, *slices_of(stored));
     return straightened(of.stack, shape_of(of.stack), grid_, range,
@@ -162,8 +162,8 @@ std::optional<std::uint64_t> Scan::hash() const {
     return hashes.size() == 1 ? hashes.front() : hash_of_hashes(hashes);
 }
 
-Result<Scan> open_scan(const std::string& path, const SeriesChoice& choice, const Progress& progress) {
-    Diagnostics diagnostics;
+text::Result<Scan> open_scan(const std::string& path, const SeriesChoice& choice, const Progress& progress) {
+    text::Diagnostics diagnostics;
     Scan scan;
     scan.source_ = path;
     std::error_code ignored;
@@ -183,7 +183,7 @@ Result<Scan> open_scan(const std::string& path, const SeriesChoice& choice, cons
         return {std::move(scan), std::move(diagnostics)};
     }
     if (read_dicom_elements(path).is_dicom) {
-        diagnostics.push_back(error_about(
+        diagnostics.push_back(text::error_about(
             path, "E0669",
             "this is one DICOM file; a volume needs all slices of its series. Name the folder that holds them."));
         return diagnostics;
@@ -195,14 +195,14 @@ Result<Scan> open_scan(const std::string& path, const SeriesChoice& choice, cons
     const std::string sort = scan.segments_.empty() ? "" : ", a segmentation: labels, no values";
     scan.notes_.push_back(std::string(name_of(scan.file_->format)) + sort + ": " + size_text(scan.grid_) + ".");
     for (const std::string& doubt : scan.file_->doubts) {
-        diagnostics.push_back(warning_about(path, "W0673", doubt));
+        diagnostics.push_back(text::warning_about(path, "W0673", doubt));
         scan.notes_.push_back(doubt);
     }
     if (!scan.grid_.is_sheared()) return {std::move(scan), std::move(diagnostics)};
 
     const auto order = slices_of(scan.grid_);
     if (!order) {
-        diagnostics.push_back(error_about(
+        diagnostics.push_back(text::error_about(
             path, "E0632", "no two of the image's axes are at right angles. Resample the image onto a straight grid."));
         return diagnostics;
     }
@@ -210,15 +210,15 @@ Result<Scan> open_scan(const std::string& path, const SeriesChoice& choice, cons
     const StackShape shape = shape_of(of.stack);
     const std::string sheared = "The image is sheared by " + rounded(shape.tilt / degree, 1) +
                                 " deg, as after a tilted gantry. It was put straight by resampling.";
-    diagnostics.push_back(warning_about(path, "W0671", sheared));
+    diagnostics.push_back(text::warning_about(path, "W0671", sheared));
     scan.notes_.push_back(sheared);
     scan.grid_ = straight_grid(of.stack, shape);
     if (scan.grid_.size[0] == 0) {
-        diagnostics.push_back(
-            error_about(path, "E0669", "put straight, the volume has more than 512 million voxels. Crop the image."));
+        diagnostics.push_back(text::error_about(
+            path, "E0669", "put straight, the volume has more than 512 million voxels. Crop the image."));
         return diagnostics;
     }
     return {std::move(scan), std::move(diagnostics)};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -12,7 +12,7 @@
 #include "bone/report/import_report.h"
 #include "text/result.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A scan that was opened and checked, but whose voxels are not read yet: a file, or a folder with a DICOM series.
 class Scan {
@@ -34,14 +34,14 @@ public:
 
     /// Returns the voxels of a range of one layer. Reads and stores only the data that they need. Error (E062x, E067x):
     /// returns nothing. Never throws.   [main]
-    [[nodiscard]] Result<VoxelImage> read(const VoxelRange& range, int layer, const Progress& progress) const;
+    [[nodiscard]] text::Result<VoxelImage> read(const VoxelRange& range, int layer, const Progress& progress) const;
 
     /// Returns the 64-bit FNV-1a of its files' bytes, slices in the order of the stack; nothing if a file cannot be
     /// read.   [main]
     [[nodiscard]] std::optional<std::uint64_t> hash() const;
 
 private:
-    friend Result<Scan> open_scan(const std::string&, const SeriesChoice&, const Progress&);
+    friend text::Result<Scan> open_scan(const std::string&, const SeriesChoice&, const Progress&);
 
     VoxelGrid grid_;
     std::string source_;
@@ -59,6 +59,7 @@ private:
 ///
 /// Error: these, E062x (bone/image/image_file.h) and E066x (bone/image/dicom_series.h). A result may have warnings.
 /// Never throws.   [main]
-[[nodiscard]] Result<Scan> open_scan(const std::string& path, const SeriesChoice& choice, const Progress& progress);
+[[nodiscard]] text::Result<Scan> open_scan(const std::string& path, const SeriesChoice& choice,
+                                           const Progress& progress);
 
-}  // namespace kerf
+}  // namespace kerf::bone

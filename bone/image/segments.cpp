@@ -12,7 +12,7 @@
 #include "bone/image/header_fields.h"
 #include "text/printable.h"
 
-namespace kerf::header {
+namespace kerf::bone::header {
 namespace {
 
 constexpr std::size_t max_segments = 1000, max_listed = 12;
@@ -54,7 +54,7 @@ std::map<int, Written> written_in(const Remarks& remarks) {
 }
 
 std::string named(const Written& segment, int number) {
-    return segment.name ? "`" + excerpt(*segment.name) + "`" : std::to_string(number);
+    return segment.name ? "`" + text::excerpt(*segment.name) + "`" : std::to_string(number);
 }
 
 std::string names_of(const std::map<int, Written>& written) {
@@ -64,7 +64,7 @@ std::string names_of(const std::map<int, Written>& written) {
                        segment.layer.value_or(0)});
     std::string text;
     for (std::size_t n = 0; n < all.size() && n < max_listed; ++n)
-        text += (n > 0 ? ", `" : "`") + excerpt(all[n].name, 40) + "`";
+        text += (n > 0 ? ", `" : "`") + text::excerpt(all[n].name, 40) + "`";
     if (all.size() > max_listed) text += " and " + std::to_string(all.size() - max_listed) + " more";
     return text;
 }
@@ -112,7 +112,7 @@ std::vector<Segment> segments_of(const Remarks& remarks, int layers) {
 
 std::string name_to_write(const std::string& name) {
     constexpr std::size_t longest = 200;  // [bytes] no user types longer names
-    return name.size() > longest ? excerpt(name) : yaml_word(name);
+    return name.size() > longest ? text::excerpt(name) : text::yaml_word(name);
 }
 
 std::string list_of(const std::vector<Segment>& segments) {
@@ -124,4 +124,4 @@ std::string list_of(const std::vector<Segment>& segments) {
     return text;
 }
 
-}  // namespace kerf::header
+}  // namespace kerf::bone::header

@@ -7,7 +7,7 @@
 
 #include "bone/image/image_file.h"
 
-namespace kerf::header {
+namespace kerf::bone::header {
 
 /// NRRD's key/value pairs: `Segment0_Name:=femur`.
 using Remarks = std::map<std::string, std::string>;
@@ -23,4 +23,4 @@ using Remarks = std::map<std::string, std::string>;
 /// Returns a list: `bone` (label 3, layer 0), `skin` …; at most twelve, then a count.
 [[nodiscard]] std::string list_of(const std::vector<Segment>& segments);
 
-}  // namespace kerf::header
+}  // namespace kerf::bone::header

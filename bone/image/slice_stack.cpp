@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double wide = 1.25;        // times the usual distance: wider means a missing slice
@@ -197,4 +197,4 @@ VoxelImage straightened(const SliceStack& stack, const StackShape& shape, const 
     return image;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

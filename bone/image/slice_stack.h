@@ -9,7 +9,7 @@
 #include "bone/image/voxel_image.h"
 
 /// Parallel slices as scanned, and the straight grid that covers them.
-namespace kerf {
+namespace kerf::bone {
 
 /// Slices with the same size and orientation, each with its own position of the first voxel. Frame: LPS, metres.
 struct SliceStack {
@@ -62,4 +62,4 @@ using SliceReader = std::function<std::vector<float>(std::size_t slice)>;
 [[nodiscard]] VoxelImage straightened(const SliceStack& stack, const StackShape& shape, const VoxelGrid& grid,
                                       const VoxelRange& range, const SliceReader& read);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace kerf {
+namespace kerf::bone {
 
 double VoxelImage::sample_trilinear(Vec3 lps, double outside) const noexcept {
     // A point on the outermost voxel centre is inside, also after rounding.
@@ -133,4 +133,4 @@ bool VoxelGrid::place(const std::array<double, 12>& from_index) noexcept {
     return true;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -10,7 +10,7 @@
 #include "kerf/math.hpp"
 
 /// A CT or a label map as plain values.
-namespace kerf {
+namespace kerf::bone {
 
 /// A box of voxels: its first voxel and its size, along i, j, k.
 struct VoxelRange {
@@ -89,4 +89,4 @@ struct VoxelImage : VoxelGrid {
     [[nodiscard]] VoxelImage cropped(const VoxelRange& range) const;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

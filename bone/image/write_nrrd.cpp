@@ -15,7 +15,7 @@
 
 #include "text/write_file.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// Returns the shortest digits that read back as the same number.
@@ -43,7 +43,7 @@ std::string header_of(const VoxelGrid& grid, const std::string& remark, bool as_
 
 struct NrrdWriter::Stream {
     explicit Stream(const std::string& path) : file(path) {}
-    FileWriter file;
+    text::FileWriter file;
     z_stream packer{};
 };
 
@@ -97,4 +97,4 @@ std::string NrrdWriter::finish() {
     return stream_->file.finish();
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -8,7 +8,7 @@
 
 #include "bone/image/voxel_image.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Writes a volume as .nrrd: LPS, millimetres, compressed, slab by slab, so that memory never has it twice. Readers see
 /// the old file or the whole new one. The file has voxels and their position, and nothing that identifies the patient.
@@ -36,4 +36,4 @@ private:
     std::unique_ptr<Stream> stream_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -8,7 +8,7 @@
 
 #include "documents/solids.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using Samples = std::array<double, stored_samples>;
@@ -71,4 +71,4 @@ void TissueBorder::fill(const BrickLattice& lattice, DistanceRange needed, Brick
             }
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

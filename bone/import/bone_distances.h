@@ -10,7 +10,7 @@
 #include "documents/anatomy.h"
 
 /// Distance sources for the fields of a bone, composed of other sources.
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns a source as a plain function, exact everywhere. Pre: `source` outlives it.
 [[nodiscard]] inline std::function<double(Vec3)> as_function(DistanceSource& source) {
@@ -57,14 +57,14 @@ private:
 class TissueBorder final : public DistanceSource {
 public:
     /// Pre: both outlive it.
-    TissueBorder(DistanceSource& face, const Tissue& tissue) : face_(&face), tissue_(&tissue) {}
+    TissueBorder(DistanceSource& face, const documents::Tissue& tissue) : face_(&face), tissue_(&tissue) {}
     [[nodiscard]] double at(Vec3 p, DistanceRange needed) override;
     void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override;
 
 private:
     [[nodiscard]] DistanceRange of_face(DistanceRange needed) const noexcept;
     DistanceSource* face_;
-    const Tissue* tissue_;
+    const documents::Tissue* tissue_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// Returns the voxels with the value `of` that are connected to `start` over faces; marks them in `seen`.
@@ -130,4 +130,4 @@ void follow_grey(BoneMask& mask, double threshold) {
     });
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -10,7 +10,7 @@
 #include "bone/image/voxel_image.h"
 
 /// The bone voxels of a scan, and operations on them.
-namespace kerf {
+namespace kerf::bone {
 
 /// Offsets to the six neighbours of a voxel over its faces.
 inline constexpr std::array<std::array<int, 3>, 6> face_neighbours{
@@ -56,4 +56,4 @@ void fill_cavities(BoneMask& mask);
 /// Moves the border by at most one voxel to where the grey values cross the threshold.
 void follow_grey(BoneMask& mask, double threshold);
 
-}  // namespace kerf
+}  // namespace kerf::bone

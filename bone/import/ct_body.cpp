@@ -23,7 +23,7 @@
 #include "documents/read_anatomy.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using header::list_of;
@@ -85,7 +85,7 @@ Segment only_segment(const std::vector<Segment>& segments, const std::string& de
 }
 
 /// Returns the labels and layers that are the bone.
-std::vector<Segment> kept_segments(const CtSource& ct, const std::vector<Segment>& segments) {
+std::vector<Segment> kept_segments(const documents::CtSource& ct, const std::vector<Segment>& segments) {
     std::vector<Segment> kept;
     for (const int label : ct.keep) {
         const bool is_named =
@@ -126,7 +126,8 @@ private:
 };
 
 /// Marks the kept labels, and the voxels of other labels. Returns false if a layer cannot be read.
-bool mark_labels(BoneMask& mask, const CtSource& ct, const Sources& sources, std::vector<std::string>& notes) {
+bool mark_labels(BoneMask& mask, const documents::CtSource& ct, const Sources& sources,
+                 std::vector<std::string>& notes) {
     const double around = std::max({sources.labels.spacing(0), sources.labels.spacing(1), sources.labels.spacing(2)});
     const VoxelRange range = sources.labels.range(grown(mask.image.box(), around));
     if (range.voxels() == 0)
@@ -165,8 +166,8 @@ bool mark_labels(BoneMask& mask, const CtSource& ct, const Sources& sources, std
 // ---- the mask -------------------------------------------------------------------------------------------------------
 
 /// Keeps the requested piece. Returns a note with the number of pieces, or the distance of the landmark.
-std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) {
-    const CtSource& ct = *anatomy.ct;
+std::string keep_piece(BoneMask& mask, const documents::Anatomy& anatomy, bool has_labels) {
+    const documents::CtSource& ct = *anatomy.ct;
     if (ct.component_at.empty()) {
         if (!has_labels) {
             const int pieces = keep_largest(mask);
@@ -176,7 +177,7 @@ std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) 
         return "";
     }
     const auto landmark = std::find_if(anatomy.points.begin(), anatomy.points.end(),
-                                       [&](const LandmarkPoint& p) { return p.id == ct.component_at; });
+                                       [&](const documents::LandmarkPoint& p) { return p.id == ct.component_at; });
     if (landmark == anatomy.points.end())
         throw ImportError{"E0634",
                           {"ct", "keep", "component_at"},
@@ -196,8 +197,8 @@ std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) 
 }
 
 /// Returns the bone voxels for a border at `threshold`, and adds notes.
-BoneMask mask_at(double threshold, BoneMask mask, const Anatomy& anatomy, std::vector<std::string>& notes) {
-    const CtSource& ct = *anatomy.ct;
+BoneMask mask_at(double threshold, BoneMask mask, const documents::Anatomy& anatomy, std::vector<std::string>& notes) {
+    const documents::CtSource& ct = *anatomy.ct;
     const bool has_labels = !mask.is_other.empty();
     if (!has_labels)
         for (std::size_t at = 0; at < mask.is_bone.size(); ++at)
@@ -206,7 +207,7 @@ BoneMask mask_at(double threshold, BoneMask mask, const Anatomy& anatomy, std::v
                        (has_labels ? std::string("by label") : "of " + rounded(threshold, 0) + " and more");
     if (has_labels) {
         for (const int one : ct.keep) note += " " + std::to_string(one);
-        for (const std::string& one : ct.keep_named) note += " " + excerpt(one);
+        for (const std::string& one : ct.keep_named) note += " " + text::excerpt(one);
     }
     note += keep_piece(mask, anatomy, has_labels);
 
@@ -242,7 +243,7 @@ BoneMask mask_at(double threshold, BoneMask mask, const Anatomy& anatomy, std::v
 // ---- uncertainty ----------------------------------------------------------------------------------------------------
 
 /// Returns where an axis enters bone [m from its beginning].
-std::optional<double> entry_of(const LandmarkAxis& axis, const VoxelImage& distance) {
+std::optional<double> entry_of(const documents::LandmarkAxis& axis, const VoxelImage& distance) {
     constexpr double step = 0.1e-3;  // [m]
     const Vec3 along = normalized(axis.to - axis.from);
     double before = 1.0;
@@ -254,10 +255,11 @@ std::optional<double> entry_of(const LandmarkAxis& axis, const VoxelImage& dista
     return std::nullopt;
 }
 
-std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& blank, const VoxelImage& distance) {
-    const CtSource& ct = *anatomy.ct;
-    const double step =
-        ct.intensity == CtSource::Intensity::hounsfield ? hounsfield_step : grey_step * std::abs(ct.threshold);
+std::vector<BorderShift> border_shifts(const documents::Anatomy& anatomy, const BoneMask& blank,
+                                       const VoxelImage& distance) {
+    const documents::CtSource& ct = *anatomy.ct;
+    const double step = ct.intensity == documents::CtSource::Intensity::hounsfield ? hounsfield_step
+                                                                                   : grey_step * std::abs(ct.threshold);
     std::vector<std::string> ignored;
     const auto with = [&](double threshold) -> std::optional<VoxelImage> {
         try {
@@ -268,9 +270,9 @@ std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& b
     };
     const auto lower = with(ct.threshold - step), upper = with(ct.threshold + step);
     std::vector<BorderShift> shifts;
-    for (const LandmarkAxis& axis : anatomy.axes) {
+    for (const documents::LandmarkAxis& axis : anatomy.axes) {
         BorderShift shift{
-            axis.id, step, ct.intensity == CtSource::Intensity::hounsfield ? "HU" : "grey levels", {}, {}};
+            axis.id, step, ct.intensity == documents::CtSource::Intensity::hounsfield ? "HU" : "grey levels", {}, {}};
         const auto entry = entry_of(axis, distance);
         const auto moved = [&](const std::optional<VoxelImage>& other) -> std::optional<double> {
             const auto there = other ? entry_of(axis, *other) : std::nullopt;
@@ -283,15 +285,15 @@ std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& b
     return shifts;
 }
 
-void doubt_values(const Anatomy& anatomy, const VoxelImage& part, std::vector<std::string>& notes,
-                  Diagnostics& diagnostics) {
-    const CtSource& ct = *anatomy.ct;
-    if (ct.intensity != CtSource::Intensity::hounsfield) {
+void doubt_values(const documents::Anatomy& anatomy, const VoxelImage& part, std::vector<std::string>& notes,
+                  text::Diagnostics& diagnostics) {
+    const documents::CtSource& ct = *anatomy.ct;
+    if (ct.intensity != documents::CtSource::Intensity::hounsfield) {
         notes.push_back("The values are grey levels, not HU: the threshold holds for this scan alone.");
         return;
     }
     const auto warn = [&](const std::string& message) {
-        diagnostics.push_back(warning_at(in_anatomy(anatomy, {"ct", "image"}), "W0675", message));
+        diagnostics.push_back(text::warning_at(documents::in_anatomy(anatomy, {"ct", "image"}), "W0675", message));
         notes.push_back(message);
     };
     const float smallest = *std::min_element(part.values.begin(), part.values.end());
@@ -309,7 +311,7 @@ void doubt_values(const Anatomy& anatomy, const VoxelImage& part, std::vector<st
 // ---- the whole import -----------------------------------------------------------------------------------------------
 
 /// Returns the region to read: the planned axes, and the search regions of fits.
-Box region_to_read(const Anatomy& anatomy, const Box& available) {
+Box region_to_read(const documents::Anatomy& anatomy, const Box& available) {
     const Box planned = planned_region(anatomy.axes, available);
     if (is_empty(planned) || !has_fits(anatomy)) return planned;
     const Box fits = region_of_fits(anatomy);
@@ -322,10 +324,10 @@ Box region_to_read(const Anatomy& anatomy, const Box& available) {
             joined(available.high, joined(planned.high, fits.high, larger), smaller)};
 }
 
-std::optional<CtBone> made(const Anatomy& written, const Sources& sources, Diagnostics& diagnostics,
+std::optional<CtBone> made(const documents::Anatomy& written, const Sources& sources, text::Diagnostics& diagnostics,
                            const ImportOptions& options) {
-    Anatomy anatomy = written;
-    const CtSource& ct = *anatomy.ct;
+    documents::Anatomy anatomy = written;
+    const documents::CtSource& ct = *anatomy.ct;
     if (sources.scan.is_sheared())
         throw ImportError{"E0632",
                           {"ct", "image"},
@@ -400,20 +402,21 @@ std::optional<CtBone> made(const Anatomy& written, const Sources& sources, Diagn
     return bone;
 }
 
-std::optional<CtBone> make_or_report(const Anatomy& anatomy, const Sources& sources, Diagnostics& diagnostics,
-                                     const ImportOptions& options) {
+std::optional<CtBone> make_or_report(const documents::Anatomy& anatomy, const Sources& sources,
+                                     text::Diagnostics& diagnostics, const ImportOptions& options) {
     try {
         return made(anatomy, sources, diagnostics, options);
     } catch (const ImportError& refusal) {
-        diagnostics.push_back(error_at(in_anatomy(anatomy, refusal.keys), refusal.code, refusal.message));
+        diagnostics.push_back(
+            text::error_at(documents::in_anatomy(anatomy, refusal.keys), refusal.code, refusal.message));
     }
     return std::nullopt;
 }
 
 }  // namespace
 
-Result<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image, const VoxelImage* labels,
-                            const ImportOptions& options) {
+text::Result<CtBone> make_ct_bone(const documents::Anatomy& anatomy, const VoxelImage& image, const VoxelImage* labels,
+                                  const ImportOptions& options) {
     Sources sources;
     sources.scan = image;
     sources.read_scan = [&](const VoxelRange& range) { return image.cropped(range); };
@@ -422,15 +425,15 @@ Result<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image, con
         sources.labels = *labels;
         sources.read_labels = [labels](const VoxelRange& range, int) { return labels->cropped(range); };
     }
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     auto bone = make_or_report(anatomy, sources, diagnostics, options);
     if (!bone) return diagnostics;
     return {std::move(*bone), std::move(diagnostics)};
 }
 
-Result<CtBone> make_ct_bone(const Anatomy& anatomy, const ImportOptions& options) {
-    Diagnostics diagnostics;
-    const CtSource& ct = *anatomy.ct;
+text::Result<CtBone> make_ct_bone(const documents::Anatomy& anatomy, const ImportOptions& options) {
+    text::Diagnostics diagnostics;
+    const documents::CtSource& ct = *anatomy.ct;
     const auto opened = [&](const std::string& written, const SeriesChoice& choice,
                             const std::vector<std::string>& keys) {
         const std::size_t first = diagnostics.size();
@@ -439,23 +442,24 @@ Result<CtBone> make_ct_bone(const Anatomy& anatomy, const ImportOptions& options
         if (is_data_file_inside(file, anatomy.file, diagnostics))
             scan = open_scan(file, choice, options.progress).take(diagnostics);
         if (diagnostics.size() > first)
-            because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
+            text::because_of(documents::in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
         return scan;
     };
     const auto scan = opened(ct.image, {ct.series, ct.acquisition, ct.may_resample}, {"ct", "image"});
     if (!scan) return diagnostics;
     if (!scan->segments().empty()) {
-        diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "image"}), "E0623",
-                                       "the image is a segmentation: it holds labels, no values. Name the scan that "
-                                       "it was made on, and the segmentation under `ct.labels`."));
+        diagnostics.push_back(
+            text::error_at(documents::in_anatomy(anatomy, {"ct", "image"}), "E0623",
+                           "the image is a segmentation: it holds labels, no values. Name the scan that "
+                           "it was made on, and the segmentation under `ct.labels`."));
         return diagnostics;
     }
     std::optional<Scan> labels;
     if (!ct.labels.empty() && !(labels = opened(ct.labels, {}, {"ct", "labels", "file"}))) return diagnostics;
     if (labels && labels->is_resampled()) {
-        diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "labels", "file"}), "E0630",
-                                       "the label map is sheared, and labels cannot be mixed. Make the labels on "
-                                       "the image that `kerf import IMAGE -o straight.nrrd` writes."));
+        diagnostics.push_back(text::error_at(documents::in_anatomy(anatomy, {"ct", "labels", "file"}), "E0630",
+                                             "the label map is sheared, and labels cannot be mixed. Make the labels on "
+                                             "the image that `kerf import IMAGE -o straight.nrrd` writes."));
         return diagnostics;
     }
 
@@ -465,7 +469,7 @@ Result<CtBone> make_ct_bone(const Anatomy& anatomy, const ImportOptions& options
         const std::size_t first = diagnostics.size();
         auto image = from.read(range, layer, options.progress).take(diagnostics);
         if (diagnostics.size() > first)
-            because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
+            text::because_of(documents::in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
         return image;
     };
     sources.read_scan = [&](const VoxelRange& range) { return read(*scan, range, 0, {"ct", "image"}); };
@@ -484,8 +488,8 @@ Result<CtBone> make_ct_bone(const Anatomy& anatomy, const ImportOptions& options
         if (one == nullptr) continue;
         const auto hash = one->hash();
         if (!hash) {
-            diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "image"}), "E0620",
-                                           "a file of the scan could be read once, but not again. Try again."));
+            diagnostics.push_back(text::error_at(documents::in_anatomy(anatomy, {"ct", "image"}), "E0620",
+                                                 "a file of the scan could be read once, but not again. Try again."));
             return diagnostics;
         }
         bone->report.file_hashes.push_back(*hash);
@@ -493,4 +497,4 @@ Result<CtBone> make_ct_bone(const Anatomy& anatomy, const ImportOptions& options
     return {std::move(*bone), std::move(diagnostics)};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -23,7 +23,7 @@
 ///     E0635  the segmentation has no structure of that name
 ///     E0636  several structures of that name or number, or with the same voxels
 ///     W0675  values that are not HU, or metal
-namespace kerf {
+namespace kerf::bone {
 
 /// A bone on the grid of its CT, cropped around the planned axes.
 struct CtBone {
@@ -44,10 +44,10 @@ struct CtBone {
 /// other side of the threshold (one voxel, never into another label). Then `distance_in_voxels` finds the border. A
 /// label map on another grid gives each voxel its nearest label. Error: E062x, E063x, E066x, E067x. Pre: `anatomy.ct`.
 /// [main]
-[[nodiscard]] Result<CtBone> make_ct_bone(const Anatomy& anatomy, const ImportOptions& options = {});
+[[nodiscard]] text::Result<CtBone> make_ct_bone(const documents::Anatomy& anatomy, const ImportOptions& options = {});
 
 /// Makes the bone from images in memory. `labels` may be null.   [main]
-[[nodiscard]] Result<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image, const VoxelImage* labels,
-                                          const ImportOptions& options = {});
+[[nodiscard]] text::Result<CtBone> make_ct_bone(const documents::Anatomy& anatomy, const VoxelImage& image,
+                                                const VoxelImage* labels, const ImportOptions& options = {});
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 
 #include "text/inside_folder.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 std::string found_data_file(const std::string& written, const std::string& document) {
     const std::filesystem::path beside = std::filesystem::path(document).parent_path() / written;
@@ -18,15 +18,15 @@ std::string found_data_file(const std::string& written, const std::string& docum
     return beside.string();
 }
 
-bool is_data_file_inside(const std::string& path, const std::string& document, Diagnostics& diagnostics) {
+bool is_data_file_inside(const std::string& path, const std::string& document, text::Diagnostics& diagnostics) {
     const char* data = std::getenv("KERF_DATA");
-    if (is_inside_folder(path, std::filesystem::path(document).parent_path().string()) ||
-        (data && *data && is_inside_folder(path, data)))
+    if (text::is_inside_folder(path, std::filesystem::path(document).parent_path().string()) ||
+        (data && *data && text::is_inside_folder(path, data)))
         return true;
-    diagnostics.push_back(error_about(path, "E0619",
-                                      "a link leads out of the document's folder and of KERF_DATA. "
-                                      "Put the file itself there."));
+    diagnostics.push_back(text::error_about(path, "E0619",
+                                            "a link leads out of the document's folder and of KERF_DATA. "
+                                            "Put the file itself there."));
     return false;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

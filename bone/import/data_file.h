@@ -5,7 +5,7 @@
 
 #include "text/source.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the path of a file or folder that a document names: in the document's folder, or else in KERF_DATA. It need
 /// not exist.   [main]
@@ -13,6 +13,7 @@ namespace kerf {
 
 /// Returns whether such a path, with all links followed, stays in the document's folder or in KERF_DATA. Error: E0619.
 /// [main]
-[[nodiscard]] bool is_data_file_inside(const std::string& path, const std::string& document, Diagnostics& diagnostics);
+[[nodiscard]] bool is_data_file_inside(const std::string& path, const std::string& document,
+                                       text::Diagnostics& diagnostics);
 
-}  // namespace kerf
+}  // namespace kerf::bone

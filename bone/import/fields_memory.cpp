@@ -8,7 +8,7 @@
 
 #include "core/field/grid/grid.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr int probes = 20'000;
@@ -52,4 +52,4 @@ double excess_of(const FieldsMemory& needed) noexcept {
                      needed.cuttable / (0.97 * max_stored_bricks /* probes are a few per cent off */)});
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 #include "core/field/grid/box.h"
 
 /// Memory that a bone's fields will take, estimated before allocation.
-namespace kerf {
+namespace kerf::bone {
 
 /// Largest memory for the bone of one run [bytes].
 inline constexpr double max_bone_memory = 4.0 * 1024 * 1024 * 1024;
@@ -30,4 +30,4 @@ struct FieldsMemory {
 /// cut. At most 1: it fits.   [any] pure
 [[nodiscard]] double excess_of(const FieldsMemory& needed) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::bone

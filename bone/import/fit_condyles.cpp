@@ -7,7 +7,7 @@
 
 #include "bone/import/least_squares.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double apart = 0.5e-3;  // [m] between rays
@@ -117,4 +117,4 @@ std::optional<FittedCondyles> fit_condyles(const BoneShape& bone, const Condyles
     return fitted;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

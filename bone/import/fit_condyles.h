@@ -7,7 +7,7 @@
 
 #include "bone/import/surface_rays.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Initial positions of the backs of two condyles. Lengths in m, LPS.
 struct CondylesGuess {
@@ -31,4 +31,4 @@ struct FittedCondyles {
 [[nodiscard]] std::optional<FittedCondyles> fit_condyles(const BoneShape& bone, const CondylesGuess& guess,
                                                          std::size_t& failed);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -16,7 +16,7 @@
 #include "bone/surface/diagnose.h"
 #include "documents/read_anatomy.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
@@ -31,36 +31,40 @@ std::string yaml_position(Vec3 at) {
 /// A landmark's id, its position in the document, and the limits of its fit.
 struct FitRequest {
     std::string id;
-    Reason place;
+    text::Reason place;
     double residual = 0.0;  ///< [m] at most
     double within = 0.0;    ///< [m]
 };
 
 class Fits {
 public:
-    Fits(Anatomy& anatomy, const BoneShape& bone, ImportReport& report, Diagnostics& diagnostics)
+    Fits(documents::Anatomy& anatomy, const BoneShape& bone, ImportReport& report, text::Diagnostics& diagnostics)
         : anatomy_(anatomy), bone_(bone), report_(report), diagnostics_(diagnostics) {}
 
     bool fit_all() {
-        for (LandmarkPoint& point : anatomy_.points)
+        for (documents::LandmarkPoint& point : anatomy_.points)
             if (point.fit) fit(point);
-        const auto is_condyles = [](const LandmarkAxis& a) { return a.fit->shape == LandmarkFit::Shape::condyles; };
+        const auto is_condyles = [](const documents::LandmarkAxis& a) {
+            return a.fit->shape == documents::LandmarkFit::Shape::condyles;
+        };
         for (const bool now : {false, true})  // condyles need another axis, so they come last
-            for (LandmarkAxis& axis : anatomy_.axes)
+            for (documents::LandmarkAxis& axis : anatomy_.axes)
                 if (axis.fit && is_condyles(axis) == now) fit(axis);
         return !is_refused_;
     }
 
 private:
     void refuse(const FitRequest& request, const char* code, const std::string& message, std::string write = {}) {
-        Diagnostic error = error_at(request.place, code, message);
+        text::Diagnostic error = text::error_at(request.place, code, message);
         error.write = std::move(write);
         diagnostics_.push_back(std::move(error));
         is_refused_ = true;
     }
 
-    FitRequest request_of(const char* sort, const std::string& id, const LandmarkFit& fit, double tolerance) const {
-        return {id, in_anatomy(anatomy_, {"landmarks", sort, id, "fit"}), fit.residual.value_or(tolerance), fit.within};
+    FitRequest request_of(const char* sort, const std::string& id, const documents::LandmarkFit& fit,
+                          double tolerance) const {
+        return {id, documents::in_anatomy(anatomy_, {"landmarks", sort, id, "fit"}), fit.residual.value_or(tolerance),
+                fit.within};
     }
 
     /// Checks the residual and the distance from the guess.
@@ -106,7 +110,7 @@ private:
                " over " + percent(sphere.fraction) + " of the directions";
     }
 
-    void fit(LandmarkPoint& point) {
+    void fit(documents::LandmarkPoint& point) {
         const FitRequest request = request_of("points", point.id, *point.fit, point.tolerance);
         const auto sphere = sphere_at(request, point.at, point.fit->radius);
         if (!sphere) return;
@@ -118,27 +122,27 @@ private:
         report_.fitted_points.push_back(point);
     }
 
-    void fit(LandmarkAxis& axis) {
+    void fit(documents::LandmarkAxis& axis) {
         const FitRequest request = request_of("axes", axis.id, *axis.fit, axis.tolerance);
         switch (axis.fit->shape) {
-            case LandmarkFit::Shape::tube:
+            case documents::LandmarkFit::Shape::tube:
                 return fit_as_tube(axis, request);
-            case LandmarkFit::Shape::neck:
+            case documents::LandmarkFit::Shape::neck:
                 return fit_as_neck(axis, request);
-            case LandmarkFit::Shape::condyles:
+            case documents::LandmarkFit::Shape::condyles:
                 return fit_as_condyles(axis, request);
-            case LandmarkFit::Shape::sphere:
+            case documents::LandmarkFit::Shape::sphere:
                 break;  // only points are spheres
         }
     }
 
     /// Returns the distances of an axis's ends from a fitted line [m].
-    static std::array<double, 2> off_ends(const LandmarkAxis& axis, Vec3 from, Vec3 to) {
+    static std::array<double, 2> off_ends(const documents::LandmarkAxis& axis, Vec3 from, Vec3 to) {
         const Vec3 along = normalized(to - from);
         return {length(cross(axis.from - from, along)), length(cross(axis.to - from, along))};
     }
 
-    void place(LandmarkAxis& axis, Vec3 from, Vec3 to, const std::string& what) {
+    void place(documents::LandmarkAxis& axis, Vec3 from, Vec3 to, const std::string& what) {
         const auto off = off_ends(axis, from, to);
         note("Axis " + axis.id + ": fitted from " + position_text(from) + " to " + position_text(to) + ", " + what +
              "; " + millimetres(std::max(off[0], off[1])) + " from its guess.");
@@ -148,13 +152,14 @@ private:
         report_.fitted_axes.push_back(axis);
     }
 
-    bool is_allowed(const FitRequest& request, const LandmarkAxis& axis, double residual, Vec3 from, Vec3 to) {
+    bool is_allowed(const FitRequest& request, const documents::LandmarkAxis& axis, double residual, Vec3 from,
+                    Vec3 to) {
         const auto off = off_ends(axis, from, to);
         return off[0] >= off[1] ? is_allowed(request, residual, from, axis.from, off[0], "from")
                                 : is_allowed(request, residual, to, axis.to, off[1], "to");
     }
 
-    void fit_as_tube(LandmarkAxis& axis, const FitRequest& request) {
+    void fit_as_tube(documents::LandmarkAxis& axis, const FitRequest& request) {
         const auto tube = fit_tube(bone_, {axis.from, axis.to, axis.fit->radius, request.within});
         if (!tube || tube->fraction < min_tube_fraction)
             return refuse(request, "E0615",
@@ -169,7 +174,7 @@ private:
                   " over " + percent(tube->fraction) + " of the points of its sections");
     }
 
-    void fit_as_neck(LandmarkAxis& axis, const FitRequest& request) {
+    void fit_as_neck(documents::LandmarkAxis& axis, const FitRequest& request) {
         const auto head = heads_.find(axis.fit->reference);
         if (head == heads_.end()) {  // the head's own error gives the reason
             is_refused_ = true;
@@ -195,9 +200,9 @@ private:
                   millimetres(neck->residual, 2) + " over " + std::to_string(neck->used) + " sections");
     }
 
-    void fit_as_condyles(LandmarkAxis& axis, const FitRequest& request) {
+    void fit_as_condyles(documents::LandmarkAxis& axis, const FitRequest& request) {
         const auto shaft = std::find_if(anatomy_.axes.begin(), anatomy_.axes.end(),
-                                        [&](const LandmarkAxis& a) { return a.id == axis.fit->reference; });
+                                        [&](const documents::LandmarkAxis& a) { return a.id == axis.fit->reference; });
         if (shaft == anatomy_.axes.end())
             return refuse(request, "E0618",
                           "the shaft of the condyles `" + request.id + "` is unknown: got `" + axis.fit->reference +
@@ -221,10 +226,10 @@ private:
 
     void note(std::string text) { report_.notes.push_back(std::move(text)); }
 
-    Anatomy& anatomy_;
+    documents::Anatomy& anatomy_;
     const BoneShape& bone_;
     ImportReport& report_;
-    Diagnostics& diagnostics_;
+    text::Diagnostics& diagnostics_;
     std::map<std::string, FittedSphere> heads_;
     bool is_refused_ = false;
 };
@@ -238,24 +243,24 @@ Box with_ball(const Box& all, Vec3 at, double radius) {
 
 }  // namespace
 
-bool has_fits(const Anatomy& anatomy) noexcept {
+bool has_fits(const documents::Anatomy& anatomy) noexcept {
     const auto is_fitted = [](const auto& landmark) { return landmark.fit.has_value(); };
     return std::any_of(anatomy.points.begin(), anatomy.points.end(), is_fitted) ||
            std::any_of(anatomy.axes.begin(), anatomy.axes.end(), is_fitted);
 }
 
-Box region_of_fits(const Anatomy& anatomy) noexcept {
+Box region_of_fits(const documents::Anatomy& anatomy) noexcept {
     constexpr double largest = 1.0 + max_size_deviation;
     Box all{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    const auto add = [&](Vec3 at, const LandmarkFit& fit, double radii) {
+    const auto add = [&](Vec3 at, const documents::LandmarkFit& fit, double radii) {
         all = with_ball(all, at, 2.0 * fit.within + radii * largest * fit.radius);
     };
-    for (const LandmarkPoint& point : anatomy.points)
+    for (const documents::LandmarkPoint& point : anatomy.points)
         if (point.fit) add(point.at, *point.fit, 1.5);
-    for (const LandmarkAxis& axis : anatomy.axes) {
+    for (const documents::LandmarkAxis& axis : anatomy.axes) {
         if (!axis.fit) continue;
-        const bool is_neck = axis.fit->shape == LandmarkFit::Shape::neck;
-        for (const LandmarkPoint& head : anatomy.points)
+        const bool is_neck = axis.fit->shape == documents::LandmarkFit::Shape::neck;
+        for (const documents::LandmarkPoint& head : anatomy.points)
             if (is_neck && head.fit && head.id == axis.fit->reference) add(head.at, *head.fit, 3.0);
         if (is_neck) continue;
         add(axis.from, *axis.fit, 1.5);
@@ -264,11 +269,12 @@ Box region_of_fits(const Anatomy& anatomy) noexcept {
     return all;
 }
 
-bool fit_landmarks(Anatomy& anatomy, const BoneShape& bone, ImportReport& report, Diagnostics& diagnostics) {
+bool fit_landmarks(documents::Anatomy& anatomy, const BoneShape& bone, ImportReport& report,
+                   text::Diagnostics& diagnostics) {
     return Fits(anatomy, bone, report, diagnostics).fit_all();
 }
 
-void use_fits(Anatomy& anatomy, const ImportReport& report) {
+void use_fits(documents::Anatomy& anatomy, const ImportReport& report) {
     const auto use = [](auto& landmarks, const auto& fitted) {
         for (auto& landmark : landmarks)
             for (const auto& one : fitted)
@@ -278,4 +284,4 @@ void use_fits(Anatomy& anatomy, const ImportReport& report) {
     use(anatomy.axes, report.fitted_axes);
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr int sections = 61;
@@ -89,4 +89,4 @@ std::optional<FittedNeck> fit_neck(const BoneShape& bone, const NeckGuess& guess
     return fitted;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -5,7 +5,7 @@
 
 #include "bone/import/surface_rays.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A neck below a known head.
 struct NeckGuess {
@@ -31,4 +31,4 @@ struct FittedNeck {
 /// section is narrower than those on both sides of it.   [main]
 [[nodiscard]] std::optional<FittedNeck> fit_neck(const BoneShape& bone, const NeckGuess& guess);
 
-}  // namespace kerf
+}  // namespace kerf::bone

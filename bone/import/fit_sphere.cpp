@@ -10,7 +10,7 @@
 
 #include "bone/import/least_squares.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr int rays = 1000;
@@ -124,4 +124,4 @@ std::optional<FittedSphere> fit_sphere(const BoneShape& bone, const SphereGuess&
     return fitted;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

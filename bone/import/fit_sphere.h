@@ -5,7 +5,7 @@
 
 #include "bone/import/surface_rays.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Initial position of a sphere. Lengths in m, LPS.
 struct SphereGuess {
@@ -36,4 +36,4 @@ constexpr double min_sphere_fraction = 0.4;
 /// Returns nothing if no sphere has enough points to start from.   [main]
 [[nodiscard]] std::optional<FittedSphere> fit_sphere(const BoneShape& bone, const SphereGuess& guess);
 
-}  // namespace kerf
+}  // namespace kerf::bone

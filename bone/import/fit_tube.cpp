@@ -9,7 +9,7 @@
 #include "bone/import/fit_sphere.h"
 #include "bone/import/least_squares.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr int sections = 41;
@@ -186,4 +186,4 @@ std::optional<FittedTube> fit_tube(const BoneShape& bone, const TubeGuess& guess
     return fitted;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -5,7 +5,7 @@
 
 #include "bone/import/surface_rays.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Initial position of a tube: two points on its axis. Lengths in m, LPS.
 struct TubeGuess {
@@ -33,4 +33,4 @@ constexpr double min_tube_fraction = 0.5;  ///< [–] of the rays
 /// nothing if too few sections remain to start from.   [main]
 [[nodiscard]] std::optional<FittedTube> fit_tube(const BoneShape& bone, const TubeGuess& guess);
 
-}  // namespace kerf
+}  // namespace kerf::bone

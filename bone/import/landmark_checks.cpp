@@ -10,7 +10,7 @@
 #include "documents/read_anatomy.h"
 #include "documents/solids.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double max_bone_in_zone = 0.25;  // [–] that may be bone, because a zone's border is coarse
@@ -18,11 +18,12 @@ constexpr double finest = 1e-3;            // [m] between the sample points of a
 constexpr double max_points = 200'000.0;
 
 /// Returns a landmark's location in the document. A landmark of a markups file has no line.
-Reason named(const Anatomy& anatomy, const char* sort, const std::string& id, std::string message = {}) {
-    const Reason list = in_anatomy(anatomy, {"landmarks", sort}),
-                 own = in_anatomy(anatomy, {"landmarks", sort, id}, message);
+text::Reason named(const documents::Anatomy& anatomy, const char* sort, const std::string& id,
+                   std::string message = {}) {
+    const text::Reason list = documents::in_anatomy(anatomy, {"landmarks", sort}),
+                       own = documents::in_anatomy(anatomy, {"landmarks", sort, id}, message);
     const bool has_own = own.place.line != list.place.line || own.place.column != list.place.column;
-    return has_own ? own : in_anatomy(anatomy, {"landmarks", "markups"}, std::move(message));
+    return has_own ? own : documents::in_anatomy(anatomy, {"landmarks", "markups"}, std::move(message));
 }
 
 std::string millimetres(double metres) { return rounded(metres * 1e3, 1); }
@@ -38,19 +39,19 @@ std::string other_side(const std::string& id) {
     return {};
 }
 
-void check_sides(const Anatomy& anatomy, Diagnostics& diagnostics) {
+void check_sides(const documents::Anatomy& anatomy, text::Diagnostics& diagnostics) {
     struct Landmark {
         Vec3 at;
         const char* sort;
     };
     std::map<std::string, Landmark> places;
-    for (const LandmarkPoint& point : anatomy.points) places[point.id] = {point.at, "points"};
-    for (const LandmarkAxis& axis : anatomy.axes) places[axis.id] = {0.5 * (axis.from + axis.to), "axes"};
-    for (const LandmarkPlane& plane : anatomy.planes) places[plane.id] = {plane.at, "planes"};
+    for (const documents::LandmarkPoint& point : anatomy.points) places[point.id] = {point.at, "points"};
+    for (const documents::LandmarkAxis& axis : anatomy.axes) places[axis.id] = {0.5 * (axis.from + axis.to), "axes"};
+    for (const documents::LandmarkPlane& plane : anatomy.planes) places[plane.id] = {plane.at, "planes"};
     for (const auto& [id, right] : places) {
         const auto left = places.find(other_side(id));
         if (left == places.end() || left->second.at.x > right.at.x) continue;
-        Diagnostic swapped = error_at(
+        text::Diagnostic swapped = text::error_at(
             named(anatomy, right.sort, id), "E0612",
             "`" + left->first + "` lies at x " + millimetres(left->second.at.x) + " mm and `" + id + "` at x " +
                 millimetres(right.at.x) +
@@ -67,9 +68,9 @@ std::string where(const PointOnBone& place) {
            (place.distance < 0.0 ? "inside the bone's surface" : "outside the bone");
 }
 
-void check_points(const Anatomy& anatomy, const Body& body, Diagnostics& diagnostics) {
-    using Lies = LandmarkPoint::Lies;
-    for (const LandmarkPoint& point : anatomy.points) {
+void check_points(const documents::Anatomy& anatomy, const Body& body, text::Diagnostics& diagnostics) {
+    using Lies = documents::LandmarkPoint::Lies;
+    for (const documents::LandmarkPoint& point : anatomy.points) {
         if (point.lies == Lies::anywhere) continue;
         const PointOnBone place = locate_on_bone(body, point.at);
         if (!place.is_in_region) continue;
@@ -80,10 +81,10 @@ void check_points(const Anatomy& anatomy, const Body& body, Diagnostics& diagnos
         if (is_true) continue;
         const char* must = point.lies == Lies::on_bone ? "on it" : point.lies == Lies::in_bone ? "in it" : "outside it";
         diagnostics.push_back(
-            error_at(named(anatomy, "points", point.id), "E0613",
-                     "the point `" + point.id + "` lies " + where(place) + ", must lie " + must + " within " +
-                         millimetres(point.tolerance) +
-                         " mm. Check its coordinates (LPS, millimetres), `lies`, or how the bone is made."));
+            text::error_at(named(anatomy, "points", point.id), "E0613",
+                           "the point `" + point.id + "` lies " + where(place) + ", must lie " + must + " within " +
+                               millimetres(point.tolerance) +
+                               " mm. Check its coordinates (LPS, millimetres), `lies`, or how the bone is made."));
     }
 }
 
@@ -94,7 +95,7 @@ PointOnBone locate_on_bone(const Body& body, Vec3 at) noexcept {
             outside_region(body, at) == 0.0};
 }
 
-double fraction_in_bone(const Body& body, const Zone& zone) {
+double fraction_in_bone(const Body& body, const documents::Zone& zone) {
     std::size_t inside = 0, in_bone = 0;
     const Box box = bounds_of(zone.solids);
     const Region& region = body.region;  // nothing is known beyond it
@@ -108,22 +109,22 @@ double fraction_in_bone(const Body& body, const Zone& zone) {
     for (double x = low.x + 0.5 * step; x < high.x; x += step)
         for (double y = low.y + 0.5 * step; y < high.y; y += step)
             for (double z = low.z + 0.5 * step; z < high.z; z += step) {
-                if (distance_to_any(zone.solids, {x, y, z}) >= 0.0) continue;
+                if (documents::distance_to_any(zone.solids, {x, y, z}) >= 0.0) continue;
                 ++inside;
                 in_bone += uncut_distance(body, locate(body, {x, y, z})) < 0.0;
             }
     return inside > 0 ? static_cast<double>(in_bone) / static_cast<double>(inside) : 0.0;
 }
 
-void check_landmarks(const Anatomy& anatomy, const Body& body, Diagnostics& diagnostics) {
+void check_landmarks(const documents::Anatomy& anatomy, const Body& body, text::Diagnostics& diagnostics) {
     check_sides(anatomy, diagnostics);
     check_points(anatomy, body, diagnostics);
-    for (const Zone& zone : anatomy.zones)
+    for (const documents::Zone& zone : anatomy.zones)
         if (const double share = fraction_in_bone(body, zone); share > max_bone_in_zone && !zone.is_tissue)
-            diagnostics.push_back(
-                warning_at(in_anatomy(anatomy, {"zones", zone.id}), "W0614",
-                           rounded(100.0 * share, 0) + " % of the zone `" + zone.id +
-                               "` lies in bone. If it should be free, check its coordinates (LPS, millimetres)."));
+            diagnostics.push_back(text::warning_at(
+                documents::in_anatomy(anatomy, {"zones", zone.id}), "W0614",
+                rounded(100.0 * share, 0) + " % of the zone `" + zone.id +
+                    "` lies in bone. If it should be free, check its coordinates (LPS, millimetres)."));
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -13,7 +13,7 @@
 ///     E0612  a left and right pair is interchanged
 ///     E0613  a point is not where its `lies` requires
 ///     W0614  much of a zone lies in bone
-namespace kerf {
+namespace kerf::bone {
 
 /// A position relative to the bone.
 struct PointOnBone {
@@ -25,10 +25,10 @@ struct PointOnBone {
 
 /// Returns the fraction of a zone's volume in bone [–], by points 1 mm apart, or 200000 of them; 0 for a zone outside
 /// the region.   [any] pure.
-[[nodiscard]] double fraction_in_bone(const Body& body, const Zone& zone);
+[[nodiscard]] double fraction_in_bone(const Body& body, const documents::Zone& zone);
 
 /// Checks pairs whose names differ only by the word `left` or `right`, points by their `lies` within their tolerance,
 /// and zones, of which at most a quarter should be bone.   [main]
-void check_landmarks(const Anatomy& anatomy, const Body& body, Diagnostics& diagnostics);
+void check_landmarks(const documents::Anatomy& anatomy, const Body& body, text::Diagnostics& diagnostics);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Accumulates the normal equations of a linear least-squares problem in N unknowns: rows · x ≈ value.
 template <std::size_t N>
@@ -52,4 +52,4 @@ private:
     std::array<double, N> right_{};
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -22,7 +22,7 @@
 #include "documents/read_anatomy.h"
 #include "documents/solids.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 namespace {
 
@@ -33,11 +33,11 @@ constexpr double finest_spacing = 0.05e-3;     // [m] smallest spacing of a proc
 using Distance = std::function<double(Vec3)>;  // body frame [m] → [m], negative inside
 
 /// Returns the location in the document that defines the bone.
-Reason bone_in(const Anatomy& anatomy) {
-    return in_anatomy(anatomy, {anatomy.ct ? "ct" : anatomy.mesh ? "mesh" : "phantom"});
+text::Reason bone_in(const documents::Anatomy& anatomy) {
+    return documents::in_anatomy(anatomy, {anatomy.ct ? "ct" : anatomy.mesh ? "mesh" : "phantom"});
 }
 
-Box phantom_bounds(const PhantomSource& phantom) {
+Box phantom_bounds(const documents::PhantomSource& phantom) {
     Box bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     for (const auto& part : phantom.parts) {
         if (part.subtract) continue;
@@ -51,7 +51,7 @@ Box phantom_bounds(const PhantomSource& phantom) {
 }
 
 /// Returns the distance to the added parts, or to the subtracted ones.
-double distance_to_parts(const PhantomSource& phantom, bool subtract, Vec3 p) {
+double distance_to_parts(const documents::PhantomSource& phantom, bool subtract, Vec3 p) {
     double distance = HUGE_VAL;
     for (const auto& part : phantom.parts)
         if (part.subtract == subtract) distance = std::min(distance, distance_to(part.solid, p));
@@ -60,10 +60,10 @@ double distance_to_parts(const PhantomSource& phantom, bool subtract, Vec3 p) {
 
 /// Returns whether parts are subtracted and none is added after them. Then bone is all added parts less all subtracted
 /// ones.
-bool subtracts_last(const PhantomSource& phantom) {
+bool subtracts_last(const documents::PhantomSource& phantom) {
     return !phantom.parts.empty() && phantom.parts.back().subtract &&
            std::is_partitioned(phantom.parts.begin(), phantom.parts.end(),
-                               [](const PhantomPart& p) { return !p.subtract; });
+                               [](const documents::PhantomPart& p) { return !p.subtract; });
 }
 
 /// Returns whether bone between the outside and a cavity is somewhere too thin for one field. Where a cavity opens to
@@ -125,14 +125,14 @@ bool may_hold_base(const Body& body, std::size_t brick) {
                         [&](const Material& shell) { return shell.border.is_all_solid(brick); });
 }
 
-ImportReport phantom_report(const Anatomy& anatomy) {
+ImportReport phantom_report(const documents::Anatomy& anatomy) {
     ImportReport report;
     report.notes = {"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."};
     return report;
 }
 
 /// Returns a phantom for fits. It contains no bone if the bone is made from a scan or a surface.
-BoneShape phantom_shape(const Anatomy& anatomy) {
+BoneShape phantom_shape(const documents::Anatomy& anatomy) {
     return {[&](Vec3 p) { return distance_to(anatomy.phantom, p); },
             {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}}};
 }
@@ -140,18 +140,18 @@ BoneShape phantom_shape(const Anatomy& anatomy) {
 /// Checks thin walls. One distance field can represent a wall of three voxels; thinner ones are too weak or missing. So
 /// a plate with air on both sides is refused. A spur, or two faces that touch, must not demand the finest spacing: the
 /// limit applies to all walls except a thousandth of their area.
-bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, const Anatomy& anatomy,
-                      Diagnostics& diagnostics) {
+bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, const documents::Anatomy& anatomy,
+                      text::Diagnostics& diagnostics) {
     const double needed = min_wall_voxels * spacing;
     const auto smallest = thinnest(walls);
     if (!smallest || smallest->thickness >= needed) return true;
-    const Reason file =
-        anatomy.mesh ? in_anatomy(anatomy, {"mesh", "file"}) : in_anatomy(anatomy, {"phantom", "parts"});
+    const text::Reason file = anatomy.mesh ? documents::in_anatomy(anatomy, {"mesh", "file"})
+                                           : documents::in_anatomy(anatomy, {"phantom", "parts"});
     const std::string thin =
         "the bone is only " + rounded(smallest->thickness * 1e3, 2) + " mm thick at " + position_text(smallest->at);
     const double carried = thickness_at(walls, 1e-3);
     if (carried >= needed) {
-        diagnostics.push_back(warning_at(
+        diagnostics.push_back(text::warning_at(
             file, "W0658",
             thin + ", on under 0.1 % of its surface here: too little for the " + rounded(needed * 1e3, 2) +
                 " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry. There it is felt too weakly."));
@@ -159,12 +159,12 @@ bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, cons
     }
     const double fine_enough = std::floor(carried / min_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
     const bool can_be_carried = fine_enough >= finest_spacing;
-    Diagnostic plate =
-        error_at(file, "E0655",
-                 thin + ", with air on both sides, and " + rounded(100.0 * fraction_under(walls, needed), 1) +
-                     " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) +
-                     " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry." +
-                     (can_be_carried ? "" : " No spacing carries that. Make it thicker there, or plan where it is."));
+    text::Diagnostic plate = text::error_at(
+        file, "E0655",
+        thin + ", with air on both sides, and " + rounded(100.0 * fraction_under(walls, needed), 1) +
+            " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) + " mm that a spacing of " +
+            rounded(spacing * 1e3, 3) + " mm can carry." +
+            (can_be_carried ? "" : " No spacing carries that. Make it thicker there, or plan where it is."));
     if (can_be_carried) plate.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
     diagnostics.push_back(std::move(plate));
     return false;
@@ -173,7 +173,7 @@ bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, cons
 /// Refuses a bone that needs more memory than the limit, or more bricks than can be counted. The message names a
 /// spacing that fits.
 bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>& borders, bool has_densities,
-                  const Anatomy& anatomy, Diagnostics& diagnostics) {
+                  const documents::Anatomy& anatomy, text::Diagnostics& diagnostics) {
     const FieldsMemory needed = fields_memory(bounds, spacing, borders, has_densities);
     if (excess_of(needed) <= 1.0) return true;
     double fits = spacing * std::max(1.0, std::cbrt(needed.bricks / 16e6));
@@ -182,7 +182,7 @@ bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>
         fits *= 1.1;
     const Vec3 extent = bounds.high - bounds.low;
     const bool is_memory = needed.bytes > max_bone_memory;
-    Diagnostic large = error_at(
+    text::Diagnostic large = text::error_at(
         bone_in(anatomy), "E0602",
         "a bone of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
             rounded(extent.z * 1e3, 0) + " mm at a spacing of " + rounded(spacing * 1e3, 3) + " mm takes about " +
@@ -234,8 +234,8 @@ private:
     int reported_ = -1;
 };
 
-void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportReport& report) {
-    for (const Tissue& tissue : anatomy.tissues) {
+void note_tissues_and_axes(const documents::Anatomy& anatomy, const Body& body, ImportReport& report) {
+    for (const documents::Tissue& tissue : anatomy.tissues) {
         const bool is_base = &tissue == &anatomy.tissues.back();
         const Material& material = body.materials[static_cast<std::size_t>(&tissue - anatomy.tissues.data())];
         std::string note = "Tissue " + tissue.id + ": ";
@@ -248,7 +248,7 @@ void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportRepor
                                               : "; density by place.";
         report.notes.push_back(std::move(note));
     }
-    for (const LandmarkAxis& axis : anatomy.axes) {
+    for (const documents::LandmarkAxis& axis : anatomy.axes) {
         const AxisInBone found = axis_in_bone(body, axis);
         report.notes.push_back("Axis " + axis.id + ": " +
                                (found.entry < 0.0
@@ -263,13 +263,13 @@ void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportRepor
 class BoneDistances {
 public:
     /// All must live longer. The region may change. At most one of `ct` and `mesh` is given.
-    BoneDistances(const Anatomy& anatomy, const CtBone* ct, const MeshBone* mesh, double spacing,
+    BoneDistances(const documents::Anatomy& anatomy, const CtBone* ct, const MeshBone* mesh, double spacing,
                   const Region& region) {
         if (mesh) {
             surface_tree_.emplace(mesh->surface);
             for (const SurfaceMesh& one : mesh->inner_surfaces) room_trees_.emplace_back(one);
         }
-        const PhantomSource& phantom = anatomy.phantom;
+        const documents::PhantomSource& phantom = anatomy.phantom;
         has_rooms_ = !room_trees_.empty() || subtracts_last(phantom);
         if (ct)
             source_ = std::make_unique<FunctionDistance>(
@@ -293,7 +293,7 @@ public:
         without_rooms_.emplace(*outer_, *rooms_);
         DistanceSource& face =
             mesh ? *outer_ : bone();  // a surface's shell lies under its outside, not around the canal
-        for (const Tissue& tissue : anatomy.tissues)
+        for (const documents::Tissue& tissue : anatomy.tissues)
             if (&tissue != &anatomy.tissues.back()) tissue_borders_.emplace_back(face, tissue);
     }
     BoneDistances(const BoneDistances&) = delete;
@@ -327,7 +327,7 @@ private:
 };
 
 /// Sets the density of the last tissue by the scan's grey values.
-void set_scan_density(const CtBone& ct, const DensityLine& line, const Body& body, Material& material) {
+void set_scan_density(const CtBone& ct, const documents::DensityLine& line, const Body& body, Material& material) {
     material.density = std::max(line.floor, line.at_zero + line.per_unit * ct.mean_value);
     if (!ct.density) return;
     const double elsewhere = material.density;
@@ -343,21 +343,22 @@ constexpr const char* sheet_note =
 
 }  // namespace
 
-Result<Body> make_body(const Anatomy& written, double spacing, ImportReport* report, const ImportOptions& options) {
-    Diagnostics diagnostics;
+text::Result<Body> make_body(const documents::Anatomy& written, double spacing, ImportReport* report,
+                             const ImportOptions& options) {
+    text::Diagnostics diagnostics;
     std::optional<CtBone> ct;
     if (written.ct && !(ct = make_ct_bone(written, options).take(diagnostics))) return diagnostics;
     std::optional<MeshBone> mesh;
     if (written.mesh && !(mesh = make_mesh_bone(written).take(diagnostics))) return diagnostics;
     ImportReport made = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(written);
-    Anatomy anatomy = written;
+    documents::Anatomy anatomy = written;
     use_fits(anatomy, made);
     if (!fit_landmarks(anatomy, phantom_shape(anatomy), made, diagnostics)) return diagnostics;
 
     const Box bounds = ct ? ct->region : mesh ? mesh->region : phantom_bounds(anatomy.phantom);
     if (!is_finite(bounds.low) || !is_finite(bounds.high)) {
-        diagnostics.push_back(error_at(
-            in_anatomy(anatomy, {"phantom", "parts"}), "E0601",
+        diagnostics.push_back(text::error_at(
+            documents::in_anatomy(anatomy, {"phantom", "parts"}), "E0601",
             "the phantom has no part that adds bone. Give `phantom.parts` at least one part without `subtract`."));
         return diagnostics;
     }
@@ -412,7 +413,7 @@ Result<Body> make_body(const Anatomy& written, double spacing, ImportReport* rep
     return {std::move(body), std::move(diagnostics)};
 }
 
-AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis) {
+AxisInBone axis_in_bone(const Body& body, const documents::LandmarkAxis& axis) {
     const double step = 0.1 * body.grid().spacing;
     const Vec3 along = normalized(axis.to - axis.from);
     const int steps = static_cast<int>(length(axis.to - axis.from) / step);
@@ -448,18 +449,19 @@ Vec3 into_surface(const Body& body, Vec3 point) {
     return length(outwards) > 0.0 ? -normalized(outwards) : Vec3{};
 }
 
-void check_axis(const Anatomy& anatomy, const LandmarkAxis& axis, const AxisInBone& found, Diagnostics& diagnostics) {
-    const auto at = [&] { return in_anatomy(anatomy, {"landmarks", "axes", axis.id}); };
+void check_axis(const documents::Anatomy& anatomy, const documents::LandmarkAxis& axis, const AxisInBone& found,
+                text::Diagnostics& diagnostics) {
+    const auto at = [&] { return documents::in_anatomy(anatomy, {"landmarks", "axes", axis.id}); };
     if (found.entry < 0.0)
         diagnostics.push_back(
-            error_at(at(), "E0610",
-                     "the axis `" + axis.id +
-                         "` meets no bone. Check its points: LPS, millimetres, from outside into the bone."));
+            text::error_at(at(), "E0610",
+                           "the axis `" + axis.id +
+                               "` meets no bone. Check its points: LPS, millimetres, from outside into the bone."));
     else if (found.share < min_fraction_in_bone)
-        diagnostics.push_back(error_at(
+        diagnostics.push_back(text::error_at(
             at(), "E0611",
             "the axis `" + axis.id + "` lies in bone for only " + rounded(100.0 * found.share, 0) +
                 " % of its length behind the entry, need 80 %. Check its points, or the tissues of the anatomy."));
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

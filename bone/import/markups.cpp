@@ -23,7 +23,7 @@
 #include "documents/yaml/document.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using Json = nlohmann::json;
@@ -38,7 +38,7 @@ struct ImportError {
 };
 
 /// Returns text of the file in a form that can be shown to people.
-std::string shown(std::string_view text) { return "`" + excerpt(text, 40) + "`"; }
+std::string shown(std::string_view text) { return "`" + text::excerpt(text, 40) + "`"; }
 
 bool is_id(std::string_view word) {
     const auto is_letter = [](char c) {
@@ -65,20 +65,20 @@ std::string id_from_label(std::string_view label) {
 
 /// Returns the entry for `names` of a label that is not an id, or whose id exists already.
 std::string entry_of(const std::string& label, const std::string& id) {
-    return "{label: " + yaml_quoted(label) + ", id: " + id + "}";
+    return "{label: " + text::yaml_quoted(label) + ", id: " + id + "}";
 }
 
 /// Landmarks of one file.
 struct Landmarks {
-    std::vector<LandmarkPoint> points;
-    std::vector<LandmarkAxis> axes;
-    std::vector<LandmarkPlane> planes;
+    std::vector<documents::LandmarkPoint> points;
+    std::vector<documents::LandmarkAxis> axes;
+    std::vector<documents::LandmarkPlane> planes;
     std::map<std::string, std::vector<std::string>> labels;  ///< labels in the file for each id
 };
 
 class Reader {
 public:
-    explicit Reader(const MarkupsFile& file) : file_(file) {}
+    explicit Reader(const documents::MarkupsFile& file) : file_(file) {}
 
     Landmarks found;
 
@@ -86,7 +86,7 @@ public:
     void json(const std::string& text);
 
     /// Refuses labels that are not ids. The message has the entries for all of them.
-    void check_names(const Anatomy& anatomy) const;
+    void check_names(const documents::Anatomy& anatomy) const;
 
 private:
     /// Returns the id of a label. A label that is not an id is recorded, and gets a provisional id.
@@ -116,14 +116,14 @@ private:
                                            ", must be LPS or RAS. Export the markups from 3D Slicer again."};
     }
     void point(const std::string& label, Vec3 mm) {
-        found.points.push_back({id_of(label), to_lps(mm), file_.tolerance, LandmarkPoint::Lies::anywhere});
+        found.points.push_back({id_of(label), to_lps(mm), file_.tolerance, documents::LandmarkPoint::Lies::anywhere});
     }
     void markup(const Json& markup);
     [[nodiscard]] std::string name_of(const Json& markup, const std::string& first_label) const;
     void line(const std::string& name, const std::vector<Vec3>& positions);
     void plane(const std::string& name, const Json& markup, const std::vector<Vec3>& positions);
 
-    const MarkupsFile& file_;
+    const documents::MarkupsFile& file_;
     std::vector<std::string> nameless_;
     bool is_ras_ = false;
 };
@@ -360,7 +360,7 @@ void Reader::json(const std::string& text) {
 
 // ---- the whole file -------------------------------------------------------------------------------------------------
 
-bool has_landmark(const Anatomy& anatomy, const std::string& id) {
+bool has_landmark(const documents::Anatomy& anatomy, const std::string& id) {
     const auto is_it = [&](const auto& landmark) { return landmark.id == id; };
     return std::any_of(anatomy.points.begin(), anatomy.points.end(), is_it) ||
            std::any_of(anatomy.axes.begin(), anatomy.axes.end(), is_it) ||
@@ -375,14 +375,14 @@ std::string free_id(const std::string& id, const std::function<bool(const std::s
 }
 
 /// Describes where to write entries: under `names` of the file, existing or not.
-std::string advice(const MarkupsFile& file, const std::string& entries) {
+std::string advice(const documents::MarkupsFile& file, const std::string& entries) {
     return file.names.empty() ? "`names: [" + entries + "]`" : "`" + entries + "` (in its list `names`)";
 }
 
-void Reader::check_names(const Anatomy& anatomy) const {
+void Reader::check_names(const documents::Anatomy& anatomy) const {
     if (nameless_.empty()) return;
     for (const std::string& label : nameless_)  // no document may contain these characters
-        if (printable(label) != label)
+        if (text::printable(label) != label)
             throw ImportError{"E0683", "a markup is called " + shown(label) +
                                            ", which holds characters that show nothing. Rename it in 3D Slicer."};
     constexpr std::size_t largest = 20;
@@ -403,8 +403,8 @@ void Reader::check_names(const Anatomy& anatomy) const {
 }
 
 template <class Landmark>
-void move_into(std::vector<Landmark>& all, const Reader& reader, const MarkupsFile& file,
-               const std::vector<Landmark>& more, Anatomy& anatomy) {
+void move_into(std::vector<Landmark>& all, const Reader& reader, const documents::MarkupsFile& file,
+               const std::vector<Landmark>& more, documents::Anatomy& anatomy) {
     for (const Landmark& one : more) {
         if (has_landmark(anatomy, one.id)) {
             const std::vector<std::string>& labels = reader.found.labels.at(one.id);
@@ -423,7 +423,8 @@ void move_into(std::vector<Landmark>& all, const Reader& reader, const MarkupsFi
     }
 }
 
-void add(const MarkupsFile& file, const std::string& path, const std::string& text, Anatomy& anatomy) {
+void add(const documents::MarkupsFile& file, const std::string& path, const std::string& text,
+         documents::Anatomy& anatomy) {
     Reader reader(file);
     if (path.ends_with(".fcsv"))
         reader.fcsv(text);
@@ -432,7 +433,7 @@ void add(const MarkupsFile& file, const std::string& path, const std::string& te
     else
         throw ImportError{"E0680", "the file's ending names no markups. Use .mrk.json or .fcsv."};
     reader.check_names(anatomy);
-    Anatomy more = anatomy;
+    documents::Anatomy more = anatomy;
     move_into(more.points, reader, file, reader.found.points, more);
     move_into(more.axes, reader, file, reader.found.axes, more);
     move_into(more.planes, reader, file, reader.found.planes, more);
@@ -441,23 +442,26 @@ void add(const MarkupsFile& file, const std::string& path, const std::string& te
 
 }  // namespace
 
-std::vector<std::uint64_t> add_markups(Anatomy& anatomy, Diagnostics& diagnostics) {
+std::vector<std::uint64_t> add_markups(documents::Anatomy& anatomy, text::Diagnostics& diagnostics) {
     std::vector<std::uint64_t> hashes;
-    const std::vector<MarkupsFile> files = anatomy.markups;
-    for (const MarkupsFile& file : files) {
+    const std::vector<documents::MarkupsFile> files = anatomy.markups;
+    for (const documents::MarkupsFile& file : files) {
         const std::string path = found_data_file(file.file, anatomy.file);
         const std::size_t first = diagnostics.size();
         const auto because_named = [&] {
-            because_of(in_anatomy(anatomy, {"landmarks", "markups"}, "the file is named here."), diagnostics, first);
+            text::because_of(documents::in_anatomy(anatomy, {"landmarks", "markups"}, "the file is named here."),
+                             diagnostics, first);
         };
         std::optional<std::string> text;
-        if (is_data_file_inside(path, anatomy.file, diagnostics)) text = read_text_file(path).take(diagnostics);
+        if (is_data_file_inside(path, anatomy.file, diagnostics))
+            text = documents::read_text_file(path).take(diagnostics);
         if (!text) {
             because_named();
             continue;
         }
         if (text->size() > largest_text) {  // read_text_file() stops at this size
-            diagnostics.push_back(error_about(path, "E0680", "the file is larger than 1 MB. Export fewer markups."));
+            diagnostics.push_back(
+                text::error_about(path, "E0680", "the file is larger than 1 MB. Export fewer markups."));
             because_named();
             continue;
         }
@@ -467,7 +471,7 @@ std::vector<std::uint64_t> add_markups(Anatomy& anatomy, Diagnostics& diagnostic
         try {
             add(file, path, *text, anatomy);
         } catch (const ImportError& refusal) {
-            diagnostics.push_back(error_about(path, refusal.code, refusal.message));
+            diagnostics.push_back(text::error_about(path, refusal.code, refusal.message));
             because_named();
         }
     }
@@ -475,4 +479,4 @@ std::vector<std::uint64_t> add_markups(Anatomy& anatomy, Diagnostics& diagnostic
     return hashes;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -16,7 +16,7 @@
 #include "bone/surface/signed_distance.h"
 #include "documents/read_anatomy.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double coarse = 20e-6;     // [m] resolution of the file's numbers that is worth a warning
@@ -29,7 +29,7 @@ void place(SurfaceMesh& mesh, double unit, bool is_ras) {
 }
 
 /// Checks frame and unit in the file's header against the document.
-std::optional<SurfaceError> contradiction(const SurfaceFile& file, const MeshSource& source) {
+std::optional<SurfaceError> contradiction(const SurfaceFile& file, const documents::MeshSource& source) {
     const auto frame = [](bool is_ras) { return std::string(is_ras ? "RAS" : "LPS"); };
     const auto unit = [](double metres) {
         return std::string(metres == 1e-2 ? "cm" : metres == 1.0 ? "m" : metres == 1e-6 ? "um" : "mm");
@@ -50,12 +50,12 @@ std::optional<SurfaceError> contradiction(const SurfaceFile& file, const MeshSou
 
 /// Returns whether a file is in RAS, by the document, its own header, or the other file of the same bone; otherwise
 /// LPS.
-bool is_in_ras(const SurfaceFile& file, const SurfaceFile* other, const MeshSource& source) {
+bool is_in_ras(const SurfaceFile& file, const SurfaceFile* other, const documents::MeshSource& source) {
     if (source.names_frame) return source.is_ras;
     return file.is_ras.value_or(other != nullptr && other->is_ras.value_or(false));
 }
 
-std::string frame_note(const SurfaceFile& file, const SurfaceFile* other, const MeshSource& source) {
+std::string frame_note(const SurfaceFile& file, const SurfaceFile* other, const documents::MeshSource& source) {
     const std::string frame = is_in_ras(file, other, source) ? "RAS, turned to LPS" : "LPS";
     if (file.is_ras) return "Frame: " + frame + ", as the file's header says.";
     if (source.names_frame) return "Frame: " + frame + ", as `mesh.frame` says.";
@@ -71,14 +71,14 @@ bool is_within(const Box& box, Vec3 p) noexcept {
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 
 /// Diagnoses and repairs the surface, with notes and warnings. Returns false, with an error, if it cannot be repaired.
-bool make_sound(SurfaceFile& file, const SurfaceFile* other, const Anatomy& anatomy, const std::string& name,
-                std::vector<std::string>& notes, Diagnostics& diagnostics) {
-    const MeshSource& source = *anatomy.mesh;
+bool make_sound(SurfaceFile& file, const SurfaceFile* other, const documents::Anatomy& anatomy, const std::string& name,
+                std::vector<std::string>& notes, text::Diagnostics& diagnostics) {
+    const documents::MeshSource& source = *anatomy.mesh;
     const auto warn = [&](const char* code, const std::string& message, const std::string& advice) {
-        diagnostics.push_back(warning_about(name, code, message + " " + advice));
+        diagnostics.push_back(text::warning_about(name, code, message + " " + advice));
     };
     if (const auto error = contradiction(file, source)) {
-        diagnostics.push_back(error_about(name, error->code, error->message + " " + error->advice));
+        diagnostics.push_back(text::error_about(name, error->code, error->message + " " + error->advice));
         return false;
     }
     place(file.mesh, source.unit, is_in_ras(file, other, source));
@@ -109,14 +109,14 @@ bool make_sound(SurfaceFile& file, const SurfaceFile* other, const Anatomy& anat
 
     const RepairRules rules{source.holes_up_to, source.pieces_under, source.inner};
     if (const auto error = repair(file.mesh, rules, notes)) {
-        diagnostics.push_back(error_about(name, error->code, error->message + " " + error->advice));
+        diagnostics.push_back(text::error_about(name, error->code, error->message + " " + error->advice));
         return false;
     }
     return true;
 }
 
 /// Returns a closed tube with flat ends. Its polygon has the area of the tube's circle.
-SurfaceMesh mesh_of(const TubeSolid& tube) {
+SurfaceMesh mesh_of(const documents::TubeSolid& tube) {
     constexpr std::uint32_t sides = 64;
     const Vec3 along = normalized(tube.to - tube.from);
     const Vec3 other = std::abs(along.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -159,10 +159,11 @@ SurfaceMesh whole_surface_of(const MeshBone& bone) {
     return whole;
 }
 
-Result<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surface, const SurfaceFile* canal) {
-    Diagnostics diagnostics;
-    Anatomy anatomy = planned;
-    const MeshSource& source = *anatomy.mesh;
+text::Result<MeshBone> make_mesh_bone(const documents::Anatomy& planned, SurfaceFile surface,
+                                      const SurfaceFile* canal) {
+    text::Diagnostics diagnostics;
+    documents::Anatomy anatomy = planned;
+    const documents::MeshSource& source = *anatomy.mesh;
     MeshBone bone;
     std::vector<std::string>& notes = bone.report.notes;
     const std::optional<bool> frame_of_surface = surface.is_ras;
@@ -174,7 +175,7 @@ Result<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surface, con
             written.empty() ? anatomy.file : found_data_file(written, anatomy.file);  // without a path, the document
         const bool is_made = make_sound(file, other, anatomy, name, notes, diagnostics);
         if (diagnostics.size() > first)
-            because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
+            text::because_of(documents::in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
         return is_made;
     };
     if (!is_sound(surface, canal, source.file, {"mesh", "file"})) return diagnostics;
@@ -206,11 +207,11 @@ Result<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surface, con
         bone.region = planned_region(anatomy.axes, grown(bounds, 1e-3));
         bone.is_part = true;
         if (is_empty(bone.region)) {
-            Diagnostic apart = error_at(in_anatomy(anatomy, {"landmarks", "axes"}), "E0652",
-                                        "the landmarks' axes lie outside the surface, which goes from " +
-                                            position_text(bounds.low) + " to " + position_text(bounds.high) +
-                                            ". Check that the axes are LPS, and `mesh.unit` and `mesh.frame`.");
-            apart.reason = in_anatomy(anatomy, {"mesh", "file"}, "the surface is named here.");
+            text::Diagnostic apart = text::error_at(
+                documents::in_anatomy(anatomy, {"landmarks", "axes"}), "E0652",
+                "the landmarks' axes lie outside the surface, which goes from " + position_text(bounds.low) + " to " +
+                    position_text(bounds.high) + ". Check that the axes are LPS, and `mesh.unit` and `mesh.frame`.");
+            apart.reason = documents::in_anatomy(anatomy, {"mesh", "file"}, "the surface is named here.");
             diagnostics.push_back(std::move(apart));
             return diagnostics;
         }
@@ -227,8 +228,8 @@ Result<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surface, con
     return {std::move(bone), std::move(diagnostics)};
 }
 
-Result<MeshBone> make_mesh_bone(const Anatomy& anatomy) {
-    Diagnostics diagnostics;
+text::Result<MeshBone> make_mesh_bone(const documents::Anatomy& anatomy) {
+    text::Diagnostics diagnostics;
     ImportReport files;
     const auto read = [&](const std::string& written, const std::vector<std::string>& keys) {
         const std::string file = found_data_file(written, anatomy.file);
@@ -236,11 +237,12 @@ Result<MeshBone> make_mesh_bone(const Anatomy& anatomy) {
         std::optional<SurfaceFile> surface;
         if (is_data_file_inside(file, anatomy.file, diagnostics)) surface = read_surface(file).take(diagnostics);
         if (surface && !hash_of_file(file, files.file_hashes.emplace_back())) {
-            diagnostics.push_back(error_about(file, "E0640", "the file could be read once, but not again. Try again."));
+            diagnostics.push_back(
+                text::error_about(file, "E0640", "the file could be read once, but not again. Try again."));
             surface.reset();
         }
         if (diagnostics.size() > first)
-            because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
+            text::because_of(documents::in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
         return surface;
     };
     auto surface = read(anatomy.mesh->file, {"mesh", "file"});
@@ -254,4 +256,4 @@ Result<MeshBone> make_mesh_bone(const Anatomy& anatomy) {
     return {std::move(*bone), std::move(diagnostics)};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -18,7 +18,7 @@
 ///     E0655, W0658  walls that are too thin for the spacing (bone/import/make_body.h)
 ///     W0656  faces near the axes intersect
 ///     W0657  so far from the origin that the file's numbers are coarse
-namespace kerf {
+namespace kerf::bone {
 
 /// Closed surfaces, oriented outwards. Metres, LPS.
 struct MeshBone {
@@ -35,9 +35,10 @@ struct MeshBone {
 
 /// Reads the files of `anatomy.mesh` and makes the bone.
 /// Error: E064x … E065x. Pre: `anatomy.mesh`.   [main]
-[[nodiscard]] Result<MeshBone> make_mesh_bone(const Anatomy& anatomy);
+[[nodiscard]] text::Result<MeshBone> make_mesh_bone(const documents::Anatomy& anatomy);
 
 /// Makes the bone from surfaces in memory, as their files contain them. `canal` may be null.   [main]
-[[nodiscard]] Result<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surface, const SurfaceFile* canal);
+[[nodiscard]] text::Result<MeshBone> make_mesh_bone(const documents::Anatomy& anatomy, SurfaceFile surface,
+                                                    const SurfaceFile* canal);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kerf {
+namespace kerf::bone {
 
 namespace {
 constexpr double facing = -0.8;  // [–] cosine between the outward normals on both sides of a wall
@@ -44,4 +44,4 @@ std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<doub
     return walls;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

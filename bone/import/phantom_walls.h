@@ -7,7 +7,7 @@
 #include "bone/surface/thickness.h"
 #include "core/field/grid/grid.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the thickness of a phantom's bone under its surface, straight inwards, once for each grid sample at the
 /// surface; thicknesses beyond `most` [m] count as infinite. Crests are left out, as in `measure_walls`.
@@ -15,4 +15,4 @@ namespace kerf {
 [[nodiscard]] std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<double(Vec3)>& distance,
                                                     double most);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double around_axes = 15e-3;  // [m] of bone around the axes on every side
 
 }  // namespace
 
-Box planned_region(const std::vector<LandmarkAxis>& axes, const Box& available) {
+Box planned_region(const std::vector<documents::LandmarkAxis>& axes, const Box& available) {
     Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     for (const auto& axis : axes)
         for (const Vec3 end : {axis.from, axis.to}) {
@@ -34,4 +34,4 @@ Box grown(const Box& box, double margin) noexcept {
     return {box.low - around, box.high + around};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

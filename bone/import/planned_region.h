@@ -6,15 +6,15 @@
 #include "core/field/grid/box.h"
 #include "documents/anatomy.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the part of a bone that a procedure can touch: the box around the planned axes and 15 mm more on every side,
 /// clipped to `available`. Empty (`low` not below `high`) if the axes lie outside it, or there are none.   [any] pure.
-[[nodiscard]] Box planned_region(const std::vector<LandmarkAxis>& axes, const Box& available);
+[[nodiscard]] Box planned_region(const std::vector<documents::LandmarkAxis>& axes, const Box& available);
 
 [[nodiscard]] bool is_empty(const Box& box) noexcept;
 
 /// Returns the box grown by `margin` [m] on every side.
 [[nodiscard]] Box grown(const Box& box, double margin) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double min_step = 0.05e-3;  // [m] may miss thinner bone
@@ -86,4 +86,4 @@ std::vector<Vec3> directions_across(Vec3 axis) {
     return directions;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

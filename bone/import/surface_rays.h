@@ -9,7 +9,7 @@
 #include "kerf/math.hpp"
 
 /// Rays from outside that find the outer surface of a bone, without cavities and canals.
-namespace kerf {
+namespace kerf::bone {
 
 /// The interface of a bone to fits.
 struct BoneShape {
@@ -39,4 +39,4 @@ struct RayHit {
 /// Returns 64 unit vectors perpendicular to `axis`, at equal angles. The same bits on every machine.
 [[nodiscard]] std::vector<Vec3> directions_across(Vec3 axis);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -11,7 +11,7 @@
 #include "bone/import/bone_mask.h"
 #include "bone/report/import_report.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// Sets every voxel that is not `known` to the mean of its known neighbours, layer by layer outwards.
@@ -52,7 +52,7 @@ void extend(VoxelImage& image, std::vector<std::uint8_t> known) {
 }  // namespace
 
 std::optional<VoxelImage> densities_in_voxels(const VoxelImage& scan, const VoxelImage& distance, double cortex,
-                                              const DensityLine& line, std::vector<std::string>& notes) {
+                                              const documents::DensityLine& line, std::vector<std::string>& notes) {
     double sum = 0.0, count = 0.0, smallest = HUGE_VAL, largest = -HUGE_VAL;
     VoxelImage density = scan;
     std::vector<std::uint8_t> known(scan.values.size(), 0);
@@ -80,4 +80,4 @@ std::optional<VoxelImage> densities_in_voxels(const VoxelImage& scan, const Voxe
     return density;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -11,7 +11,7 @@
 
 #include "core/field/grid/growing_distance.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// Returns the distance to a plane from its crossings of the axes [m]; HUGE_VAL: it does not cross that axis.
@@ -103,4 +103,4 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double 
     return {std::move(result), faces > 0 ? static_cast<double>(crossings) / static_cast<double>(faces) : 0.0};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -3,7 +3,7 @@
 
 #include "bone/import/bone_mask.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Distances to the border of bone, on the grid of its scan.
 struct VoxelDistance {
@@ -31,4 +31,4 @@ struct VoxelDistance {
 /// not sheared.   [main]
 [[nodiscard]] VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double farthest);
 
-}  // namespace kerf
+}  // namespace kerf::bone

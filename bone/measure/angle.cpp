@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double min_sine = 1e-6;  // below it two directions are parallel
@@ -39,4 +39,4 @@ std::optional<Line> projected_onto(const Plane& view, const Plane& plane) noexce
     return Line{plane.point - dot(plane.point - view.point, view.normal) / per_length * down, trace / sine};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

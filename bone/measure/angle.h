@@ -6,7 +6,7 @@
 #include "bone/measure/line.h"
 
 /// Angles [rad] between lines and planes.   [any] pure.
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the angle between the directions of two lines, 0 … π. Both directions point away from the corner.
 [[nodiscard]] double angle_between(const Line& one, const Line& other) noexcept;
@@ -20,4 +20,4 @@ namespace kerf {
 /// Returns the line in which a plane meets the view. Nothing for parallel planes.
 [[nodiscard]] std::optional<Line> projected_onto(const Plane& view, const Plane& plane) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -9,7 +9,7 @@
 
 #include "bone/import/least_squares.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double bin = 1e-3;  // [m]
@@ -59,4 +59,4 @@ std::optional<Measured> border_roughness(std::span<const Vec3> points, const Pat
     return Measured{std::sqrt(squares / static_cast<double>(outline.size())), wall};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

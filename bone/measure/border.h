@@ -7,7 +7,7 @@
 #include "bone/measure/measured.h"
 #include "bone/measure/tangent.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the roughness of a border [m]: the root mean square distance of its outline from a parabola of least
 /// squares.
@@ -20,4 +20,4 @@ namespace kerf {
 [[nodiscard]] std::optional<Measured> border_roughness(std::span<const Vec3> points, const Path& path,
                                                        const BorderView& view, double wall);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -8,7 +8,7 @@
 
 #include "core/field/surface/brick_mesher.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::optional<CutWall> fit_wall(const std::vector<Vec3>& points, const WallWindo
                    (largest - smallest) / std::sqrt(1.0 + slope * slope), points.size()};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -8,7 +8,7 @@
 #include "core/field/cut/cut_field.h"
 
 /// Flatness and accuracy of a cut: its wall on the remaining bone, compared with the planned plane.
-namespace kerf {
+namespace kerf::bone {
 
 /// The region around a planned cut that is searched for its wall, body frame.
 struct WallWindow {
@@ -38,4 +38,4 @@ struct CutWall {
 /// plane. Nothing if the points do not span a plane.   [any] pure.
 [[nodiscard]] std::optional<CutWall> fit_wall(const std::vector<Vec3>& points, const WallWindow& window, double kerf);
 
-}  // namespace kerf
+}  // namespace kerf::bone

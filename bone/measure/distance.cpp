@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace kerf {
+namespace kerf::bone {
 
 double distance_between(Vec3 one, Vec3 other) noexcept { return length(other - one); }
 
@@ -21,4 +21,4 @@ double distance_between(const Line& one, const Line& other) noexcept {
     return std::abs(dot(other.point - one.point, across)) / sine;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

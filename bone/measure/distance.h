@@ -4,7 +4,7 @@
 #include "bone/measure/line.h"
 
 /// Distances [m], never negative.   [any] pure. To a surface: bone/measure/surface.h.
-namespace kerf {
+namespace kerf::bone {
 
 [[nodiscard]] double distance_between(Vec3 one, Vec3 other) noexcept;
 [[nodiscard]] double distance_between(Vec3 point, const Line& line) noexcept;
@@ -12,4 +12,4 @@ namespace kerf {
 /// Returns the shortest distance between two infinite lines, also for parallel ones.
 [[nodiscard]] double distance_between(const Line& one, const Line& other) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::bone

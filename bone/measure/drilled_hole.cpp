@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-namespace kerf {
+namespace kerf::bone {
 
 namespace {
 
@@ -289,4 +289,4 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
     return breach;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -12,7 +12,7 @@
 
 /// Accuracy of a drilled hole: its middle line in bone, compared with the planned axis. Breach: how far a cylinder
 /// along this line, such as a screw, leaves the bone.
-namespace kerf {
+namespace kerf::bone {
 
 /// The region around a planned hole that is searched for the drilled one, body frame.
 struct HolePlan {
@@ -71,4 +71,4 @@ struct DepthRange {
 [[nodiscard]] Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius, Vec3 a,
                                Vec3 b, DepthRange range = {});
 
-}  // namespace kerf
+}  // namespace kerf::bone

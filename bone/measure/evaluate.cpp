@@ -20,14 +20,14 @@
 #include "documents/fracture.h"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 std::string quoted_id(const std::string& id) { return "`" + id + "`"; }
 
 /// A landmark or construction.
 struct Entity {
-    Sort sort = Sort::point;
+    documents::Sort sort = documents::Sort::point;
     Vec3 at{};
     Vec3 direction{};  ///< unit; direction of a line, normal of a plane
 
@@ -37,10 +37,10 @@ struct Entity {
 
 class Evaluation {
 public:
-    Evaluation(const Measure& measure, const MeasuredScene& scene) : measure_(&measure), scene_(&scene) {}
+    Evaluation(const documents::Measure& measure, const MeasuredScene& scene) : measure_(&measure), scene_(&scene) {}
 
-    MeasureReading reading() {
-        MeasureReading reading;
+    documents::MeasureReading reading() {
+        documents::MeasureReading reading;
         if (!value()) {  // also collects the inputs
             reading.why_not = why_not_;
             return reading;
@@ -89,29 +89,30 @@ private:
     /// Returns the pose that takes a landmark of the whole bone to the frame of body 0.
     [[nodiscard]] Pose bone_from_landmark(Vec3 at) const {
         const auto& poses = scene_->world_from_body;
-        const std::size_t body = body_at(*scene_->anatomy, at);
+        const std::size_t body = documents::body_at(*scene_->anatomy, at);
         return body == 0 || body >= poses.size() ? identity_pose() : inverse(poses[0]) * poses[body];
     }
 
     MaybeEntity landmark(const std::string& id) {
-        for (const LandmarkPoint& point : scene_->anatomy->points) {
+        for (const documents::LandmarkPoint& point : scene_->anatomy->points) {
             if (point.id != id) continue;
             const Pose pose = bone_from_landmark(point.at);
             const Vec3 at = shifted(id, 0, point.at, standard_uncertainty_of(point.tolerance));
-            return Entity{Sort::point, pose * at, {}};
+            return Entity{documents::Sort::point, pose * at, {}};
         }
-        for (const LandmarkAxis& axis : scene_->anatomy->axes) {
+        for (const documents::LandmarkAxis& axis : scene_->anatomy->axes) {
             if (axis.id != id) continue;
             const Pose pose = bone_from_landmark(0.5 * (axis.from + axis.to));
             const double u = standard_uncertainty_of(axis.tolerance);
             const Vec3 from = pose * shifted(id, 0, axis.from, u), to = pose * shifted(id, 3, axis.to, u);
-            return Entity{Sort::line, from, normalized(to - from)};
+            return Entity{documents::Sort::line, from, normalized(to - from)};
         }
-        for (const LandmarkPlane& plane : scene_->anatomy->planes) {
+        for (const documents::LandmarkPlane& plane : scene_->anatomy->planes) {
             if (plane.id != id) continue;
             const Pose pose = bone_from_landmark(plane.at);
             const double off = shift_of(id, 0, standard_uncertainty_of(plane.tolerance));
-            return Entity{Sort::plane, pose * (plane.at + off * plane.normal), rotate(pose.rotation, plane.normal)};
+            return Entity{documents::Sort::plane, pose * (plane.at + off * plane.normal),
+                          rotate(pose.rotation, plane.normal)};
         }
         return fail("there is no " + quoted_id(id));
     }
@@ -120,7 +121,8 @@ private:
     MaybeEntity entity(const std::string& id) {
         if (const auto known = things_.find(id); known != things_.end()) return known->second;
         const auto& all = scene_->constructions;
-        const auto found = std::find_if(all.begin(), all.end(), [&](const Construction& c) { return c.id == id; });
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const documents::Construction& c) { return c.id == id; });
         MaybeEntity made = found != all.end() ? construct(*found) : landmark(id);
         things_.emplace(id, made);
         return made;
@@ -137,38 +139,39 @@ private:
     }
 
     /// Shifts points by the residual's part of their uncertainty. `number` is the number of the first point.
-    void shift_by_residual(const Construction& made, std::size_t number, double residual, std::vector<Vec3>& at) {
+    void shift_by_residual(const documents::Construction& made, std::size_t number, double residual,
+                           std::vector<Vec3>& at) {
         for (std::size_t i = 0; i < at.size(); ++i)
             at[i] = shifted(made.id + "#", static_cast<int>(3 * (number + i)), at[i], residual);
     }
 
-    MaybeEntity construct(const Construction& made) {
+    MaybeEntity construct(const documents::Construction& made) {
         switch (made.kind) {
-            case Construction::Kind::middle:
+            case documents::Construction::Kind::middle:
                 return middle(made);
-            case Construction::Kind::line:
+            case documents::Construction::Kind::line:
                 return line(made);
-            case Construction::Kind::plane:
+            case documents::Construction::Kind::plane:
                 return plane(made);
-            case Construction::Kind::mirror:
+            case documents::Construction::Kind::mirror:
                 return mirror(made);
-            case Construction::Kind::tangent:
+            case documents::Construction::Kind::tangent:
                 return tangent(made);
-            case Construction::Kind::entry:
+            case documents::Construction::Kind::entry:
                 return entry(made);
         }
         return std::nullopt;
     }
 
-    MaybeEntity middle(const Construction& made) {
+    MaybeEntity middle(const documents::Construction& made) {
         const auto at = points(made.of);
         if (!at) return std::nullopt;
-        Entity mean{Sort::point, {}, {}};
+        Entity mean{documents::Sort::point, {}, {}};
         for (const Vec3 p : *at) mean.at = mean.at + p / static_cast<double>(at->size());
         return mean;
     }
 
-    MaybeEntity line(const Construction& made) {
+    MaybeEntity line(const documents::Construction& made) {
         auto at = points(made.of);
         if (!at) return std::nullopt;
         auto fitted = line_through(*at);
@@ -177,10 +180,10 @@ private:
             fitted = line_through(*at);
         }
         if (!fitted) return fail("the points of " + quoted_id(made.id) + " are at one spot");
-        return Entity{Sort::line, fitted->line.point, fitted->line.direction};
+        return Entity{documents::Sort::line, fitted->line.point, fitted->line.direction};
     }
 
-    MaybeEntity plane(const Construction& made) {
+    MaybeEntity plane(const documents::Construction& made) {
         auto at = points(made.of);
         if (!at) return std::nullopt;
         auto fitted = plane_through(*at);
@@ -189,10 +192,10 @@ private:
             fitted = plane_through(*at);
         }
         if (!fitted) return fail("the points of " + quoted_id(made.id) + " lie on one line");
-        return Entity{Sort::plane, fitted->plane.point, fitted->plane.normal};
+        return Entity{documents::Sort::plane, fitted->plane.point, fitted->plane.normal};
     }
 
-    MaybeEntity mirror(const Construction& made) {
+    MaybeEntity mirror(const documents::Construction& made) {
         auto left = points(made.of), right = points(made.right);
         if (!left || !right) return std::nullopt;
         auto fitted = mirror_plane(*left, *right);
@@ -202,7 +205,7 @@ private:
             fitted = mirror_plane(*left, *right);
         }
         if (!fitted) return fail("the pairs of " + quoted_id(made.id) + " have no direction in common");
-        return Entity{Sort::plane, fitted->plane.point, fitted->plane.normal};
+        return Entity{documents::Sort::plane, fitted->plane.point, fitted->plane.normal};
     }
 
     /// A border of the bone and its view; its points are gathered once.
@@ -211,7 +214,7 @@ private:
         BorderView view;
         const std::vector<Vec3>* points = nullptr;
     };
-    std::optional<Border> border(const Construction& made) {
+    std::optional<Border> border(const documents::Construction& made) {
         auto along = points(made.of);
         const MaybeEntity view = entity(made.in);
         if (!along || !view) return std::nullopt;
@@ -226,17 +229,17 @@ private:
         }
         found.points = &gathered->second;
         if (found.points->empty())
-            return fail("no bone lies within " + quantity_text(made.within, "mm") + " of " + way_of(made));
+            return fail("no bone lies within " + text::quantity_text(made.within, "mm") + " of " + way_of(made));
         return found;
     }
-    static std::string way_of(const Construction& made) {
+    static std::string way_of(const documents::Construction& made) {
         std::string way = "the way";
         for (std::size_t i = 0; i < made.of.size(); ++i)
             way += (i == 0 ? " from " : i + 1 == made.of.size() ? " to " : " over ") + quoted_id(made.of[i]);
         return way;
     }
 
-    MaybeEntity tangent(const Construction& made) {
+    MaybeEntity tangent(const documents::Construction& made) {
         const auto found = border(made);
         if (!found) return std::nullopt;
         const MeasuredSurface& surface = *scene_->surface;
@@ -247,7 +250,7 @@ private:
         if (!touching)
             return fail("no line touches the " + made.side + " side of the bone in front and behind the middle of " +
                         way_of(made));
-        return Entity{Sort::line, touching->line.point, touching->line.direction};
+        return Entity{documents::Sort::line, touching->line.point, touching->line.direction};
     }
 
     /// Returns the shift along a line for the uncertainty of a wall that it passes.
@@ -255,14 +258,15 @@ private:
         return shift_of(what, component, scene_->surface->wall_uncertainty() / std::max(min_wall_cosine, cosine));
     }
 
-    MaybeEntity entry(const Construction& made) {
+    MaybeEntity entry(const documents::Construction& made) {
         const MaybeEntity on = entity(made.of.front());
         if (!on) return std::nullopt;
         const auto stretches = scene_->surface->stretches_on(on->line(), 0.0, max_search_distance);
         if (stretches.empty()) return fail(quoted_id(made.of.front()) + " meets no bone");
         const Stretch& first = stretches.front();
-        return Entity{
-            Sort::point, on->at + (first.begin + wall_shift(made.id, 0, first.cosine_at_begin)) * on->direction, {}};
+        return Entity{documents::Sort::point,
+                      on->at + (first.begin + wall_shift(made.id, 0, first.cosine_at_begin)) * on->direction,
+                      {}};
     }
 
     // ---- the measure itself
@@ -273,19 +277,19 @@ private:
         return value_of(*measure_);
     }
 
-    std::optional<double> value_of(const Measure& measure) {
+    std::optional<double> value_of(const documents::Measure& measure) {
         switch (measure.kind) {
-            case Measure::Kind::angle:
+            case documents::Measure::Kind::angle:
                 return angle(measure);
-            case Measure::Kind::distance:
+            case documents::Measure::Kind::distance:
                 return distance(measure);
-            case Measure::Kind::thickness:
+            case documents::Measure::Kind::thickness:
                 return thickness(measure);
-            case Measure::Kind::surface_distance:
+            case documents::Measure::Kind::surface_distance:
                 return surface_distance(measure);
-            case Measure::Kind::roughness:
+            case documents::Measure::Kind::roughness:
                 return roughness(measure);
-            case Measure::Kind::difference:
+            case documents::Measure::Kind::difference:
                 return difference(measure);
         }
         return std::nullopt;
@@ -295,13 +299,13 @@ private:
     /// across.
     MaybeEntity projected(const Entity& one, const Plane& view, const std::string& view_id) {
         const auto line =
-            one.sort == Sort::plane ? projected_onto(view, one.plane()) : projected_onto(view, one.line());
+            one.sort == documents::Sort::plane ? projected_onto(view, one.plane()) : projected_onto(view, one.line());
         if (!line) return fail("seen in " + quoted_id(view_id) + ", one of both has no direction");
-        if (one.sort == Sort::line) return Entity{Sort::line, line->point, line->direction};
-        return Entity{Sort::plane, line->point, normalized(cross(view.normal, line->direction))};
+        if (one.sort == documents::Sort::line) return Entity{documents::Sort::line, line->point, line->direction};
+        return Entity{documents::Sort::plane, line->point, normalized(cross(view.normal, line->direction))};
     }
 
-    std::optional<double> angle(const Measure& measure) {
+    std::optional<double> angle(const documents::Measure& measure) {
         MaybeEntity one = entity(measure.of), other = entity(measure.to);
         if (!one || !other) return std::nullopt;
         if (!measure.in.empty()) {
@@ -311,23 +315,24 @@ private:
             other = projected(*other, view->plane(), measure.in);
             if (!one || !other) return std::nullopt;
         }
-        if (one->sort == Sort::plane && other->sort == Sort::plane) return angle_between(one->plane(), other->plane());
-        if (one->sort == Sort::plane) return angle_between(other->line(), one->plane());
-        if (other->sort == Sort::plane) return angle_between(one->line(), other->plane());
+        if (one->sort == documents::Sort::plane && other->sort == documents::Sort::plane)
+            return angle_between(one->plane(), other->plane());
+        if (one->sort == documents::Sort::plane) return angle_between(other->line(), one->plane());
+        if (other->sort == documents::Sort::plane) return angle_between(one->line(), other->plane());
         return angle_between(one->line(), other->line());
     }
 
-    std::optional<double> distance(const Measure& measure) {
+    std::optional<double> distance(const documents::Measure& measure) {
         MaybeEntity one = entity(measure.of), other = entity(measure.to);
         if (!one || !other) return std::nullopt;
-        if (other->sort == Sort::point) std::swap(one, other);
-        if (one->sort != Sort::point) return distance_between(one->line(), other->line());
-        if (other->sort == Sort::point) return distance_between(one->at, other->at);
-        if (other->sort == Sort::line) return distance_between(one->at, other->line());
+        if (other->sort == documents::Sort::point) std::swap(one, other);
+        if (one->sort != documents::Sort::point) return distance_between(one->line(), other->line());
+        if (other->sort == documents::Sort::point) return distance_between(one->at, other->at);
+        if (other->sort == documents::Sort::line) return distance_between(one->at, other->line());
         return distance_between(one->at, other->plane());
     }
 
-    std::optional<double> thickness(const Measure& measure) {
+    std::optional<double> thickness(const documents::Measure& measure) {
         const MaybeEntity at = entity(measure.of), along = entity(measure.to);
         if (!at || !along) return std::nullopt;
         const auto stretch = stretch_at(*scene_->surface, {at->at, along->direction});
@@ -340,7 +345,7 @@ private:
                wall_shift(measure.id, 1, stretch->cosine_at_end);
     }
 
-    std::optional<double> surface_distance(const Measure& measure) {
+    std::optional<double> surface_distance(const documents::Measure& measure) {
         const MaybeEntity at = entity(measure.of);
         if (!at) return std::nullopt;
         const auto distance = scene_->surface->distance_to(at->at);
@@ -348,11 +353,11 @@ private:
         return *distance + wall_shift(measure.id, 0, 1.0);
     }
 
-    std::optional<double> roughness(const Measure& measure) {
+    std::optional<double> roughness(const documents::Measure& measure) {
         const auto& all = scene_->constructions;
         const auto made =
-            std::find_if(all.begin(), all.end(), [&](const Construction& c) { return c.id == measure.of; });
-        if (made == all.end() || made->kind != Construction::Kind::tangent)
+            std::find_if(all.begin(), all.end(), [&](const documents::Construction& c) { return c.id == measure.of; });
+        if (made == all.end() || made->kind != documents::Construction::Kind::tangent)
             return fail(quoted_id(measure.of) + " is no tangent");
         const auto found = border(*made);
         if (!found) return std::nullopt;
@@ -364,10 +369,11 @@ private:
 
     /// Both measures use the same landmarks, so uncertainty common to both cancels. Each measure is computed once for
     /// each set of shifts, even if several differences use it.
-    std::optional<double> difference(const Measure& measure) {
+    std::optional<double> difference(const documents::Measure& measure) {
         const auto named = [&](const std::string& id) -> std::optional<double> {
             const auto& all = scene_->measures;
-            const auto found = std::find_if(all.begin(), all.end(), [&](const Measure& one) { return one.id == id; });
+            const auto found =
+                std::find_if(all.begin(), all.end(), [&](const documents::Measure& one) { return one.id == id; });
             if (found == all.end() || found->id == measure.id) return fail("there is no measure " + quoted_id(id));
             if (const auto known = values_.find(id); known != values_.end()) return known->second;
             return values_[id] = value_of(*found);
@@ -377,7 +383,7 @@ private:
         return *one - *other;
     }
 
-    const Measure* measure_;
+    const documents::Measure* measure_;
     const MeasuredScene* scene_;
     std::map<std::pair<std::string, int>, std::size_t> inputs_;
     std::vector<double> uncertainties_;
@@ -391,8 +397,8 @@ private:
 
 }  // namespace
 
-MeasureReading evaluate(const Measure& measure, const MeasuredScene& scene) {
+documents::MeasureReading evaluate(const documents::Measure& measure, const MeasuredScene& scene) {
     return Evaluation(measure, scene).reading();
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

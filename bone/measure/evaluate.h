@@ -8,13 +8,13 @@
 #include "documents/anatomy.h"
 #include "documents/measure_plan.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Inputs of measures. All must outlive the measurement.
 struct MeasuredScene {
-    std::span<const Construction> constructions;
-    std::span<const Measure> measures{};  ///< operands of differences
-    const Anatomy* anatomy = nullptr;
+    std::span<const documents::Construction> constructions;
+    std::span<const documents::Measure> measures{};  ///< operands of differences
+    const documents::Anatomy* anatomy = nullptr;
     /// Pose of each body, in the order of bodies; empty: nothing has moved. Landmarks of a fragment move with the
     /// fragment.
     std::span<const Pose> world_from_body;
@@ -28,6 +28,6 @@ struct MeasuredScene {
 /// coordinate of these points. The inputs are combined as in bone/measure/propagate.h, so a landmark that is used twice
 /// counts once. A plane's normal has no uncertainty, as an anatomy states none.   [worker]
 /// @return a value and its uncertainty, or the reason why there is none
-[[nodiscard]] MeasureReading evaluate(const Measure& measure, const MeasuredScene& scene);
+[[nodiscard]] documents::MeasureReading evaluate(const documents::Measure& measure, const MeasuredScene& scene);
 
-}  // namespace kerf
+}  // namespace kerf::bone

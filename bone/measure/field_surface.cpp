@@ -9,7 +9,7 @@
 
 #include "core/field/surface/brick_mesher.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 Box bounds_of(const Grid& grid) noexcept {
@@ -62,8 +62,8 @@ double FieldSurface::value_at(Vec3 p) const noexcept {
 std::vector<Vec3> FieldSurface::points_in(const Path& region) const {
     const double on_face = 0.01 * body_->grid().spacing;
     std::vector<Vec3> points;
-    for_each_vertex(*body_, *cut_, kerf::bounds_of(region), [&](Vec3 p) {
-        if (kerf::distance_to(region, p) > region.within) return;
+    for_each_vertex(*body_, *cut_, bounds_of(region), [&](Vec3 p) {
+        if (bone::distance_to(region, p) > region.within) return;
         if (std::abs(value_at(p)) > 0.5 * body_->grid().spacing) return;  // the region's face cuts through bone
         if (outside_region(*body_, p) > on_face) return;
         points.push_back(p);
@@ -134,4 +134,4 @@ std::optional<double> FieldSurface::distance_to(Vec3 p) const {
 double FieldSurface::wall_uncertainty() const noexcept { return 0.05 * body_->grid().spacing; }
 double FieldSurface::contact_uncertainty() const noexcept { return body_->grid().spacing / std::sqrt(12.0); }
 
-}  // namespace kerf
+}  // namespace kerf::bone

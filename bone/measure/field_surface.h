@@ -5,7 +5,7 @@
 #include "core/field/cut/cut_field.h"
 #include "core/field/grid/body.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// The remaining bone as the zero of its distance field.
 ///
@@ -33,4 +33,4 @@ private:
     const CutField* cut_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -6,7 +6,7 @@
 
 #include "bone/measure/principal_axes.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double min_spread = 1e-9;  // [m] below it all points coincide
@@ -65,4 +65,4 @@ std::optional<FittedPlane> mirror_plane(std::span<const Vec3> left, std::span<co
     return fitted;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -8,7 +8,7 @@
 #include "bone/measure/line.h"
 
 /// Lines and planes of least squares.
-namespace kerf {
+namespace kerf::bone {
 
 struct FittedLine {
     Line line{};            ///< through the mean of the points, directed from the first towards the last
@@ -45,4 +45,4 @@ struct FittedPlane {
 /// @param left, right  #N points each [m]; pair i is left[i] and right[i]
 [[nodiscard]] std::optional<FittedPlane> mirror_plane(std::span<const Vec3> left, std::span<const Vec3> right) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::bone

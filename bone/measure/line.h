@@ -4,7 +4,7 @@
 #include "kerf/math.hpp"
 
 /// Lines and planes, in the frame of the points that define them: LPS [m].
-namespace kerf {
+namespace kerf::bone {
 
 struct Line {
     Vec3 point{};      ///< [m] on the line
@@ -25,4 +25,4 @@ struct Plane {
     return p - dot(p - plane.point, plane.normal) * plane.normal;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -10,7 +10,7 @@
 #include "bone/measure/propagate.h"
 #include "bone/measure/tangent.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 // Inputs: the coordinates of condylion, gonion and menton, and the contacts of the two tangents.
@@ -83,4 +83,4 @@ std::optional<Measured> mandibular_plane_angle(const MeasuredSurface& surface, c
     });
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 #include "bone/measure/surface.h"
 
 /// The two angles that judge the operation on a mandible's angle [rad].   [worker]
-namespace kerf {
+namespace kerf::bone {
 
 /// A position with its accuracy: each coordinate lies within ± `tolerance` [m] with equal probability.
 struct KnownPoint {
@@ -49,4 +49,4 @@ struct SagittalView {
 [[nodiscard]] std::optional<Measured> mandibular_plane_angle(const MeasuredSurface& surface, const MandibleSide& side,
                                                              const Plane& reference, const SagittalView& view = {});
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A measured quantity and its standard uncertainty, in the unit of the quantity: m or rad.
 ///
@@ -11,4 +11,4 @@ struct Measured {
     double uncertainty = 0.0;  ///< ≥ 0
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double apart = 0.5e-3;  // [m] between samples of a triangle
@@ -51,7 +51,7 @@ std::vector<Vec3> MeshSurface::points_in(const Path& region) const {
         for (int i = 0; i <= steps; ++i)
             for (int j = 0; i + j <= steps; ++j) {
                 const Vec3 p = corners[0] + static_cast<double>(i) / steps * u + static_cast<double>(j) / steps * v;
-                if (kerf::distance_to(region, p) <= region.within) points.push_back(p);
+                if (bone::distance_to(region, p) <= region.within) points.push_back(p);
             }
     }
     return points;
@@ -91,4 +91,4 @@ std::optional<double> MeshSurface::distance_to(Vec3 p) const {
     return tree_.is_inside(p) ? -distance : distance;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -5,7 +5,7 @@
 #include "bone/surface/surface_mesh.h"
 #include "bone/surface/triangle_tree.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A closed surface of triangles. Triangles are exact, so the only uncertainty is the caller's.
 class MeshSurface final : public MeasuredSurface {
@@ -28,4 +28,4 @@ private:
     double uncertainty_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kerf {
+namespace kerf::bone {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::optional<Contacts> contacts_of_ruler(std::span<const PlanePoint> points, do
     return Contacts{*first, *last};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Outlines of projected points, in the plane of the projection.
-namespace kerf {
+namespace kerf::bone {
 
 struct PlanePoint {
     double along = 0.0, out = 0.0;  ///< [m]
@@ -26,4 +26,4 @@ struct Contacts {
 /// Nothing if the points do not reach to both sides of `middle`.   [any] pure.
 [[nodiscard]] std::optional<Contacts> contacts_of_ruler(std::span<const PlanePoint> points, double middle, double play);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace kerf {
+namespace kerf::bone {
 
 double distance_to(const Path& path, Vec3 p) noexcept {
     double smallest = HUGE_VAL;
@@ -30,4 +30,4 @@ Box bounds_of(const Path& path, double margin) noexcept {
     return box;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

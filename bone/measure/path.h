@@ -6,7 +6,7 @@
 #include "documents/solids.h"
 #include "kerf/math.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A part of a bone's border: the surface near the line from landmark to landmark.
 struct Path {
@@ -19,4 +19,4 @@ struct Path {
 /// Returns the box around the region, widened by `margin` [m].   [any] pure.
 [[nodiscard]] Box bounds_of(const Path& path, double margin = 0.0) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::bone

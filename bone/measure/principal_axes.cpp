@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
@@ -69,4 +69,4 @@ PrincipalAxes principal_axes(std::span<const Vec3> points) noexcept {
     return found;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

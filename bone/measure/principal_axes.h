@@ -6,7 +6,7 @@
 
 #include "kerf/math.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// The principal directions of a set of points.
 struct PrincipalAxes {
@@ -20,4 +20,4 @@ struct PrincipalAxes {
 /// @param points  #N ≥ 1 points [m]
 [[nodiscard]] PrincipalAxes principal_axes(std::span<const Vec3> points) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::bone

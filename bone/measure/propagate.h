@@ -9,7 +9,7 @@
 
 #include "bone/measure/measured.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the standard uncertainty of a coordinate that lies within ± `tolerance` [m] with equal probability:
 /// tolerance / √3.   [any] pure.
@@ -49,4 +49,4 @@ template <class ValueAt>
     return Measured{*value, std::sqrt(squares)};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

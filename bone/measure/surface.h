@@ -7,7 +7,7 @@
 #include "bone/measure/line.h"
 #include "bone/measure/path.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A stretch of bone on a line, as distances from the line's point along its direction.
 struct Stretch {
@@ -47,4 +47,4 @@ public:
 /// Largest search distance of measures along a line, to either side [m].
 inline constexpr double max_search_distance = 0.5;
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 
 #include "bone/measure/outline.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 std::optional<Tangent> tangent_of(std::span<const Vec3> points, const Path& path, const BorderView& view, double play,
                                   std::span<const double, 2> shifts) {
@@ -49,4 +49,4 @@ double direction_uncertainty(const Tangent& tangent, double contact) noexcept {
     return std::sqrt(2.0) * contact / std::abs(dot(tangent.last - tangent.first, tangent.line.direction));
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

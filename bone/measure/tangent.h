@@ -8,7 +8,7 @@
 #include "bone/measure/path.h"
 #include "bone/measure/surface.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// View of a border.
 struct BorderView {
@@ -48,4 +48,4 @@ struct Tangent {
 /// In closed form, by [gum-2008], 5.1.2.   [any] pure.
 [[nodiscard]] double direction_uncertainty(const Tangent& tangent, double contact) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kerf {
+namespace kerf::bone {
 
 std::optional<Stretch> stretch_at(const MeasuredSurface& surface, const Line& line) {
     for (const Stretch& stretch : surface.stretches_on(line, -max_search_distance, max_search_distance))
@@ -27,4 +27,4 @@ std::optional<Measured> surface_distance(const MeasuredSurface& surface, Vec3 po
     return Measured{*distance, surface.wall_uncertainty()};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -6,7 +6,7 @@
 #include "bone/measure/measured.h"
 #include "bone/measure/surface.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the stretch of bone on a line that contains the line's point, or else the first one behind it in the line's
 /// direction. Nothing without bone.   [worker]
@@ -28,4 +28,4 @@ namespace kerf {
 /// Smallest cosine between a line and a wall's normal that counts [–]. Along a wall the uncertainty is unlimited.
 inline constexpr double min_wall_cosine = 0.1;
 
-}  // namespace kerf
+}  // namespace kerf::bone

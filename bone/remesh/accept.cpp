@@ -16,7 +16,7 @@
 #include "bone/surface/edges.h"
 #include "bone/surface/orient3d.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 bool less(Vec3 a, Vec3 b) noexcept { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
@@ -179,4 +179,4 @@ std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result
     return flaw_of(request, result, &ring);
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

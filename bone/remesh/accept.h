@@ -5,7 +5,7 @@
 
 #include "bone/remesh/remesh_request.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the reason to refuse a result for a request, or an empty text. The checks are:
 ///
@@ -23,4 +23,4 @@ namespace kerf {
 /// are compared with the others.   [any] pure.
 [[nodiscard]] std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result, const TaggedMesh& ring);
 
-}  // namespace kerf
+}  // namespace kerf::bone

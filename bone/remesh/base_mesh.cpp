@@ -15,7 +15,7 @@
 #include "bone/surface/repair.h"
 #include "core/field/surface/bone_surface.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 void snap(SurfaceMesh& mesh, double step) {
     for (Vec3& v : mesh.vertices)
@@ -120,4 +120,4 @@ std::string flaw_of_base(const SurfaceMesh& mesh) {
     return {};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

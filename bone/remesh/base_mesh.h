@@ -7,7 +7,7 @@
 #include "core/field/grid/body.h"
 
 /// The initial surface of exact cuts.
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the surface of an uncut body from its field. Vertices within a micrometre are merged, and faces that this
 /// leaves without area are removed.   [any]
@@ -30,4 +30,4 @@ void remove_flat_faces(SurfaceMesh& mesh);
 /// [any] pure.
 [[nodiscard]] std::string flaw_of_base(const SurfaceMesh& mesh);
 
-}  // namespace kerf
+}  // namespace kerf::bone

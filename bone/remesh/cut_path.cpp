@@ -7,7 +7,7 @@
 
 #include "core/field/cut/sweep.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// Returns whether one record begins where another ends.
@@ -107,4 +107,4 @@ std::vector<CutStretch> stretches_of(const std::vector<CutRecord>& records, cons
     return stretches;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -9,7 +9,7 @@
 #include "core/field/cut/cut_field.h"
 #include "core/field/cut/tool_solid.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A straight stretch of a tool's path: the solid moves from one pose to another.
 struct CutStretch {
@@ -44,4 +44,4 @@ private:
     std::vector<CutRecord> open_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

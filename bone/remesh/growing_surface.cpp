@@ -6,7 +6,7 @@
 #include <map>
 #include <unordered_map>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 double component(Vec3 v, std::size_t axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
@@ -242,4 +242,4 @@ TaggedMesh GrowingSurface::mesh() const {
     return all;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

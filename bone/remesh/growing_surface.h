@@ -10,7 +10,7 @@
 #include "bone/remesh/tagged_mesh.h"
 #include "core/field/grid/box.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A patch of a surface: some of its faces as a separate mesh.
 struct SurfacePatch {
@@ -80,4 +80,4 @@ private:
     mutable std::uint32_t search_ = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

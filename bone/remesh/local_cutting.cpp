@@ -9,7 +9,7 @@
 #include "bone/remesh/removal.h"
 #include "bone/surface/surface_mesh.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 LocalCutting::LocalCutting(const TaggedMesh& mesh, std::vector<const ToolSolid*> solids, double tolerance,
                            StrategyCall call, StrategyCall otherwise)
@@ -88,4 +88,4 @@ void LocalCutting::restore(const Moment& moment) {
     stale_ = moment.stale;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -13,7 +13,7 @@
 #include "bone/remesh/remesh_request.h"
 #include "bone/remesh/swept_before.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Requests one result from a strategy, in this process or in another.
 using StrategyCall = std::function<RemeshResult(const RemeshRequest&)>;
@@ -108,4 +108,4 @@ private:
     std::vector<Stale> stale_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <tuple>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 bool less(Vec3 a, Vec3 b) noexcept { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
@@ -33,4 +33,4 @@ std::vector<std::uint8_t> new_faces_of(const SurfaceMesh& mesh, const SurfaceMes
     return is_new;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A snapshot of a paged vector. It never changes: other threads may read it while the vector is modified.
 template <class T>
@@ -83,4 +83,4 @@ private:
     std::size_t size_ = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -6,7 +6,7 @@
 #include "kerf/remesh.h"
 
 /// The protocol of `kerf` and `kerf-remesh`: one packet each over a socket pair; meshes lie in shared memory.
-namespace kerf::remesh_channel {
+namespace kerf::bone::remesh_channel {
 
 /// The initial file descriptors of the child.
 inline constexpr int socket_fd = 3, request_fd = 4, result_fd = 5;
@@ -33,4 +33,4 @@ struct ResultPacket {
     kerf_remesh_out out{};
 };
 
-}  // namespace kerf::remesh_channel
+}  // namespace kerf::bone::remesh_channel

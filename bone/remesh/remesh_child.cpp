@@ -20,7 +20,7 @@
 
 extern "C" char** environ;
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace remesh_channel;
@@ -195,4 +195,4 @@ RemeshResult RemeshChild::answer_of(const RemeshRequest& request, std::chrono::m
     return result;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

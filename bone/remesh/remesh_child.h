@@ -13,7 +13,7 @@
 #include "bone/remesh/remesh_request.h"
 #include "bone/remesh/shared_memory.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A strategy's program, module and parameters.
 struct RemeshProgram {
@@ -71,4 +71,4 @@ private:
     bool is_repeated_ = false, is_constant_ = true;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 
 #include "core/plugin/plugin_call.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 std::unique_ptr<RemeshModule> RemeshModule::open(const std::string& path, std::string& error) {
     PluginLoad load = load_tried_plugin(path);
@@ -41,4 +41,4 @@ RemeshResult remesh_here(const kerf_component& strategy, const RemeshRequest& re
     return unpack(status, out, out_arena);
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

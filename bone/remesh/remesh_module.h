@@ -7,7 +7,7 @@
 #include "bone/remesh/remesh_request.h"
 #include "core/plugin/loader.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// A plugin's library, opened to call its strategies: in `kerf-remesh` and in tests, never in a process that runs a
 /// loop.
@@ -29,4 +29,4 @@ private:
 [[nodiscard]] RemeshResult remesh_here(const kerf_component& strategy, const RemeshRequest& request,
                                        void* cache = nullptr);
 
-}  // namespace kerf
+}  // namespace kerf::bone

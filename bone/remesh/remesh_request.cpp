@@ -10,7 +10,7 @@
 
 #include "kerf/remesh_mesh.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using remeshing::append;
@@ -139,4 +139,4 @@ RemeshResult unpack(kerf_status status, const kerf_remesh_out& out, const kerf_a
     return result;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

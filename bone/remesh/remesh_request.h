@@ -10,7 +10,7 @@
 #include "kerf/remesh.h"
 
 /// Requests to a remeshing strategy and its results, as plain values.
-namespace kerf {
+namespace kerf::bone {
 
 struct RemeshRequest {
     TaggedMesh base;
@@ -42,4 +42,4 @@ struct RemeshResult {
 /// coordinate that is not finite and an unknown status become KERF_FAILED with a message.   [any]
 [[nodiscard]] RemeshResult unpack(kerf_status status, const kerf_remesh_out& out, const kerf_arena& arena);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -17,7 +17,7 @@
 #include "core/plugin/check_tables.h"
 #include "core/plugin/plugin_call.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace remesh_channel;
@@ -105,4 +105,4 @@ int serve_remeshing(const std::string& module_path, const std::string& strategy,
     return 0;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Runs `kerf-remesh`: opens a module and answers requests on the descriptors of `remesh_channel` until its parent
 /// exits. Returns the exit status.   [main]
@@ -11,4 +11,4 @@ namespace kerf {
 int serve_remeshing(const std::string& module, const std::string& strategy, void (*before)() noexcept,
                     void (*after)() noexcept);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -14,7 +14,7 @@
 #include "bone/surface/triangle_tree.h"
 #include "core/field/cut/sweep.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 Box box_around(const std::array<Vec3, 3>& c) {
@@ -174,4 +174,4 @@ double allowed_for(const RemeshRequest& request, double tolerance) {
     return std::max(tolerance, request.tolerance) + 2.0 * request.tolerance + nudges;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

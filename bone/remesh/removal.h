@@ -5,7 +5,7 @@
 
 #include "bone/remesh/remesh_request.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the reason why a result differs from the cuts of its request, or an empty text. Three laws hold for any
 /// method, each to `allowed` [m]:
@@ -26,4 +26,4 @@ namespace kerf {
 /// and the nudges.
 [[nodiscard]] double allowed_for(const RemeshRequest& request, double tolerance);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace kerf {
+namespace kerf::bone {
 
 SharedMemory SharedMemory::make(const char* name) {
     const int fd = memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING);
@@ -56,4 +56,4 @@ bool SharedMemory::map(std::uint64_t bytes) {
     return true;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

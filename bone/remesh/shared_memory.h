@@ -6,7 +6,7 @@
 
 #include "kerf/remesh.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Memory that two processes map. The system allocates each page at its first write.   [main, worker]
 class SharedMemory {
@@ -34,4 +34,4 @@ private:
     std::uint64_t size_ = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// Returns points on the surface of a solid, tool frame, at most `apart` from each other.
@@ -97,4 +97,4 @@ void SweptBefore::add(const CutStretch& cut) {
     swept_.push_back(std::make_shared<const Swept>(Swept{Sweep(solid, cut.from, cut.to, length_along, 0.0), box}));
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

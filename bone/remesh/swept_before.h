@@ -10,7 +10,7 @@
 #include "core/field/cut/tool_solid.h"
 #include "core/field/grid/box.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns a box around the sweep of a solid on a stretch, with a margin.   [any] pure.
 [[nodiscard]] Box swept_box(const ToolSolid& solid, const CutStretch& stretch);
@@ -40,4 +40,4 @@ private:
     std::vector<std::shared_ptr<const Swept>> swept_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

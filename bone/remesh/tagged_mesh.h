@@ -9,7 +9,7 @@
 #include "bone/surface/surface_mesh.h"
 #include "kerf/remesh.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// An exact surface: triangles in double precision, body frame [m], with the origin of each.
 struct TaggedMesh {
@@ -46,4 +46,4 @@ struct TaggedMesh {
     return (six_volumes(outer) - six_volumes(inner)) / 6.0;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

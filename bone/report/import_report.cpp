@@ -8,10 +8,10 @@
 #include "core/field/fnv1a.h"
 #include "text/regular_file.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 bool hash_of_file(const std::string& file, std::uint64_t& hash) {
-    std::ifstream in = open_regular_file(file);
+    std::ifstream in = text::open_regular_file(file);
     Fnv1a sum;
     std::vector<char> buffer(1 << 16);
     while (in) {
@@ -34,4 +34,4 @@ std::string rounded(double value, int digits) {
     return {text, end.ptr};
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

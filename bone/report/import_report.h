@@ -10,7 +10,7 @@
 #include "documents/anatomy.h"
 #include "kerf/math.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Callback with the finished fraction of a long task, 0 … 1, and its name.
 using Progress = std::function<void(double share, const std::string& what)>;
@@ -32,9 +32,9 @@ struct BorderShift {
 /// Findings and decisions of an import, for people and for the record. It has no paths, no names, and nothing of the
 /// files' headers that identifies the patient.
 struct ImportReport {
-    std::vector<std::string> notes;            ///< one sentence or two each
-    std::vector<LandmarkPoint> fitted_points;  ///< with their fitted positions
-    std::vector<LandmarkAxis> fitted_axes;
+    std::vector<std::string> notes;                       ///< one sentence or two each
+    std::vector<documents::LandmarkPoint> fitted_points;  ///< with their fitted positions
+    std::vector<documents::LandmarkAxis> fitted_axes;
     std::vector<std::uint64_t> file_hashes;  ///< 64-bit FNV-1a of every data file's bytes, in the order they were read
     std::vector<BorderShift> shifts;         ///< one for each axis, on request
     std::function<double(Vec3 lps)> scan_value;  ///< [HU or grey] of a CT, on request; NaN where it was not sampled
@@ -49,4 +49,4 @@ struct ImportReport {
 /// Returns a number as text with `digits` decimals, in any locale.
 [[nodiscard]] std::string rounded(double value, int digits);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -6,7 +6,7 @@
 
 #include "bone/surface/orient3d.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 struct Point2 {
@@ -129,4 +129,4 @@ std::vector<Crossing> crossings_of(const SurfaceMesh& mesh, const TriangleTree& 
     return found;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

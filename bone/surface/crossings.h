@@ -7,7 +7,7 @@
 
 #include "bone/surface/triangle_tree.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Two faces of one surface that meet outside their common corners and sides.
 using Crossing = std::array<std::uint32_t, 2>;  ///< the smaller number first
@@ -24,4 +24,4 @@ using Crossing = std::array<std::uint32_t, 2>;  ///< the smaller number first
 /// of its file, because metres are rounded.   [any] pure.
 [[nodiscard]] bool is_flat(Vec3 a, Vec3 b, Vec3 c) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -11,7 +11,7 @@
 #include "bone/report/import_report.h"
 #include "bone/surface/crossings.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double smallest_bone = 5e-3, largest_bone = 0.7;  // [m] along the longest side of its box
@@ -192,4 +192,4 @@ std::vector<std::string> to_notes(const SurfaceDiagnosis& d) {
     return notes;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -8,7 +8,7 @@
 #include "bone/surface/edges.h"
 
 /// Finds, counts and locates the flaws of a surface, without changes. repair.h lists the flaws that can be repaired.
-namespace kerf {
+namespace kerf::bone {
 
 /// A kind of flaw: its number, and the position of the first one [m].
 struct Flaw {
@@ -68,4 +68,4 @@ struct SurfaceDiagnosis {
 /// Returns a position as text: "(12.1, -3.0, 44.7) mm".
 [[nodiscard]] std::string position_text(Vec3 at);
 
-}  // namespace kerf
+}  // namespace kerf::bone

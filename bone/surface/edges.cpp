@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace kerf {
+namespace kerf::bone {
 
 std::vector<HalfEdge> half_edges_of(const SurfaceMesh& mesh) {
     std::vector<HalfEdge> all;
@@ -116,4 +116,4 @@ std::vector<std::uint32_t> pinched_vertices_of(const SurfaceMesh& mesh, const st
     return pinched;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

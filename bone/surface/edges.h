@@ -7,7 +7,7 @@
 
 #include "bone/surface/surface_mesh.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// One side of a triangle, from its corner `side` to the next.
 struct HalfEdge {
@@ -58,4 +58,4 @@ struct Pieces {
 [[nodiscard]] std::vector<std::uint32_t> pinched_vertices_of(const SurfaceMesh& mesh,
                                                              const std::vector<HalfEdge>& edges);
 
-}  // namespace kerf
+}  // namespace kerf::bone

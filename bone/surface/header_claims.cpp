@@ -9,7 +9,7 @@
 
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 std::string lower(std::string_view text) {
@@ -81,12 +81,12 @@ bool read_claims(std::string_view text, SurfaceFile& file, SurfaceError& error) 
     while (const auto space = next_value(text, "space", at)) {
         const std::string word = lower(*space);
         const auto is_ras = word == "ras" ? std::optional(true) : word == "lps" ? std::optional(false) : std::nullopt;
-        if (!keep(file.is_ras, is_ras, "SPACE=" + excerpt(*space, 20), "RAS or LPS", error)) return false;
+        if (!keep(file.is_ras, is_ras, "SPACE=" + text::excerpt(*space, 20), "RAS or LPS", error)) return false;
     }
     for (const char* key : {"unit", "units"}) {
         at = 0;
         while (const auto unit = next_value(text, key, at))
-            if (!keep(file.unit, metres_in(*unit), "UNITS=" + excerpt(*unit, 20), "mm, cm, m or um", error))
+            if (!keep(file.unit, metres_in(*unit), "UNITS=" + text::excerpt(*unit, 20), "mm, cm, m or um", error))
                 return false;
     }
     return true;
@@ -99,4 +99,4 @@ std::optional<std::string_view> utf8_of(std::string_view text, SurfaceError& err
     return std::nullopt;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr int block_edge = 3;  // samples of a block along each axis
@@ -139,4 +139,4 @@ void MeshDistances::sign(const BrickLattice& lattice, BrickDistances distances) 
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -9,7 +9,7 @@
 #include "bone/surface/triangle_tree.h"
 #include "core/field/grid/distance_source.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Distances to a closed surface, brick by brick. A triangle is compared only with the samples that it may be nearest
 /// to. The values are those of `SignedDistance`, bit for bit.
@@ -43,4 +43,4 @@ private:
     std::array<std::uint16_t, stored_samples> root_{};
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

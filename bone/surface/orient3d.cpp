@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double half_ulp = 0x1p-53;
@@ -106,4 +106,4 @@ int orient2d(double ax, double ay, double bx, double by, double cx, double cy) n
     return sum.sign();
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

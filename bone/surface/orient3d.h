@@ -3,7 +3,7 @@
 
 #include "kerf/math.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Returns the side of the plane through a, b, c on which d lies: +1 if a, b, c run clockwise seen from d (below), −1
 /// if anticlockwise (above), 0 exactly on the plane.
@@ -19,4 +19,4 @@ namespace kerf {
 /// Returns the orientation in the plane: +1 if a, b, c run anticlockwise.
 [[nodiscard]] int orient2d(double ax, double ay, double bx, double by, double cx, double cy) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::bone

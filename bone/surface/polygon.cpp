@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// Returns the normal of the polygon with twice its area as length (Newell).
@@ -51,4 +51,4 @@ void add_polygon(SurfaceMesh& mesh, const std::vector<std::uint32_t>& corners) {
     for (std::size_t i = 2; i < left.size(); ++i) mesh.triangles.push_back({left[0], left[i - 1], left[i]});
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

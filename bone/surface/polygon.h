@@ -7,7 +7,7 @@
 
 #include "bone/surface/surface_mesh.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 inline constexpr std::size_t max_corners = 256;  ///< of one polygon
 
@@ -15,4 +15,4 @@ inline constexpr std::size_t max_corners = 256;  ///< of one polygon
 /// becomes arbitrary triangles. Pre: 3 … max_corners corners, all existing.
 void add_polygon(SurfaceMesh& mesh, const std::vector<std::uint32_t>& corners);
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -12,7 +12,7 @@
 #include "bone/surface/read_surface.h"
 #include "bone/surface/text_lines.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// Returns the vertex of `7`, `7/1`, `7//3`, `-1/2/3`: the number before the first slash.
@@ -128,4 +128,4 @@ std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error)
     return file;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -19,7 +19,7 @@
 #include "bone/surface/read_surface.h"
 #include "bone/surface/text_lines.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
@@ -344,4 +344,4 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
     return RowReader(*header, error).read();
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

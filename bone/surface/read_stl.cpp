@@ -12,7 +12,7 @@
 #include "bone/surface/read_surface.h"
 #include "bone/surface/text_lines.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr std::size_t header_size = 84, face_size = 50;
@@ -161,4 +161,4 @@ std::optional<SurfaceFile> read_stl(std::string_view bytes, SurfaceError& error)
     return file;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -10,7 +10,7 @@
 
 #include "text/regular_file.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr std::uintmax_t max_bytes = 1'000'000'000;
@@ -23,15 +23,16 @@ bool ends_in(const std::string& name, std::string_view ending) {
 
 }  // namespace
 
-Result<SurfaceFile> read_surface(const std::string& file) {
+text::Result<SurfaceFile> read_surface(const std::string& file) {
     const auto refuse = [&](const SurfaceError& error) {
-        return Diagnostics{error_about(file, error.code, error.message + " " + error.advice)};
+        return text::Diagnostics{text::error_about(file, error.code, error.message + " " + error.advice)};
     };
     const bool is_stl = ends_in(file, ".stl"), is_obj = ends_in(file, ".obj"), is_ply = ends_in(file, ".ply");
     if (!is_stl && !is_obj && !is_ply)
         return refuse({"E0641", "the name ends in none of .stl, .obj and .ply.", "Export the surface as one of them."});
 
-    if (auto fault = fault_of_file(file)) return refuse({"E0640", std::move(fault->problem), std::move(fault->advice)});
+    if (auto fault = text::fault_of_file(file))
+        return refuse({"E0640", std::move(fault->problem), std::move(fault->advice)});
     std::error_code wrong;
     const std::uintmax_t size = std::filesystem::file_size(file, wrong);
     if (wrong) return refuse({"E0640", "the file cannot be read.", "Check who may read it."});
@@ -40,7 +41,7 @@ Result<SurfaceFile> read_surface(const std::string& file) {
             {"E0642", "the file has more than 1 GB.", "Export the surface with fewer faces, or cut out the bone."});
     try {
         std::string bytes(size, '\0');
-        std::ifstream in = open_regular_file(file);
+        std::ifstream in = text::open_regular_file(file);
         in.read(bytes.data(), static_cast<std::streamsize>(size));
         if (!in) return refuse({"E0640", "the file cannot be read.", "Check who may read it."});
         SurfaceError error;
@@ -55,4 +56,4 @@ Result<SurfaceFile> read_surface(const std::string& file) {
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -20,7 +20,7 @@
 ///     E0646  a face refers to a vertex that does not exist
 ///     E0647  no face, or none remains
 ///     E0654  frame or unit in the header is unknown, or contradicts itself or the document
-namespace kerf {
+namespace kerf::bone {
 
 /// The contents of a file, in its own unit and frame.
 struct SurfaceFile {
@@ -44,8 +44,8 @@ struct SurfaceError {
 [[nodiscard]] std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error);
 
 /// Reads a file by the ending of its name, in upper or lower case. Never throws.   [main]
-[[nodiscard]] Result<SurfaceFile> read_surface(const std::string& file);
+[[nodiscard]] text::Result<SurfaceFile> read_surface(const std::string& file);
 
 inline constexpr std::size_t max_faces = 50'000'000;
 
-}  // namespace kerf
+}  // namespace kerf::bone

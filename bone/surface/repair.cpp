@@ -14,7 +14,7 @@
 #include "bone/surface/diagnose.h"
 #include "bone/surface/triangle_tree.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr double joining_distance = 1e-6;  // [m] between borders; far below the resolution of scanners
@@ -331,7 +331,8 @@ void drop_small_pieces(SurfaceMesh& mesh, double under, std::vector<std::string>
 }
 
 /// Orients outer pieces outwards and cavities in them inwards.
-std::optional<SurfaceError> turn_pieces(SurfaceMesh& mesh, InnerPieces inner, std::vector<std::string>& notes) {
+std::optional<SurfaceError> turn_pieces(SurfaceMesh& mesh, documents::InnerPieces inner,
+                                        std::vector<std::string>& notes) {
     std::vector<Part> parts = parts_of(mesh);
     find_nesting(parts);
 
@@ -365,7 +366,7 @@ std::optional<SurfaceError> turn_pieces(SurfaceMesh& mesh, InnerPieces inner, st
         const bool is_cavity = parts[p].around.size() % 2 == 1;
         if (is_cavity != (parts[p].volume < 0.0)) {
             const double volume = std::abs(parts[p].volume);
-            if (inner == InnerPieces::unsaid)
+            if (inner == documents::InnerPieces::unsaid)
                 return SurfaceError{"E0653",
                                     "a piece of " + rounded(volume * 1e9, 1) + " mm3 lies inside another, at " +
                                         position_text(parts[p].mesh.vertices[0]) +
@@ -373,7 +374,7 @@ std::optional<SurfaceError> turn_pieces(SurfaceMesh& mesh, InnerPieces inner, st
                                     "If it is a cavity, write `repair: {inner: hollow}`; if it bounds nothing, "
                                     "`repair: {inner: solid}`."};
             ++decided;
-            if (inner == InnerPieces::solid) {
+            if (inner == documents::InnerPieces::solid) {
                 is_dropped[p] = 1;
                 continue;
             }
@@ -386,7 +387,8 @@ std::optional<SurfaceError> turn_pieces(SurfaceMesh& mesh, InnerPieces inner, st
     }
     if (decided > 0)
         notes.push_back(counted(decided, "piece", "pieces") + " inside others " +
-                        (inner == InnerPieces::hollow ? "made hollow" : "left out") + ", as `repair.inner` says.");
+                        (inner == documents::InnerPieces::hollow ? "made hollow" : "left out") +
+                        ", as `repair.inner` says.");
     if (cavities > 0)
         notes.push_back("The bone has " + counted(cavities, "closed cavity", "closed cavities") + " of together " +
                         rounded(hollow * 1e9, 1) + " mm3.");
@@ -455,4 +457,4 @@ SurfaceMesh taken_cavities(SurfaceMesh& mesh) {
     return found_cavities;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

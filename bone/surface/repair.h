@@ -15,12 +15,12 @@
 ///     E0650  an edge of three or more faces that bound no inside
 ///     E0651  faces that cannot all be oriented outwards (as on a Möbius strip)
 ///     E0653  a piece inside another that could be a cavity or an artefact
-namespace kerf {
+namespace kerf::bone {
 
 struct RepairRules {
     double holes_up_to = 0.0;   ///< [m] diameter; wider holes are refused
     double pieces_under = 0.0;  ///< [m³] smaller pieces are left out
-    InnerPieces inner = InnerPieces::unsaid;
+    documents::InnerPieces inner = documents::InnerPieces::unsaid;
 };
 
 /// Merges vertices at exactly the same position; the first one stays. Returns the number of removed vertices.
@@ -37,4 +37,4 @@ std::size_t weld(SurfaceMesh& mesh);
 /// bone.
 [[nodiscard]] SurfaceMesh taken_cavities(SurfaceMesh& mesh);
 
-}  // namespace kerf
+}  // namespace kerf::bone

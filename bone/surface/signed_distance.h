@@ -7,7 +7,7 @@
 
 #include "bone/surface/triangle_tree.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Exact distance to a closed surface [m], negative inside. It is a pure function of the point; stored earlier results
 /// only save work. No surface passes between two points if the sum of their distances exceeds the distance between
@@ -57,4 +57,4 @@ private:
     std::size_t next_ = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

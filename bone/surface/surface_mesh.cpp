@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kerf {
+namespace kerf::bone {
 
 Box bounds_of(const SurfaceMesh& mesh) noexcept {
     Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
@@ -53,4 +53,4 @@ void drop_unused_vertices(SurfaceMesh& mesh) {
         for (std::uint32_t& v : t) v = new_index[v];
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

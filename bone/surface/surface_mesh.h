@@ -9,7 +9,7 @@
 #include "core/field/grid/box.h"
 #include "kerf/math.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 
 using Triangle = std::array<std::uint32_t, 3>;  ///< indices of its corners, anticlockwise seen from outside
 
@@ -32,4 +32,4 @@ struct SurfaceMesh {
 /// Removes the vertices that no triangle uses; the others keep their order.
 void drop_unused_vertices(SurfaceMesh& mesh);
 
-}  // namespace kerf
+}  // namespace kerf::bone

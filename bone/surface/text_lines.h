@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Words of a text, line by line, in any locale.
 class TextLines {
@@ -68,4 +68,4 @@ private:
     return value;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

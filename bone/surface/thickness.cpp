@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 constexpr int max_per_side = 16;
@@ -76,4 +76,4 @@ double fraction_under(const std::vector<WallSample>& walls, double limit) {
     return all > 0.0 ? under / all : 0.0;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

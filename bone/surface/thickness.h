@@ -7,7 +7,7 @@
 #include "bone/surface/triangle_tree.h"
 
 /// Thickness of the bone under its surface: straight inwards to the opposite wall.
-namespace kerf {
+namespace kerf::bone {
 
 struct WallSample {
     double thickness = 0.0;  ///< [m]
@@ -28,4 +28,4 @@ struct WallSample {
 /// Returns the fraction [–] of the area that is thinner than `limit` [m].
 [[nodiscard]] double fraction_under(const std::vector<WallSample>& walls, double limit);
 
-}  // namespace kerf
+}  // namespace kerf::bone

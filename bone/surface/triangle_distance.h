@@ -7,7 +7,7 @@
 #include "kerf/math.hpp"
 
 /// Squared distances of a point to boxes, segments and triangles [m²].   [any] pure.
-namespace kerf {
+namespace kerf::bone {
 
 [[nodiscard]] inline double squared(Vec3 v) noexcept { return dot(v, v); }
 
@@ -47,4 +47,4 @@ namespace kerf {
     return std::sqrt(squared_to_triangle(p, a, b, c));
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 // Balanced by count: a tree of 2³² triangles is 32 deep.
@@ -215,4 +215,4 @@ bool TriangleTree::meet(const Item& a, const Item& b) noexcept {
            low_a.z <= high_b.z && low_b.z <= high_a.z;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -10,7 +10,7 @@
 #include "bone/surface/surface_mesh.h"
 #include "bone/surface/triangle_distance.h"
 
-namespace kerf {
+namespace kerf::bone {
 
 /// Triangles in a tree of boxes, for distances, rays and winding numbers. The same mesh gives the same tree and the
 /// same bits. Unit and frame: the mesh's.
@@ -119,4 +119,4 @@ private:
     std::vector<Item> items_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::bone

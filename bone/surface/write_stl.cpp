@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 // Must not begin with "solid": readers would take the file for the text form.
@@ -46,4 +46,4 @@ std::vector<unsigned char> stl_bytes(const Mesh& mesh) {
     return bytes;
 }
 
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 namespace {
 
 ValueOf<double> density(double min, double max) { return quantity(dimension::density, "g/cm3", min, max); }
@@ -66,4 +66,4 @@ const Shape anatomy{
      {optional, "zones", named(list(map(zone_solid))), "Regions that limits name, each the union of solids.",
       "{canal: [{tube: {from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}}]}"}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 namespace {
 
 using Intensity = CtSource::Intensity;
@@ -102,4 +102,4 @@ const MapShape<MeshSource> mesh{
      {optional, "canal", map(canal), "The marrow cavity.", "{tube: {from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}}"},
      {optional, "source", &MeshSource::source, text(), "The source of the surface.", "A public collection."}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

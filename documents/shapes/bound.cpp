@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 namespace {
 
 ValueOf<double> removed_volume() { return quantity(dimension::volume, "mm3", 1e-10, 1e-3); }
@@ -135,11 +135,11 @@ const Shape signal_bound{
      {any_of, "at_least", of_kind(Kind::of_signal), "As much as this, in the signal's unit.", "1 W"},
      {any_of, "at_most", of_kind(Kind::of_signal), "No more than this, in the signal's unit.", "30 W"}}};
 
-const QuantityNeed angle_of_measure{dimension::angle, "deg", 0.0, 180.0_deg};
+const text::QuantityNeed angle_of_measure{dimension::angle, "deg", 0.0, 180.0_deg};
 
-const QuantityNeed angle_of_difference{dimension::angle, "deg", -180.0_deg, 180.0_deg};
+const text::QuantityNeed angle_of_difference{dimension::angle, "deg", -180.0_deg, 180.0_deg};
 
-const QuantityNeed length_of_measure{dimension::length, "mm", -500.0_mm, 500.0_mm};
+const text::QuantityNeed length_of_measure{dimension::length, "mm", -500.0_mm, 500.0_mm};
 
 const Shape measure_bound{
     "measure_bound",
@@ -149,4 +149,4 @@ const Shape measure_bound{
       "2 mm"},
      {any_of, "at_most", of_kind(Kind::of_measure), "No more than this.", "8 mm"}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 
 const MapShape<ImplantHole> implant_hole{
     "implant_hole",
@@ -31,4 +31,4 @@ const MapShape<Implant> implant{
      {optional, "place", &Implant::place, map(implant_place),
       "Its planned pose in the anatomy, which must lie on bone.", "{axis: right_pedicle, up: 0 0 1}"}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

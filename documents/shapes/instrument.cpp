@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 
 const MapShape<Sleeve> guide{
     "guide",
@@ -37,4 +37,4 @@ const MapShape<Instrument> instrument{
      {optional, "drives", of_kind(Kind::drives), "The speeds and positions of the tool's drives.",
       "{spindle_speed: 1000 rpm}"}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 namespace {
 
 using Fit = LandmarkFit::Shape;
@@ -123,4 +123,4 @@ const Shape landmarks{"landmarks",
                        {optional, "markups", list(map(markups)), "Files of 3D Slicer's markups.",
                         "[{file: scans/entry.mrk.json, tolerance: 2 mm}]"}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

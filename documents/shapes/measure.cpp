@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 
 const Shape mirror{"mirror",
                    "The plane of symmetry of pairs of points, such as the landmarks of both sides of a skull.",
@@ -85,4 +85,4 @@ const Shape measure{
      {one_of, "difference", map(difference_measure), "How much larger one measure is than another.",
       "{of: wall, from: planned_wall}"}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

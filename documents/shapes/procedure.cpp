@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 
 const MapShape<Procedure> metadata{
     "metadata",
@@ -99,4 +99,4 @@ const Shape procedure{
      {optional, "variants", named(map(variant)), "The same with a few values changed, for `--variant`.",
       "{coarse: {patch: {accuracy.spacing: 0.5 mm}}}"}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

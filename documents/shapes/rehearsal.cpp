@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 namespace {
 
 ValueOf<double> driver_torque() { return quantity(dimension::torque, "N*m", 0.05, 20.0); }
@@ -111,4 +111,4 @@ const MapShape<Rehearsal> rehearsal{
       "The waypoints, at least two; `{follow: NAME}` has the waypoints of one of `paths`.",
       "[{depth: -5 mm}, {depth: 32 mm}]"}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

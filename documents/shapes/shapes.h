@@ -8,7 +8,7 @@
 /// The one table of the keys of all documents. A row names a key, and the member that it fills; a row without a member
 /// is read by the code of its section. One file has the shapes of one section. A reader asserts that its
 /// shape has each key that it reads, and that it has read each key of its shape.
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 
 // procedure.cpp
 extern const MapShape<Procedure> metadata, needs, accuracy, budget, haptics;
@@ -25,7 +25,7 @@ extern const Shape entry_goal, depth_bound, clearance_bound, separated_goal, hel
     flatness_bound, hole_angle_bound, hole_offset_bound, excess_bound, plunge_bound, air_bound, torque_bound,
     lateral_force_bound, removed_goal, removed_bound, speed_bound, duration_bound, signal_bound, measure_bound;
 extern const MapShape<Limit> breach_bound;
-extern const QuantityNeed angle_of_measure, angle_of_difference, length_of_measure;
+extern const text::QuantityNeed angle_of_measure, angle_of_difference, length_of_measure;
 
 // step.cpp
 extern const Shape goal;
@@ -75,4 +75,4 @@ extern const MapShape<Tissue> tissue;
 extern const MapShape<Fracture> fracture_turn, fracture;
 extern const Shape anatomy;
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 
 const MapShape<BoxSolid> box{"box",
                              "A box along the patient's axes.",
@@ -64,4 +64,4 @@ const MapShape<PhantomPart> part{
      {optional, "source", &PhantomPart::source, text(), "The source of its figures.", "Panjabi 1992."},
      {optional, "subtract", yes_no(), "Taken away instead of added.", "true"}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

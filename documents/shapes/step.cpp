@@ -2,7 +2,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 
 const Shape goal{
     "goal",
@@ -90,4 +90,4 @@ const MapShape<Step> step{
       "Events that spoil the tool and yet do not fail this step; `kerf describe` lists them.",
       "[drilling.bit_overbent]"}}};
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

@@ -11,7 +11,7 @@
 
 /// Values of the rows of documents/shapes/shapes.h. The ranges of quantities are the plausible ones: any other value is
 /// a slip of the pen or has a wrong unit.
-namespace kerf::shapes {
+namespace kerf::documents::shapes {
 
 using namespace literals;
 using Kind = ValueShape::Kind;
@@ -74,4 +74,4 @@ inline DirectionShape direction() { return {vector(dimension::none, "", -1.0, 1.
 
 inline constexpr const char* api_version_help = "The version of the format.";
 
-}  // namespace kerf::shapes
+}  // namespace kerf::documents::shapes

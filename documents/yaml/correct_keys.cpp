@@ -8,7 +8,7 @@
 #include "documents/yaml/read_map.h"
 #include "text/look_alike.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 void correct(Node& node, const ValueShape& shape, Report& report);
@@ -21,7 +21,7 @@ void correct_map(Node& map, const Shape& shape, Report& report) {
     for (Node& child : map.children) {
         if (report.is_full()) return;
         if (shape.find(child.key) == nullptr) {
-            const std::string meant = closest(straightened(child.key), absent, report);
+            const std::string meant = closest(text::straightened(child.key), absent, report);
             if (meant.empty()) continue;
             refuse_key(child, shape, meant, report);
             child.key = meant;
@@ -35,7 +35,7 @@ void correct(Node& node, const ValueShape& shape, Report& report) {
     if (shape.shape != nullptr) {
         // A map with a single key is meant as the other shape if that is closer to its key.
         const bool is_other = shape.other != nullptr && node.children.size() == 1 &&
-                              !closest(straightened(node.children[0].key), {shape.other->keys[0].name}).empty();
+                              !closest(text::straightened(node.children[0].key), {shape.other->keys[0].name}).empty();
         correct_map(node, is_other ? *shape.other : *shape.shape, report);
     } else if (!shape.item.empty()) {
         for (Node& child : node.children) correct(child, shape.item.front(), report);
@@ -46,4 +46,4 @@ void correct(Node& node, const ValueShape& shape, Report& report) {
 
 void correct_keys(Node& document, const Shape& shape, Report& report) { correct_map(document, shape, report); }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 constexpr std::size_t longest_line_shown = 240;  // [byte]
@@ -65,11 +65,11 @@ std::optional<TextSpan> Document::replaced_by(TextSpan now) const {
     return found != replaced_.end() ? std::optional(found->second) : std::nullopt;
 }
 
-SourcePosition Document::place(TextSpan span) const {
+text::SourcePosition Document::place(TextSpan span) const {
     if (span.source > 0) return added_[span.source - 1].place({span.begin, span.size});
     const std::size_t at = std::min(span.begin, text_.size());
     const std::size_t index = line_of(at);
-    SourcePosition place;
+    text::SourcePosition place;
     place.file = file_;
     place.line = static_cast<int>(index) + 1;
     place.column = characters(std::string_view(text_).substr(line_begins_[index], at - line_begins_[index])) + 1;
@@ -83,49 +83,50 @@ std::string Document::source_line(TextSpan span) const {
     return shown.size() <= longest_line_shown ? std::string(shown) : std::string();
 }
 
-void Report::error(Code code, TextSpan span, std::string message, std::string write, std::optional<Reason> reason) {
+void Report::error(text::Code code, TextSpan span, std::string message, std::string write,
+                   std::optional<text::Reason> reason) {
     ++errors_;
-    if (is_reported(code_text(code), span, message)) return;
-    add(Diagnostic::Level::error, code, span, std::move(message), std::move(write), std::move(reason));
+    if (is_reported(text::code_text(code), span, message)) return;
+    add(text::Diagnostic::Level::error, code, span, std::move(message), std::move(write), std::move(reason));
 }
 
-void Report::warning(Code code, TextSpan span, std::string message, std::string write) {
-    if (is_reported(code_text(code, 'W'), span, message)) return;
-    add(Diagnostic::Level::warning, code, span, std::move(message), std::move(write), {});
+void Report::warning(text::Code code, TextSpan span, std::string message, std::string write) {
+    if (is_reported(text::code_text(code, 'W'), span, message)) return;
+    add(text::Diagnostic::Level::warning, code, span, std::move(message), std::move(write), {});
 }
 
-Reason Report::because(TextSpan span, std::string message) const {
+text::Reason Report::because(TextSpan span, std::string message) const {
     return {document_.place(span), std::move(message), document_.source_line(span)};
 }
 
 bool Report::is_reported(const std::string& code, TextSpan span, const std::string& message) const {
-    const SourcePosition place = document_.place(span);
-    return std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& d) {
+    const text::SourcePosition place = document_.place(span);
+    return std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const text::Diagnostic& d) {
         return d.message == message && d.code == code && d.place.file == place.file && d.place.line == place.line &&
                d.place.column == place.column;
     });
 }
 
-void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write,
-                 std::optional<Reason> reason) {
+void Report::add(text::Diagnostic::Level level, text::Code code, TextSpan span, std::string message, std::string write,
+                 std::optional<text::Reason> reason) {
     if (++shown_ > max_shown + 1) return;
     if (shown_ == max_shown + 1) {
-        level = Diagnostic::Level::error;
-        code = Code::too_many_errors;
+        level = text::Diagnostic::Level::error;
+        code = text::Code::too_many_errors;
         message = "There are more than " + std::to_string(max_shown) +
                   " errors; the others are not shown. Correct these first.";
         write.clear();
         reason.reset();
     }
     // What is missing may have been lost with the end of the file.
-    if (code == Code::missing_key && !is_end_told_ && !document_.text().ends_with('\n')) {
+    if (code == text::Code::missing_key && !is_end_told_ && !document_.text().ends_with('\n')) {
         is_end_told_ = true;
         message += " The last line, " + std::to_string(document_.place({document_.text().size()}).line) +
                    ", has no line end: is the file cut off?";
     }
-    Diagnostic diagnostic;
+    text::Diagnostic diagnostic;
     diagnostic.level = level;
-    diagnostic.code = code_text(code, level == Diagnostic::Level::error ? 'E' : 'W');
+    diagnostic.code = text::code_text(code, level == text::Diagnostic::Level::error ? 'E' : 'W');
     diagnostic.place = document_.place(span);
     diagnostic.message = std::move(message);
     diagnostic.write = std::move(write);
@@ -136,4 +137,4 @@ void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string 
     diagnostics_.push_back(std::move(diagnostic));
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -14,7 +14,7 @@
 #include "text/source.h"
 
 /// A YAML document as a tree whose nodes have their places. Kerf guesses no types: `yes` and `1.0` are text.
-namespace kerf {
+namespace kerf::documents {
 
 /// Bytes in the document's text. `Document::place` converts them to line and column for a message.
 struct TextSpan {
@@ -44,7 +44,7 @@ public:
 
     const std::string& file() const noexcept { return file_; }
     const std::string& text() const noexcept { return text_; }
-    SourcePosition place(TextSpan span) const;
+    text::SourcePosition place(TextSpan span) const;
     std::string source_line(TextSpan span) const;     ///< empty when too long to show
     std::size_t line_begin(int line) const noexcept;  ///< of a line counted from 0
 
@@ -70,12 +70,12 @@ private:
 /// same message at the same place once: several rehearsals may follow one path.
 class Report {
 public:
-    Report(const Document& document, Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
+    Report(const Document& document, text::Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
 
-    void error(Code code, TextSpan span, std::string message, std::string write = {},
-               std::optional<Reason> reason = {});
-    void warning(Code code, TextSpan span, std::string message, std::string write = {});
-    Reason because(TextSpan span, std::string message) const;  ///< a reason in this document
+    void error(text::Code code, TextSpan span, std::string message, std::string write = {},
+               std::optional<text::Reason> reason = {});
+    void warning(text::Code code, TextSpan span, std::string message, std::string write = {});
+    text::Reason because(TextSpan span, std::string message) const;  ///< a reason in this document
     bool has_error() const noexcept { return errors_ > 0; }
     int errors() const noexcept { return errors_; }
     bool is_full() const noexcept { return shown_ > max_shown; }
@@ -84,11 +84,11 @@ private:
     static constexpr int max_shown = 100;
 
     [[nodiscard]] bool is_reported(const std::string& code, TextSpan span, const std::string& message) const;
-    void add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write,
-             std::optional<Reason> reason);
+    void add(text::Diagnostic::Level level, text::Code code, TextSpan span, std::string message, std::string write,
+             std::optional<text::Reason> reason);
 
     const Document& document_;
-    Diagnostics& diagnostics_;
+    text::Diagnostics& diagnostics_;
     int shown_ = 0;
     int errors_ = 0;
     bool is_end_told_ = false;
@@ -99,11 +99,11 @@ Document read_again(const std::string& file, const std::string& text);
 
 /// Reads a file of at most 1 MB as UTF-8 text. Of a larger file it returns one byte more, which `parse_document`
 /// refuses.   [main]
-Result<std::string> read_text_file(const std::string& file);
+text::Result<std::string> read_text_file(const std::string& file);
 
 /// Reads YAML: one document, no anchors, aliases or tags, no key twice, at most 64 levels. It reports each breach.
 /// Whenever the text is YAML at all, a tree without the offending parts comes with the errors, so that a reader can
 /// search for further errors. Never throws.   [main]
-Result<Document> parse_document(const std::string& file, std::string text);
+text::Result<Document> parse_document(const std::string& file, std::string text);
 
-}  // namespace kerf
+}  // namespace kerf::documents

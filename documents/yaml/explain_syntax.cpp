@@ -14,7 +14,7 @@
 #include "text/look_alike.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
@@ -124,7 +124,7 @@ std::string_view without_comment(std::string_view line) {
 
 bool has_key(std::string_view line) { return line.find(": ") != std::string_view::npos || line.ends_with(':'); }
 
-std::string shown(std::string_view text) { return "`" + excerpt(text, 40) + "`"; }
+std::string shown(std::string_view text) { return "`" + text::excerpt(text, 40) + "`"; }
 
 /// The mistake in the line that begins at `line_begin`, if `found` is one of its content.
 std::optional<SyntaxMistake> in_line(std::string_view text, std::size_t line_begin,
@@ -218,9 +218,9 @@ std::optional<SyntaxMistake> find_missing_space(std::string_view text) {
         return std::nullopt;
     const std::string key(text.substr(0, colon));
     SyntaxMistake mistake{0, text.size(), "", ""};
-    const std::optional<LookAlike> space = find_look_alike(value);
+    const std::optional<text::LookAlike> space = text::find_look_alike(value);
     if (space && space->at == 0 && space->ascii == " ") {
-        mistake.message = "`" + key + ":` is followed by " + code_point_text(space->code) + " (" + space->name +
+        mistake.message = "`" + key + ":` is followed by " + text::code_point_text(space->code) + " (" + space->name +
                           "), expected a plain space.";
         mistake.write = key + ": " + std::string(value.substr(space->size));
     } else {
@@ -252,7 +252,7 @@ SyntaxMistake explain_syntax(const std::string& complaint, std::string_view text
     SyntaxMistake mistake = find_mistake(complaint, text, at);
     // What looks like a sign of YAML may be why.
     const std::string_view line = line_at(text, begin_of_line(text, mistake.at));
-    const std::optional<LookAlike> look_alike = find_look_alike(without_comment(line));
+    const std::optional<text::LookAlike> look_alike = text::find_look_alike(without_comment(line));
     if (look_alike && mistake.write.empty()) {
         std::string named = about(*look_alike);
         if (named[0] == 'i') named = "The line" + named.substr(2);
@@ -261,4 +261,4 @@ SyntaxMistake explain_syntax(const std::string& complaint, std::string_view text
     return mistake;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

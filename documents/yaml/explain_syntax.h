@@ -7,7 +7,7 @@
 #include <string_view>
 
 /// Why a text is not YAML, in words that say how to mend it.
-namespace kerf {
+namespace kerf::documents {
 
 /// A `{`, `[` or quotation mark without its counterpart.
 struct Unclosed {
@@ -47,4 +47,4 @@ struct SyntaxMistake {
 /// True if the complaint may come from something that is not closed.   [any] pure.
 [[nodiscard]] bool is_about_an_end(const std::string& complaint);
 
-}  // namespace kerf
+}  // namespace kerf::documents

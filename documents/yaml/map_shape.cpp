@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "documents/yaml/map_shape.h"
 
-namespace kerf {
+namespace kerf::documents {
 
 void read_value(MapReader& map, const std::string& key, const ValueOf<std::string>& shape, std::string& value) {
     using Kind = ValueShape::Kind;
@@ -38,8 +38,8 @@ void read_value(MapReader& map, const std::string& key, const DirectionShape& /*
     const Vec3 direction = map.vector(key).value_or(Vec3{0, 0, 1});
     value = length(direction) > 1e-6 ? normalized(direction) : Vec3{0, 0, 1};
     if (!(length(direction) > 1e-6))
-        map.report().error(Code::degenerate, map.span(),
+        map.report().error(text::Code::degenerate, map.span(),
                            map.name_of(key) + " has no length. Give it a direction, as in `0 0 1`.");
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -15,7 +15,7 @@
 #include "kerf/math.hpp"
 
 /// Shapes whose rows name the members that they fill. The compiler checks that value and member have the same type.
-namespace kerf {
+namespace kerf::documents {
 
 template <class T>
 class MapShape;
@@ -147,4 +147,4 @@ void read_map(const Node& node, const MapShape<T>& table, const std::string& nam
     read_map(node, table, name, object, report, [](MapReader&) {});
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -21,7 +21,7 @@
 #include "text/printable.h"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 constexpr std::size_t largest_file = 1u << 20;  // [byte]
@@ -66,12 +66,12 @@ std::string byte_text(char byte) {
 std::string without_controls(std::string text, Report& report) {
     int reported = 0;
     for (std::size_t at = 0;;) {
-        const std::optional<LookAlike> found = find_control(std::string_view(text).substr(at));
+        const std::optional<text::LookAlike> found = text::find_control(std::string_view(text).substr(at));
         if (!found) return text;
         at += found->at;
         if (++reported <= max_controls_shown)
-            report.error(Code::not_text, {at, found->size},
-                         "The file holds " + code_point_text(found->code) + " (" + found->name +
+            report.error(text::Code::not_text, {at, found->size},
+                         "The file holds " + text::code_point_text(found->code) + " (" + found->name +
                              "), a character that shows nothing. Remove it.");
         std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(at), found->size, ' ');
         at += found->size;
@@ -86,12 +86,12 @@ bool has_plain_indents(const Document& document, Report& report) {
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::size_t indent = std::min(text.find_first_not_of(' ', begin), end);
-        const std::optional<LookAlike> found =
-            find_look_alike(text.substr(indent, std::min<std::size_t>(4, end - indent)));
+        const std::optional<text::LookAlike> found =
+            text::find_look_alike(text.substr(indent, std::min<std::size_t>(4, end - indent)));
         if (found && found->at == 0 && (found->ascii == " " || found->ascii.empty())) {
             is_plain = false;
-            report.error(Code::syntax, {indent, found->size},
-                         "The line begins with " + code_point_text(found->code) + " (" + found->name +
+            report.error(text::Code::syntax, {indent, found->size},
+                         "The line begins with " + text::code_point_text(found->code) + " (" + found->name +
                              "), expected plain spaces. Indent with spaces.");
         }
         begin = end + 1;
@@ -111,7 +111,7 @@ public:
 
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (documents_++ == 0) return;
-        report_.error(Code::several_documents, {at(mark), 1},
+        report_.error(text::Code::several_documents, {at(mark), 1},
                       "The file holds a second document, expected one. Remove it, or put it into a file of its own.");
         throw StopReading{};
     }
@@ -126,14 +126,14 @@ public:
         add_scalar(mark, tag, value);
     }
     void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
-        report_.error(Code::anchor_or_alias, {at(mark), name.size() + 1},
+        report_.error(text::Code::anchor_or_alias, {at(mark), name.size() + 1},
                       "Anchors are not allowed: they hide where a value comes from. Remove the anchor.");
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
         Node node;
         node.span = {at(mark), 1};
         node.is_refused = true;
-        report_.error(Code::anchor_or_alias, node.span,
+        report_.error(text::Code::anchor_or_alias, node.span,
                       "Aliases are not allowed: they hide where a value comes from. Repeat the value.");
         add(std::move(node));
     }
@@ -179,7 +179,7 @@ private:
     void refuse_tag(std::size_t begin, const std::string& tag) {
         const bool is_written = begin < document_.text().size() && document_.text()[begin] == '!';
         if (!is_written && (tag.empty() || tag == "?" || tag == "!")) return;
-        report_.error(Code::tag, {begin, 1},
+        report_.error(text::Code::tag, {begin, 1},
                       "Tags are not allowed: a key alone decides what its value means. Remove the tag.");
     }
 
@@ -193,14 +193,14 @@ private:
         refuse_tag(node.span.begin, tag);
         if (const auto unclosed =
                 find_unclosed_quote(document_.text(), node.span.begin)) {  // else the rest of the file is its text
-            report_.error(Code::syntax, {unclosed->at, 1}, about(*unclosed, document_.text()[unclosed->at]));
+            report_.error(text::Code::syntax, {unclosed->at, 1}, about(*unclosed, document_.text()[unclosed->at]));
             throw StopReading{};
         }
-        if (const std::optional<LookAlike> control = find_control(node.text)) {  // written as an escape
-            report_.error(Code::not_text, node.span,
-                          "The text holds " + code_point_text(control->code) + " (" + control->name +
+        if (const std::optional<text::LookAlike> control = text::find_control(node.text)) {  // written as an escape
+            report_.error(text::Code::not_text, node.span,
+                          "The text holds " + text::code_point_text(control->code) + " (" + control->name +
                               ") as an escape. Remove it.");
-            node.text = printable(node.text);
+            node.text = text::printable(node.text);
             node.is_refused = true;
         }
         add(std::move(node));
@@ -212,7 +212,7 @@ private:
         opened.node.span = {at(mark), 1};
         refuse_tag(opened.node.span.begin, tag);
         if (open_.size() >= deepest_level) {
-            report_.error(Code::nested_too_deep, opened.node.span,
+            report_.error(text::Code::nested_too_deep, opened.node.span,
                           "The nesting is too deep: got more than " + std::to_string(deepest_level) +
                               " levels. Use fewer levels.");
             throw StopReading{};
@@ -257,12 +257,12 @@ private:
 
         const std::string_view rest = std::string_view(document_.text()).substr(key.span.begin + key.span.size);
         const bool is_row = rest.size() > 1 && rest[0] == ',' && rest[1] != ' ';
-        const QuantityProblem problem =
-            is_row
-                ? QuantityProblem{Code::not_three_numbers,
-                                  number.key + " has commas between its numbers. Put spaces there, as in `1 2 3 mm`.",
-                                  {}}
-                : decimal_comma(number.key, number.text, key.text);
+        const text::QuantityProblem problem =
+            is_row ? text::QuantityProblem{text::Code::not_three_numbers,
+                                           number.key +
+                                               " has commas between its numbers. Put spaces there, as in `1 2 3 mm`.",
+                                           {}}
+                   : text::decimal_comma(number.key, number.text, key.text);
         report_.error(problem.code, number.span, problem.message, problem.write);
         number.is_refused = true;
         return true;
@@ -273,9 +273,9 @@ private:
         const bool is_absent = value.kind == Node::Kind::scalar && value.text.empty() && !value.is_refused;
         const auto mistake = is_absent ? find_missing_space(key.text) : std::nullopt;
         if (!mistake) return;
-        report_.error(Code::syntax, key.span, mistake->message, mistake->write);
+        report_.error(text::Code::syntax, key.span, mistake->message, mistake->write);
         const std::size_t colon = key.text.find(':');
-        value.text = straightened(key.text.substr(colon + 1));
+        value.text = text::straightened(key.text.substr(colon + 1));
         value.text.erase(0, value.text.find_first_not_of(' '));
         value.span = key.span;
         key.text.resize(colon);
@@ -288,23 +288,23 @@ private:
         if (key.is_refused) return;
         if (key.kind == Node::Kind::scalar && !key.is_quoted) {
             if (const auto dash = find_missing_dash_space(key.text)) {
-                report_.error(Code::syntax, key.span, dash->message + " Put one there.");
+                report_.error(text::Code::syntax, key.span, dash->message + " Put one there.");
                 parent.node.is_refused = true;  // it should have been a list
                 return;
             }
             split_key(key, value);
         }
         if (key.kind != Node::Kind::scalar || key.text.empty()) {
-            report_.error(Code::key_not_text, key.span, "The key is not a word. Put one before the `:`.");
+            report_.error(text::Code::key_not_text, key.span, "The key is not a word. Put one before the `:`.");
             return;
         }
         if (!parent.keys.insert(key.text).second) {
-            std::optional<Reason> reason;
+            std::optional<text::Reason> reason;
             if (const Node* first = report_.is_full() ? nullptr : parent.node.find(key.text))
                 reason = report_.because(first->key_span, "it is here first.");
-            report_.error(Code::duplicate_key, key.span,
-                          "The key `" + excerpt(key.text) + "` occurs twice in one map. Remove one of the two.", {},
-                          std::move(reason));
+            report_.error(text::Code::duplicate_key, key.span,
+                          "The key `" + text::excerpt(key.text) + "` occurs twice in one map. Remove one of the two.",
+                          {}, std::move(reason));
             return;
         }
         // yaml-cpp places an absent value at the next token, often on another line.
@@ -326,45 +326,45 @@ private:
 
 }  // namespace
 
-Result<std::string> read_text_file(const std::string& file) {
+text::Result<std::string> read_text_file(const std::string& file) {
     std::error_code failure;
     if (!std::filesystem::exists(file, failure)) {
-        return Diagnostics{error_about(file, code_text(Code::file_unreadable),
-                                       "The file does not exist. Check its name and its folder.")};
+        return text::Diagnostics{text::error_about(file, text::code_text(text::Code::file_unreadable),
+                                                   "The file does not exist. Check its name and its folder.")};
     }
     // A pipe or a device could keep us waiting for ever.
     std::ifstream stream;
     if (std::filesystem::is_regular_file(file, failure)) stream.open(file, std::ios::binary);
     if (!stream.is_open()) {
         const bool is_folder = std::filesystem::is_directory(file, failure);
-        return Diagnostics{
-            error_about(file, code_text(Code::file_unreadable),
-                        is_folder ? "The path is a folder, expected a file. Name a YAML file in it."
-                                  : "The file cannot be read. Name a YAML file, and check that you may read it.")};
+        return text::Diagnostics{text::error_about(
+            file, text::code_text(text::Code::file_unreadable),
+            is_folder ? "The path is a folder, expected a file. Name a YAML file in it."
+                      : "The file cannot be read. Name a YAML file, and check that you may read it.")};
     }
     const std::uintmax_t size = std::filesystem::file_size(file, failure);  // the largest number if it cannot be said
     std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size, largest_file)) + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (stream.bad()) {
-        return Diagnostics{
-            error_about(file, code_text(Code::file_unreadable), "Reading the file failed. Copy it to another disk.")};
+        return text::Diagnostics{text::error_about(file, text::code_text(text::Code::file_unreadable),
+                                                   "Reading the file failed. Copy it to another disk.")};
     }
     text.resize(static_cast<std::size_t>(stream.gcount()));
     return text;  // one byte too many is refused where the text is parsed
 }
 
-Result<Document> parse_document(const std::string& file, std::string text) {
+text::Result<Document> parse_document(const std::string& file, std::string text) {
     if (text.size() > largest_file) {
-        return Diagnostics{error_about(file, code_text(Code::file_too_large),
-                                       "The file is too large: got more than 1 MB. Name a YAML file.")};
+        return text::Diagnostics{text::error_about(file, text::code_text(text::Code::file_too_large),
+                                                   "The file is too large: got more than 1 MB. Name a YAML file.")};
     }
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark would shift the first line
 
-    Diagnostics found;
+    text::Diagnostics found;
     Document document(file, std::move(text));
     Report report(document, found);
     if (const std::size_t at = find_not_utf8(document.text()); at != std::string::npos) {
-        report.error(Code::not_text, {at, 1},
+        report.error(text::Code::not_text, {at, 1},
                      "The file is not UTF-8 text: got the byte " + byte_text(document.text()[at]) +
                          ". Save it as UTF-8 in a text editor.");
         return found;
@@ -379,9 +379,9 @@ Result<Document> parse_document(const std::string& file, std::string text) {
         while (parser.HandleNextDocument(builder)) {
         }
         if (!builder.has_content()) {
-            found.push_back(
-                error_about(file, code_text(Code::file_empty),
-                            "The file is empty. Begin it with `apiVersion: kerf/v1`, as the shipped procedures do."));
+            found.push_back(text::error_about(
+                file, text::code_text(text::Code::file_empty),
+                "The file is empty. Begin it with `apiVersion: kerf/v1`, as the shipped procedures do."));
             return found;
         }
     } catch (const StopReading&) {
@@ -390,30 +390,30 @@ Result<Document> parse_document(const std::string& file, std::string text) {
         const std::optional<Unclosed> unclosed =
             is_about_an_end(failure.msg) ? find_unclosed(document.text()) : std::nullopt;
         if (unclosed) {
-            report.error(Code::syntax, {unclosed->at, 1}, about(*unclosed, document.text()[unclosed->at]));
+            report.error(text::Code::syntax, {unclosed->at, 1}, about(*unclosed, document.text()[unclosed->at]));
             return found;
         }
         const std::size_t begin = document.line_begin(failure.mark.line);
         const SyntaxMistake mistake = explain_syntax(
             failure.msg, document.text(), begin + static_cast<std::size_t>(std::max(0, failure.mark.column)));
         const int line = document.place({mistake.at}).line;
-        const bool is_reported = std::any_of(found.begin(), found.end(), [&](const Diagnostic& d) {
-            return d.place.file == file && d.place.line == line && d.code == code_text(Code::syntax);
+        const bool is_reported = std::any_of(found.begin(), found.end(), [&](const text::Diagnostic& d) {
+            return d.place.file == file && d.place.line == line && d.code == text::code_text(text::Code::syntax);
         });
-        if (!is_reported) report.error(Code::syntax, {mistake.at, mistake.size}, mistake.message, mistake.write);
+        if (!is_reported) report.error(text::Code::syntax, {mistake.at, mistake.size}, mistake.message, mistake.write);
         return found;
     } catch (const std::exception& failure) {  // yaml-cpp on input that its authors did not think of
-        found.push_back(
-            error_about(file, code_text(Code::syntax),
-                        std::string("The file is not YAML: ") + excerpt(failure.what(), 100) + ". Correct it."));
+        found.push_back(text::error_about(
+            file, text::code_text(text::Code::syntax),
+            std::string("The file is not YAML: ") + text::excerpt(failure.what(), 100) + ". Correct it."));
         return found;
     }
     return {std::move(document), std::move(found)};
 }
 
 Document read_again(const std::string& file, const std::string& text) {
-    Result<Document> document = parse_document(file, text);
+    text::Result<Document> document = parse_document(file, text);
     return document ? std::move(*document) : Document(file, text);
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -14,7 +14,7 @@
 #include "text/look_alike.h"
 #include "text/printable.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 const char* kind_name(Node::Kind kind) {
@@ -45,7 +45,7 @@ const char* way_to(Node::Kind kind) {
 /// The id nearest to `text`; empty if there is none.
 std::string id_of(std::string_view text) {
     std::string id;
-    for (const char c : straightened(text.substr(0, 64))) {
+    for (const char c : text::straightened(text.substr(0, 64))) {
         const bool is_alphanumeric = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
         if (is_alphanumeric || ((c == '.' || c == '_' || c == '-') && !id.empty()))
             id += c;
@@ -69,7 +69,7 @@ bool is_id(std::string_view text) {
 
 /// " `−` is U+2212 (minus sign), not `-`." for a text with such a character.
 std::string named_look_alike(std::string_view text) {
-    const std::optional<LookAlike> found = find_look_alike(text);
+    const std::optional<text::LookAlike> found = text::find_look_alike(text);
     if (!found) return {};
     std::string named = about(*found);
     if (named[0] == 'i') named[0] = 'I';
@@ -90,7 +90,7 @@ bool is_version(std::string_view text) {
     return dots == 2 && before != '.' && text.size() <= 32;
 }
 
-std::string got(std::string_view text) { return "got `" + excerpt(text, 40) + "`"; }
+std::string got(std::string_view text) { return "got `" + text::excerpt(text, 40) + "`"; }
 
 }  // namespace
 
@@ -103,8 +103,8 @@ void refuse_key(const Node& child, const Shape& shape, const std::string& meant,
     // Where one of several keys is needed, an unknown one is most likely meant as one of them.
     const bool is_choice = meant.empty() && !choices.empty();
     report.error(
-        Code::unknown_key, child.key_span,
-        "The key `" + excerpt(child.key, 40) + "` is unknown" +
+        text::Code::unknown_key, child.key_span,
+        "The key `" + text::excerpt(child.key, 40) + "` is unknown" +
             (known.empty() ? "; no key is allowed here." : ": expected " + listed(is_choice ? choices : known) + ".") +
             named_look_alike(child.key) + or_choose(meant, is_choice ? "Write one of these." : "Remove it."),
         meant.empty() ? "" : meant + ":");
@@ -113,7 +113,7 @@ void refuse_key(const Node& child, const Shape& shape, const std::string& meant,
 bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report& report) {
     if (node.is_refused) return false;
     if (is_absent(node)) {
-        report.error(Code::empty_value, node.span,
+        report.error(text::Code::empty_value, node.span,
                      name + " is empty, expected " + kind_name(kind) + ". Fill it, or remove it.");
         return false;
     }
@@ -122,10 +122,10 @@ bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report&
                                  ? std::nullopt
                              : kind == Node::Kind::map ? find_missing_space(node.text)
                                                        : find_missing_dash_space(node.text)) {
-        report.error(Code::syntax, node.span, mistake->message, mistake->write);
+        report.error(text::Code::syntax, node.span, mistake->message, mistake->write);
         return false;
     }
-    report.error(Code::wrong_shape, node.span,
+    report.error(text::Code::wrong_shape, node.span,
                  name + " has the wrong form: got " + kind_name(node.kind) + ", expected " + kind_name(kind) + ". " +
                      way_to(kind));
     return false;
@@ -139,7 +139,7 @@ std::optional<std::string> read_text(const Node& node, const std::string& name, 
 std::optional<std::string> read_id(const Node& node, const std::string& name, Report& report) {
     std::optional<std::string> text = read_text(node, name, report);
     if (text && !is_id(*text)) {
-        report.error(Code::malformed_word, node.span,
+        report.error(text::Code::malformed_word, node.span,
                      name + " is not a name: " + got(*text) +
                          ", expected one word of at most 64 letters, digits, `.`, `_` and `-`, a letter or digit "
                          "first." +
@@ -159,28 +159,29 @@ std::optional<bool> read_yes_no(const Node& node, const std::string& name, Repor
     const bool is_no =
         *text == "no" || *text == "off" || *text == "n" || *text == "False" || *text == "FALSE" || *text == "0";
     const std::string meant = is_yes ? "true" : is_no ? "false" : "";
-    report.error(Code::unknown_word, node.span,
+    report.error(text::Code::unknown_word, node.span,
                  name + " is unknown: " + got(*text) + ", expected `true` or `false`." + named_look_alike(*text) +
                      or_choose(meant, "Write one of the two."),
                  meant);
     return std::nullopt;
 }
 
-std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report,
-                                    std::optional<Reason> declared) {
+std::optional<double> read_quantity(const Node& node, const std::string& name, const text::QuantityNeed& need,
+                                    Report& report, std::optional<text::Reason> declared) {
     const std::optional<std::string> text = read_text(node, name, report);
     if (!text) return std::nullopt;
-    Parsed<double> parsed = parse_quantity(*text, name, need);
-    if (parsed.problem.code != Code::out_of_range) declared.reset();
+    text::Parsed<double> parsed = text::parse_quantity(*text, name, need);
+    if (parsed.problem.code != text::Code::out_of_range) declared.reset();
     if (!parsed.value)
         report.error(parsed.problem.code, node.span, parsed.problem.message, parsed.problem.write, std::move(declared));
     return parsed.value;
 }
 
-std::optional<Vec3> read_vector(const Node& node, const std::string& name, const QuantityNeed& need, Report& report) {
+std::optional<Vec3> read_vector(const Node& node, const std::string& name, const text::QuantityNeed& need,
+                                Report& report) {
     if (node.kind == Node::Kind::list) {
         if (node.children.size() != 3) {
-            report.error(Code::not_three_numbers, node.span,
+            report.error(text::Code::not_three_numbers, node.span,
                          name + " is not three numbers: got a list of " + std::to_string(node.children.size()) +
                              ", expected x, y and z. Write three.");
             return std::nullopt;
@@ -192,7 +193,7 @@ std::optional<Vec3> read_vector(const Node& node, const std::string& name, const
     }
     const std::optional<std::string> text = read_text(node, name, report);
     if (!text) return std::nullopt;
-    Parsed<Vec3> parsed = parse_vector(*text, name, need);
+    text::Parsed<Vec3> parsed = text::parse_vector(*text, name, need);
     if (!parsed.value) report.error(parsed.problem.code, node.span, parsed.problem.message, parsed.problem.write);
     return parsed.value;
 }
@@ -203,7 +204,7 @@ std::string read_path(const Node& node, const std::string& name, const std::stri
     const std::filesystem::path path = std::filesystem::path(*text).lexically_normal();
     const bool has_drive = text->find(':') != std::string::npos || text->find('\\') != std::string::npos;
     if (!path.is_absolute() && !has_drive && (path.empty() || *path.begin() != "..")) return path.generic_string();
-    report.error(Code::path_outside, node.span,
+    report.error(text::Code::path_outside, node.span,
                  name + " leads outside: " + got(*text) + ", expected a path inside " + where +
                      ", with `/` between folders. Put the file there, and write its path from there.");
     return {};
@@ -213,7 +214,7 @@ const std::vector<Node>& read_list(const Node& node, const std::string& name, Re
     static const std::vector<Node> none;
     if (!is_kind(node, Node::Kind::list, name, report)) return none;
     if (node.children.empty())
-        report.error(Code::empty_value, node.span, name + " is an empty list. Add an item, or remove it.");
+        report.error(text::Code::empty_value, node.span, name + " is an empty list. Add an item, or remove it.");
     return node.children;
 }
 
@@ -236,7 +237,7 @@ bool read_key(const Node& child, const std::string& name, Report& report) {
 bool UniqueIds::add(const std::string& id, TextSpan span, Report& report) {
     const auto [first, is_new] = ids_.try_emplace(id, span);
     if (is_new) return true;
-    report.error(Code::duplicate_id, span, "The name `" + id + "` is used twice. Give this one another name.", {},
+    report.error(text::Code::duplicate_id, span, "The name `" + id + "` is used twice. Give this one another name.", {},
                  report.because(first->second, "it is used here first."));
     return false;
 }
@@ -251,7 +252,7 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
     bool is_right = document.is_map();
     if (const Node* node = document.required("apiVersion"))
         if (const auto text = read_text(*node, "apiVersion", report); text && *text != api_version) {
-            report.error(Code::wrong_api_version, node->span,
+            report.error(text::Code::wrong_api_version, node->span,
                          "The version of the format is unknown: " + got(*text) + ", expected `" + api_version + "`.",
                          api_version);
             is_right = false;
@@ -260,7 +261,7 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
         if (const auto text = read_text(*node, "kind", report); text && *text != kind) {
             // Only a slip of the pen is mended here; another document needs another file.
             const std::string meant = closest(*text, {kind}, report);
-            report.error(Code::wrong_kind, node->span,
+            report.error(text::Code::wrong_kind, node->span,
                          "The document is of another kind: " + got(*text) + ", expected `" + kind + "`." +
                              or_choose(meant, "Name another file."),
                          meant);
@@ -297,7 +298,7 @@ const Node* MapReader::find(const std::string& key) {
 const Node* MapReader::required(const std::string& key) {
     const Node* found = ask(key);
     if (!found && is_map_)
-        report_.error(Code::missing_key, span_,
+        report_.error(text::Code::missing_key, span_,
                       (name_.empty() ? "The document" : name_) + " has no `" + key + ":`. Add it, as in `" + key +
                           ": " + shape_of(key).example + "`.");
     return found;
@@ -323,8 +324,8 @@ std::string MapReader::word(const std::string& key) {
     const std::string word = found ? read_text(*found, name_of(key), report_).value_or("") : "";
     const std::vector<std::string>& words = shape_of(key).value.words;
     if (word.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
-    const std::string meant = closest(straightened(word), words, report_);
-    report_.error(Code::unknown_word, found->span,
+    const std::string meant = closest(text::straightened(word), words, report_);
+    report_.error(text::Code::unknown_word, found->span,
                   name_of(key) + " is unknown: " + got(word) + ", expected " + listed(words) + "." +
                       named_look_alike(word) + or_choose(meant),
                   meant);
@@ -335,8 +336,8 @@ std::string MapReader::version(const std::string& key) {
     const Node* found = find(key);
     const std::string text = found ? read_text(*found, name_of(key), report_).value_or("") : "";
     if (!text.empty() && !is_version(text))
-        report_.error(Code::malformed_word, found->span,
-                      name_of(key) + " is no version: got `" + excerpt(text, 40) +
+        report_.error(text::Code::malformed_word, found->span,
+                      name_of(key) + " is no version: got `" + text::excerpt(text, 40) +
                           "`, expected three numbers, as in `0.1.0`. Write three.");
     return text;
 }
@@ -365,7 +366,7 @@ void MapReader::quantity(const std::string& key, double& value) {
 void MapReader::labels(const std::string& key, std::vector<int>& numbers, std::vector<std::string>& names) {
     const Node* found = find(key);
     if (!found) return;
-    const QuantityNeed& need = shape_of(key).value.item.front().need;
+    const text::QuantityNeed& need = shape_of(key).value.item.front().need;
     for (const Node& item : read_list(*found, name_of(key), report_)) {
         const std::string name = "A label in " + name_of(key);
         const bool is_number = item.text.find_first_not_of("+-.0123456789") == std::string::npos;
@@ -378,7 +379,7 @@ void MapReader::labels(const std::string& key, std::vector<int>& numbers, std::v
         if (*value == std::floor(*value))
             numbers.push_back(static_cast<int>(*value));
         else
-            report_.error(Code::not_a_number, item.span,
+            report_.error(text::Code::not_a_number, item.span,
                           name + " is not a whole number: " + got(item.text) + ". Remove the fraction.");
     }
 }
@@ -396,7 +397,7 @@ const Node* MapReader::one_of() {
         keys.push_back(key.name);
         const Node* candidate = ask(key.name);
         if (candidate && found) {
-            report_.error(Code::one_of, candidate->key_span,
+            report_.error(text::Code::one_of, candidate->key_span,
                           (name_.empty() ? "The document" : name_) + " has both `" + found->key + "` and `" + key.name +
                               "`, expected one of them. Remove one.",
                           {}, report_.because(found->key_span, "the other one is here."));
@@ -407,7 +408,7 @@ const Node* MapReader::one_of() {
     const bool has_unknown = std::any_of(node_.children.begin(), node_.children.end(),
                                          [&](const Node& child) { return shape_.find(child.key) == nullptr; });
     if (!found && is_map_ && !has_unknown)  // an unknown key was most likely meant as one of them: finish() reports it
-        report_.error(Code::one_of, span_,
+        report_.error(text::Code::one_of, span_,
                       (name_.empty() ? "The document" : name_) + " has none of " + listed(keys) + ". Add one of them.");
     return found;
 }
@@ -421,4 +422,4 @@ void MapReader::finish() {
         if (shape_.find(child.key) == nullptr) refuse_key(child, shape_, "", report_);
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -12,7 +12,7 @@
 #include "text/quantity.h"
 
 /// Reading one map of a document, and its values. A function that returns no value has reported the reason.
-namespace kerf {
+namespace kerf::documents {
 
 /// The candidate nearest to `word`; empty if none is near, or if the report is full and shows no more.
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report);
@@ -26,7 +26,7 @@ std::string listed(const std::vector<std::string>& words);
 
 /// A name that must be one of a few, and is not.
 struct UnknownName {
-    Code code{};
+    text::Code code{};
     TextSpan span{};
     std::string subject;  ///< "The step `drill`"
     std::string word;     ///< as written; the closest name is searched for it
@@ -34,7 +34,7 @@ struct UnknownName {
     std::string if_none{};                       ///< ends the message if there are none
     std::string of{};                            ///< behind the list: " of example.drilling"
     std::string advice = "Write one of these.";  ///< where no name is close
-    std::optional<Reason> reason{};
+    std::optional<text::Reason> reason{};
     bool is_key = false;  ///< the closest name is shown with a colon
 };
 /// Reports "SUBJECT is unknown: expected A, B or C. Write one of these."
@@ -50,10 +50,11 @@ std::optional<std::string> read_id(const Node& node, const std::string& name, Re
 /// `true` or `false`, no other spelling.
 std::optional<bool> read_yes_no(const Node& node, const std::string& name, Report& report);
 /// `declared` is shown with a value out of range.
-std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report,
-                                    std::optional<Reason> declared = {});
+std::optional<double> read_quantity(const Node& node, const std::string& name, const text::QuantityNeed& need,
+                                    Report& report, std::optional<text::Reason> declared = {});
 /// `3.0 193.0 -60.5 mm`, or a list of three quantities.
-std::optional<Vec3> read_vector(const Node& node, const std::string& name, const QuantityNeed& need, Report& report);
+std::optional<Vec3> read_vector(const Node& node, const std::string& name, const text::QuantityNeed& need,
+                                Report& report);
 /// A path that stays inside `where` ("the document's own folder"); empty when it does not.
 std::string read_path(const Node& node, const std::string& name, const std::string& where, Report& report);
 /// The items of a list that must not be empty; none when it is no list.
@@ -126,8 +127,10 @@ public:
     Report& report() const noexcept { return report_; }
     const KeyShape& shape_of(const std::string& key) const;
     std::string name_of(const std::string& key) const;
-    const QuantityNeed& need_of(const std::string& key) const { return shape_of(key).value.need; }
-    const QuantityNeed& item_need_of(const std::string& key) const { return shape_of(key).value.item.front().need; }
+    const text::QuantityNeed& need_of(const std::string& key) const { return shape_of(key).value.need; }
+    const text::QuantityNeed& item_need_of(const std::string& key) const {
+        return shape_of(key).value.item.front().need;
+    }
 
 private:
     const Node* ask(const std::string& key);
@@ -141,4 +144,4 @@ private:
     std::vector<std::string> asked_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::documents

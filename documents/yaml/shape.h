@@ -9,7 +9,7 @@
 
 /// The keys and values of a map of a document, as data. Readers use it, and `kerf schema` prints it.
 /// The shapes are in documents/shapes/shapes.h.
-namespace kerf {
+namespace kerf::documents {
 
 struct Shape;
 
@@ -36,7 +36,7 @@ struct ValueShape {
         of_measure,  ///< an angle or a length, as the measure is
     };
     Kind kind = Kind::text;
-    QuantityNeed need{};
+    text::QuantityNeed need{};
     std::vector<std::string> words{};
     const Shape* shape = nullptr;
     const Shape* other = nullptr;    ///< of a map: one of this shape, which has a single key, may take its place
@@ -72,4 +72,4 @@ struct Shape {
     }
 };
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -6,7 +6,7 @@
 
 #include "documents/yaml/read_map.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 constexpr std::size_t longest_word = 48;  // longer ones are no slip of the finger
@@ -92,4 +92,4 @@ void refuse_unknown(UnknownName name, Report& report) {
         meant, std::move(name.reason));
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -18,8 +18,9 @@ int main(int argc, char** argv) {
         std::fputs(kerf::to_text(scene.diagnostics()).c_str(), stderr);
         return 2;
     }
-    kerf::RunOutcome outcome;
-    const auto run = kerf::Run::create(*scene, plugins, {}, outcome);  // a request with `out` writes the results there
+    kerf::run::RunOutcome outcome;
+    const auto run =
+        kerf::run::Run::create(*scene, plugins, {}, outcome);  // a request with `out` writes the results there
     if (run == nullptr) {
         std::fprintf(stderr, "%s\n", outcome.error.c_str());
         return 2;
@@ -29,5 +30,5 @@ int main(int argc, char** argv) {
     outcome = run->finish();
     std::printf("%s after %.1f s, at most %.1f N\n", kerf::to_text(outcome.summary.verdict), outcome.summary.duration,
                 max_thrust);
-    return outcome.summary.verdict == kerf::Verdict::pass ? 0 : 1;
+    return outcome.summary.verdict == kerf::session::Verdict::pass ? 0 : 1;
 }

@@ -11,7 +11,7 @@
 #include <exception>
 #include <thread>
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -69,4 +69,4 @@ RealtimeState run_in_real_time(const std::function<void()>& work) {
     return state;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

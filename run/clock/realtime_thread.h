@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace kerf {
+namespace kerf::run {
 
 /// What the system granted to a thread that requested real time.
 struct RealtimeState {
@@ -19,4 +19,4 @@ struct RealtimeState {
 /// granted.   [main] blocks until the work is done
 RealtimeState run_in_real_time(const std::function<void()>& work);
 
-}  // namespace kerf
+}  // namespace kerf::run

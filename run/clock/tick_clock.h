@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace kerf {
+namespace kerf::run {
 
 /// Paces the ticks of a run: the wall clock, the clock of a device, or a virtual one in tests.
 class TickClock {
@@ -17,4 +17,4 @@ public:
     virtual void tick_done() noexcept {}
 };
 
-}  // namespace kerf
+}  // namespace kerf::run

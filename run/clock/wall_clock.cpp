@@ -8,7 +8,7 @@
 
 #include "core/haptics/loop/hand_motion.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -57,4 +57,4 @@ void WallClock::tick_done() noexcept {
     if (took > period_) ++times_.over_period;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

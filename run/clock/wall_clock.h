@@ -6,7 +6,7 @@
 #include "core/haptics/law/call_times.h"
 #include "run/clock/tick_clock.h"
 
-namespace kerf {
+namespace kerf::run {
 
 /// Lateness and computing time of the ticks of a clock [ns]. Nothing of it enters a result, a record or a hash.
 struct TickTimes {
@@ -41,4 +41,4 @@ private:
     TickTimes times_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::run

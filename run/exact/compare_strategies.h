@@ -8,7 +8,7 @@
 
 #include "run/exact/exact_strategies.h"
 
-namespace kerf {
+namespace kerf::run {
 
 inline constexpr double in_air_before_entry = 2e-3;  ///< [m] travel in air before the entry in a planned cut
 
@@ -32,4 +32,4 @@ struct StrategyCost {
                                                            const std::vector<std::string>& strategies,
                                                            const std::function<void(const std::string& what)>& report);
 
-}  // namespace kerf
+}  // namespace kerf::run

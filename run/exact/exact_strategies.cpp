@@ -11,7 +11,7 @@
 #include "kerf/units.hpp"
 #include "session/content_hash.h"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 constexpr auto not_started = static_cast<std::size_t>(-1);
@@ -39,27 +39,28 @@ std::string why_missing(const ComponentCatalog& catalog, const std::string& full
            how_to_install(plugin);
 }
 
-bool are_equal(const std::vector<ParameterSetting>& a, const std::vector<ParameterSetting>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ParameterSetting& x, const ParameterSetting& y) {
-        return x.id == y.id && x.value == y.value;
-    });
+bool are_equal(const std::vector<documents::ParameterSetting>& a, const std::vector<documents::ParameterSetting>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const documents::ParameterSetting& x, const documents::ParameterSetting& y) {
+                          return x.id == y.id && x.value == y.value;
+                      });
 }
 
 std::uint64_t hash_of_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    return hash_of_text(std::string(std::istreambuf_iterator<char>(file), {}));
+    return session::hash_of_text(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
-const ComponentInfo* tool_of(const Instrument& instrument, const ComponentCatalog& catalog) {
+const ComponentInfo* tool_of(const documents::Instrument& instrument, const ComponentCatalog& catalog) {
     const auto found = std::find_if(catalog.begin(), catalog.end(), [&](const ComponentInfo& c) {
         return c.kind == KERF_KIND_TOOL && c.plugin == instrument.plugin && c.id == instrument.tool;
     });
     return found != catalog.end() ? &*found : nullptr;
 }
 
-bool is_used(const Instrument& instrument, const Procedure& procedure) {
+bool is_used(const documents::Instrument& instrument, const documents::Procedure& procedure) {
     return std::any_of(procedure.steps.begin(), procedure.steps.end(),
-                       [&](const Step& step) { return step.instrument == instrument.id; });
+                       [&](const documents::Step& step) { return step.instrument == instrument.id; });
 }
 
 }  // namespace
@@ -71,27 +72,28 @@ const ComponentInfo* find_strategy(const ComponentCatalog& catalog, const std::s
     return found != catalog.end() ? &*found : nullptr;
 }
 
-std::unique_ptr<RemeshChild> start_strategy(const StrategyHost& host, const std::string& full_id,
-                                            const std::vector<ParameterSetting>& set, std::string& error) {
+std::unique_ptr<bone::RemeshChild> start_strategy(const StrategyHost& host, const std::string& full_id,
+                                                  const std::vector<documents::ParameterSetting>& set,
+                                                  std::string& error) {
     const ComponentInfo* strategy = find_strategy(*host.catalog, full_id);
     if (strategy == nullptr) {
         error = why_missing(*host.catalog, full_id);
         return nullptr;
     }
-    RemeshProgram program{host.program, strategy->module, strategy->id};
+    bone::RemeshProgram program{host.program, strategy->module, strategy->id};
     for (const ParameterInfo& parameter : strategy->parameters) {
-        const auto own =
-            std::find_if(set.begin(), set.end(), [&](const ParameterSetting& one) { return one.id == parameter.id; });
+        const auto own = std::find_if(set.begin(), set.end(),
+                                      [&](const documents::ParameterSetting& one) { return one.id == parameter.id; });
         program.parameters.push_back(own != set.end() ? own->value : parameter.def);
         if (parameter.id == "tolerance" && parameter.dimension == dimension::length)
             program.tolerance = program.parameters.back();
     }
-    auto child = RemeshChild::start(program, error);
+    auto child = bone::RemeshChild::start(program, error);
     if (child == nullptr) error = "the remeshing strategy `" + full_id + "` cannot be started: " + error;
     return child;
 }
 
-std::size_t ExactStrategies::start_one(const std::string& id, const std::vector<ParameterSetting>& set,
+std::size_t ExactStrategies::start_one(const std::string& id, const std::vector<documents::ParameterSetting>& set,
                                        std::string& error) {
     for (std::size_t n = 0; n < running_.size(); ++n)
         if (running_[n].id == id && are_equal(running_[n].set, set)) return n;
@@ -102,8 +104,8 @@ std::size_t ExactStrategies::start_one(const std::string& id, const std::vector<
     return running_.size() - 1;
 }
 
-std::string ExactStrategies::start_chain(const Instrument& instrument, const std::string& wanted,
-                                         const std::vector<ParameterSetting>& set) {
+std::string ExactStrategies::start_chain(const documents::Instrument& instrument, const std::string& wanted,
+                                         const std::vector<documents::ParameterSetting>& set) {
     const ComponentInfo* tool = tool_of(instrument, *host_.catalog);
     std::vector<std::string> ids{wanted};
     if (tool != nullptr)
@@ -113,7 +115,7 @@ std::string ExactStrategies::start_chain(const Instrument& instrument, const std
     std::string first_error;
     for (const std::string& id : ids) {
         std::string error;
-        const std::size_t one = start_one(id, id == wanted ? set : std::vector<ParameterSetting>{}, error);
+        const std::size_t one = start_one(id, id == wanted ? set : std::vector<documents::ParameterSetting>{}, error);
         if (one != not_started) {
             chain.strategies.push_back(one);
             continue;
@@ -131,8 +133,8 @@ std::string ExactStrategies::start_chain(const Instrument& instrument, const std
     return {};
 }
 
-std::string ExactStrategies::start(const Procedure& procedure) {
-    for (const Instrument& instrument : procedure.instruments) {
+std::string ExactStrategies::start(const documents::Procedure& procedure) {
+    for (const documents::Instrument& instrument : procedure.instruments) {
         if (instrument.remeshing.empty() || !is_used(instrument, procedure)) continue;
         if (std::string error = start_chain(instrument, instrument.remeshing, instrument.remeshing_parameters);
             !error.empty()) {
@@ -144,16 +146,17 @@ std::string ExactStrategies::start(const Procedure& procedure) {
     return {};
 }
 
-std::string ExactStrategies::start(const Procedure& procedure, const std::string& wanted) {
-    for (const Instrument& instrument : procedure.instruments) {
+std::string ExactStrategies::start(const documents::Procedure& procedure, const std::string& wanted) {
+    for (const documents::Instrument& instrument : procedure.instruments) {
         if (!is_used(instrument, procedure)) continue;
         const bool is_its_own = wanted.empty() || wanted == instrument.remeshing;
         const ComponentInfo* tool = tool_of(instrument, *host_.catalog);
         std::string id = is_its_own ? instrument.remeshing : wanted;
         if (id.empty() && tool != nullptr && !tool->strategies.empty()) id = tool->strategies.front();
         if (id.empty()) continue;  // a tool that removes no bone, or whose plugin names no strategy
-        if (std::string error = start_chain(
-                instrument, id, is_its_own ? instrument.remeshing_parameters : std::vector<ParameterSetting>{});
+        if (std::string error =
+                start_chain(instrument, id,
+                            is_its_own ? instrument.remeshing_parameters : std::vector<documents::ParameterSetting>{});
             !error.empty()) {
             instrument_without_ = instrument.id;
             why_not_ = "instrument `" + instrument.id + "`: " + error;
@@ -166,12 +169,12 @@ std::string ExactStrategies::start(const Procedure& procedure, const std::string
     return {};
 }
 
-const Anatomy* surface_anatomy(const Scene& scene) noexcept {
+const documents::Anatomy* surface_anatomy(const Scene& scene) noexcept {
     return scene.anatomy.mesh && !scene.fragment ? &scene.anatomy : nullptr;
 }
 
-ExactTools exact_tools(const Scene& scene) {
-    ExactTools tools;
+bone::ExactTools exact_tools(const Scene& scene) {
+    bone::ExactTools tools;
     for (const Tool& tool : scene.tools) tools.solids.push_back(&tool.outline.cutting);
     for (const Tool& tool : scene.tools) tools.solids.push_back(&tool.outline.crest);
     tools.strategies.resize(tools.solids.size());
@@ -182,8 +185,8 @@ ExactTools exact_tools(const Scene& scene) {
     return tools;
 }
 
-ExactTools ExactStrategies::tools(const Scene& scene) const {
-    ExactTools tools = exact_tools(scene);
+bone::ExactTools ExactStrategies::tools(const Scene& scene) const {
+    bone::ExactTools tools = exact_tools(scene);
     for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
         const std::string& instrument = instrument_of(scene, tool).id;
         const auto chain = std::find_if(chains_.begin(), chains_.end(),
@@ -199,4 +202,4 @@ ExactTools ExactStrategies::tools(const Scene& scene) const {
     return tools;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -8,7 +8,7 @@
 
 #include "run/verdict/screw_grade.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -16,32 +16,33 @@ namespace {
 class BreachesAlong {
 public:
     /// Directions: medial and lateral, cranial and caudal. Without the landmark `midline` the sides have no names.
-    BreachesAlong(const Body& body, const HolePlan& plan, const AxisFrame& frame, const DrilledHole& hole)
+    BreachesAlong(const Body& body, const bone::HolePlan& plan, const AxisFrame& frame, const bone::DrilledHole& hole)
         : body_(&body), plan_(&plan), hole_(&hole) {
         to_side_ = frame.medial != Vec3{} ? frame.medial : rotate(quat_between({0, 0, 1}, frame.along), {1, 0, 0});
         up_ = cross(to_side_, frame.along);
         if (up_.z < 0.0) up_ = -up_;
     }
-    [[nodiscard]] Breach of(double radius, DepthRange range = {}) const {
-        return breach_of(*body_, *plan_, *hole_, radius, to_side_, up_, range);
+    [[nodiscard]] bone::Breach of(double radius, bone::DepthRange range = {}) const {
+        return bone::breach_of(*body_, *plan_, *hole_, radius, to_side_, up_, range);
     }
 
 private:
     const Body* body_;
-    const HolePlan* plan_;
-    const DrilledHole* hole_;
+    const bone::HolePlan* plan_;
+    const bone::DrilledHole* hole_;
     Vec3 to_side_, up_;
 };
 
-void add_breaches(const BreachesAlong& along, const Step& step, HoleResult& result) {
-    for (const Limit& limit : step.limits)
+void add_breaches(const BreachesAlong& along, const documents::Step& step, HoleResult& result) {
+    for (const documents::Limit& limit : step.limits)
         if (limit.quantity == "breach") result.breaches.emplace_back(limit.diameter, along.of(0.5 * limit.diameter));
 }
 
 /// Returns the parts of a vertebra in which a screw of this radius leaves the bone.
-BreachLocations breach_locations_of(const BreachesAlong& along, const DrilledHole& axis, double radius,
+BreachLocations breach_locations_of(const BreachesAlong& along, const bone::DrilledHole& axis, double radius,
                                     bool is_tip_out) {
-    const Breach pedicle = along.of(radius, {0.0, axis.waist_end}), body = along.of(radius, {axis.waist_end, HUGE_VAL});
+    const bone::Breach pedicle = along.of(radius, {0.0, axis.waist_end}),
+                       body = along.of(radius, {axis.waist_end, HUGE_VAL});
     enum { medial, lateral, cranial, caudal };
     // An oblique breach counts for the side on which it is deepest.
     const auto is_worst = [&](int side) {
@@ -55,33 +56,33 @@ BreachLocations breach_locations_of(const BreachesAlong& along, const DrilledHol
 }
 
 /// Returns the distance of a screw's core to the nearest zone [m]; negative inside.
-double clearance_of(const ToolSolid& core, const Pose& world_from_screw, const Anatomy& anatomy) {
+double clearance_of(const ToolSolid& core, const Pose& world_from_screw, const documents::Anatomy& anatomy) {
     double least = HUGE_VAL;
-    for (const Zone& zone : anatomy.zones) least = std::min(least, clearance(core, world_from_screw, zone));
+    for (const documents::Zone& zone : anatomy.zones) least = std::min(least, clearance(core, world_from_screw, zone));
     return least;
 }
 
 }  // namespace
 
-std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const EarlierCut& before,
-                               const StepMonitor& monitor, std::size_t step) {
+std::optional<bone::CutWall> wall_of(const Scene& scene, const Simulation& simulation, const EarlierCut& before,
+                                     const StepMonitor& monitor, std::size_t step) {
     const AxisFrame& frame = monitor.frame(step);
     if (frame.across == Vec3{}) return {};
-    const WallWindow window{.entry = frame.entry,
-                            .along = frame.along,
-                            .normal = frame.across,
-                            .half_width = scene.tool(step).outline.cutting.largest_radius(),
-                            .depth = std::max(0.0, monitor.steps()[step].deepest)};
+    const bone::WallWindow window{.entry = frame.entry,
+                                  .along = frame.along,
+                                  .normal = frame.across,
+                                  .half_width = scene.tool(step).outline.cutting.largest_radius(),
+                                  .depth = std::max(0.0, monitor.steps()[step].deepest)};
     std::vector<Vec3> points;
     const PresentBone& bone = simulation.present();
     for (std::size_t body = 0; body < bone.count(); ++body) {
         const Body& whole = *bone.piece(body).bone;
         std::vector<Vec3> some;
-        add_wall_points(whole, bone.cut(body), window, some);
+        bone::add_wall_points(whole, bone.cut(body), window, some);
         std::copy_if(some.begin(), some.end(), std::back_inserter(points),
                      [&](Vec3 p) { return !before.reaches(whole, body, p); });
     }
-    return fit_wall(points, window, scene.tool(step).outline.cutting.thickness());
+    return bone::fit_wall(points, window, scene.tool(step).outline.cutting.thickness());
 }
 
 std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulation, const EarlierCut& before,
@@ -95,9 +96,10 @@ std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulati
     const Body& body = *bone.piece(owner).bone;
     const CutField& cut = bone.cut(owner);
     const double spacing = body.grid().spacing;
-    const HolePlan plan{.entry = frame.entry, .along = frame.along, .depth = state.advance.front, .cutting = cutting};
+    const bone::HolePlan plan{
+        .entry = frame.entry, .along = frame.along, .depth = state.advance.front, .cutting = cutting};
     HoleResult result;
-    result.hole = measure_hole(body, plan, [&](Vec3 p) {
+    result.hole = bone::measure_hole(body, plan, [&](Vec3 p) {
         const LocatedPoint place = locate(body, p);
         const double was = std::clamp(0.5 - uncut_distance(body, place) / spacing, 0.0, 1.0),
                      gone = std::clamp(0.5 + cut.at(place) / spacing, 0.0, 1.0);
@@ -120,12 +122,12 @@ std::optional<HoleResult> screw_of(const Scene& scene, const Simulation& simulat
 
 HoleResult screw_at(const Scene& scene, std::size_t step, const AxisFrame& frame, const Body& body, const Pose& screw) {
     const ToolOutline& outline = scene.tool(step).outline;
-    const HolePlan plan{.entry = frame.entry,
-                        .along = frame.along,
-                        .depth = frame.depth_of(screw.position),
-                        .cutting = outline.cutting};
+    const bone::HolePlan plan{.entry = frame.entry,
+                              .along = frame.along,
+                              .depth = frame.depth_of(screw.position),
+                              .cutting = outline.cutting};
     HoleResult result;
-    result.hole = hole_along(body, plan, screw.position, rotate(screw.rotation, {0, 0, 1}));
+    result.hole = bone::hole_along(body, plan, screw.position, rotate(screw.rotation, {0, 0, 1}));
     if (!result.hole) return result;
     const BreachesAlong along(body, plan, frame, *result.hole);
     add_breaches(along, scene.procedure.steps[step], result);
@@ -153,4 +155,4 @@ HoleResult screw_at(const Scene& scene, std::size_t step, const AxisFrame& frame
     return result;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -11,7 +11,7 @@
 #include "run/verdict/step_monitor.h"
 
 /// Measurements of the cut of one step, without earlier cuts.
-namespace kerf {
+namespace kerf::run {
 
 /// The cut when a step began.
 class EarlierCut {
@@ -49,8 +49,9 @@ private:
 
 /// Returns the wall that a step has cut, of all bodies at their poses before they moved. Nothing without a plane.
 /// [main]
-[[nodiscard]] std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const EarlierCut& before,
-                                             const StepMonitor& monitor, std::size_t step);
+[[nodiscard]] std::optional<bone::CutWall> wall_of(const Scene& scene, const Simulation& simulation,
+                                                   const EarlierCut& before, const StepMonitor& monitor,
+                                                   std::size_t step);
 
 /// Returns the hole that a step has left in the body that owns its axis, at the body's pose before it moved. Nothing
 /// for a blade.   [main]
@@ -66,4 +67,4 @@ private:
 [[nodiscard]] HoleResult screw_at(const Scene& scene, std::size_t step, const AxisFrame& frame, const Body& body,
                                   const Pose& body_from_screw);
 
-}  // namespace kerf
+}  // namespace kerf::run

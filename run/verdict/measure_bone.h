@@ -10,14 +10,14 @@
 #include "text/source.h"
 
 /// Evaluates the measures of a procedure on the bone of a run: on body 0, the part that remains.
-namespace kerf {
+namespace kerf::run {
 
 /// Measures the present bone, in the order of the procedure's measures.   [worker]
 /// @param world_from_body   for each body; empty: no body has moved
-[[nodiscard]] std::vector<MeasureReading> measure_bone(const Scene& scene, const PresentBone& bone,
-                                                       std::span<const Pose> world_from_body);
+[[nodiscard]] std::vector<documents::MeasureReading> measure_bone(const Scene& scene, const PresentBone& bone,
+                                                                  std::span<const Pose> world_from_body);
 
 /// Measures the bone before the first cut. Refuses a measure that has no value on it (E0529).   [main]
-void measure_before_cuts(Scene& scene, Diagnostics& diagnostics);
+void measure_before_cuts(Scene& scene, text::Diagnostics& diagnostics);
 
-}  // namespace kerf
+}  // namespace kerf::run

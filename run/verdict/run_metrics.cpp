@@ -15,7 +15,7 @@
 #include "run/verdict/screw_grade.h"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -24,12 +24,12 @@ using namespace literals;
 /// Adds the rows of one step.
 class StepRows {
 public:
-    StepRows(const StepState& state, double spacing, std::vector<MetricRow>& rows)
+    StepRows(const StepState& state, double spacing, std::vector<session::MetricRow>& rows)
         : state_(&state), spacing_(spacing), rows_(&rows) {}
 
-    MetricRow& row(const std::string& name, double value, const char* unit, double per_unit, std::string status,
-                   std::string help) {
-        MetricRow& added = rows_->emplace_back();
+    session::MetricRow& row(const std::string& name, double value, const char* unit, double per_unit,
+                            std::string status, std::string help) {
+        session::MetricRow& added = rows_->emplace_back();
         added.id = state_->step->id + "." + name;
         added.scope = state_->step->id;
         added.value = value;
@@ -39,8 +39,9 @@ public:
         added.help = std::move(help);
         return added;
     }
-    MetricRow& length(const std::string& name, double value, double uncertainty, std::string status, std::string help) {
-        MetricRow& added = row(name, value, "mm", 1e-3, std::move(status), std::move(help));
+    session::MetricRow& length(const std::string& name, double value, double uncertainty, std::string status,
+                               std::string help) {
+        session::MetricRow& added = row(name, value, "mm", 1e-3, std::move(status), std::move(help));
         added.uncertainty = uncertainty;
         return added;
     }
@@ -59,7 +60,7 @@ public:
 private:
     const StepState* state_;
     double spacing_;
-    std::vector<MetricRow>* rows_;
+    std::vector<session::MetricRow>* rows_;
 };
 
 void add_clearances(const StepState& state, StepRows& rows) {
@@ -98,7 +99,7 @@ void add_loads(const StepState& state, StepRows& rows) {
         {"duration", "duration", "s", 1.0, "Time from the start of the step to its end, or to the end of the run."},
     };
     for (const Load& load : loads) {
-        const auto is_on_it = [&](const Limit& limit) { return limit.quantity == load.quantity; };
+        const auto is_on_it = [&](const documents::Limit& limit) { return limit.quantity == load.quantity; };
         const auto first = std::find_if(state.limits.begin(), state.limits.end(), [&](const LimitState& limit) {
             return is_on_it(*limit.limit) && limit.is_seen;
         });
@@ -119,21 +120,23 @@ void add_removed_volume(const StepState& state, StepRows& rows) {
 void add_signals(const StepState& state, StepRows& rows) {
     for (const SignalState& signal : state.signals) {
         if (!signal.is_seen) continue;
-        const NamedSignal& named = *signal.signal;
-        const auto add = [&](double value, std::optional<double> Bound::*goal_end,
-                             std::optional<double> Bound::*limit_end, const char* suffix, const char* help) {
-            const auto is_limit = [&](const Limit& limit) {
+        const documents::NamedSignal& named = *signal.signal;
+        const auto add = [&](double value, std::optional<double> documents::Bound::*goal_end,
+                             std::optional<double> documents::Bound::*limit_end, const char* suffix, const char* help) {
+            const auto is_limit = [&](const documents::Limit& limit) {
                 return limit.signal.id == named.id && limit.bound.*limit_end;
             };
-            const bool is_goal = std::any_of(state.step->goals.begin(), state.step->goals.end(), [&](const Goal& goal) {
-                return goal.signal.id == named.id && goal.bound.*goal_end;
-            });
+            const bool is_goal = std::any_of(
+                state.step->goals.begin(), state.step->goals.end(),
+                [&](const documents::Goal& goal) { return goal.signal.id == named.id && goal.bound.*goal_end; });
             if (is_goal || std::any_of(state.step->limits.begin(), state.step->limits.end(), is_limit))
                 rows.row("signal." + named.id + suffix, value, named.unit.c_str(),
                          parse_unit(named.unit).value_or(Unit{}).factor, status_of_limits(state, is_limit), help);
         };
-        add(signal.greatest, &Bound::at_least, &Bound::at_most, "", "Greatest value of this signal in the step.");
-        add(signal.least, &Bound::at_most, &Bound::at_least, ".least", "Least value of this signal in the step.");
+        add(signal.greatest, &documents::Bound::at_least, &documents::Bound::at_most, "",
+            "Greatest value of this signal in the step.");
+        add(signal.least, &documents::Bound::at_most, &documents::Bound::at_least, ".least",
+            "Least value of this signal in the step.");
     }
 }
 
@@ -159,27 +162,28 @@ void add_alignment(const StepState& state, StepRows& rows) {
 }
 
 /// Returns the explanation of a measure, for people.
-std::string help_of(const Measure& measure) {
+std::string help_of(const documents::Measure& measure) {
     switch (measure.kind) {
-        case Measure::Kind::angle:
+        case documents::Measure::Kind::angle:
             return "Angle between " + measure.of + " and " + measure.to +
                    (measure.in.empty() ? "" : ", as seen in " + measure.in) + ".";
-        case Measure::Kind::distance:
+        case documents::Measure::Kind::distance:
             return "Distance between " + measure.of + " and " + measure.to + ".";
-        case Measure::Kind::thickness:
+        case documents::Measure::Kind::thickness:
             return "Thickness of the bone at " + measure.of + ", along " + measure.to + ".";
-        case Measure::Kind::surface_distance:
+        case documents::Measure::Kind::surface_distance:
             return "Distance of " + measure.of + " to the bone's surface; negative inside.";
-        case Measure::Kind::roughness:
+        case documents::Measure::Kind::roughness:
             return "Unevenness of the border at " + measure.of + ": root mean square.";
-        case Measure::Kind::difference:
+        case documents::Measure::Kind::difference:
             return "By how much " + measure.of + " is larger than " + measure.to + ".";
     }
     return {};
 }
 
-MetricRow measure_row(const Measure& measure, const MeasureReading& reading, const std::string& scope) {
-    MetricRow row;
+session::MetricRow measure_row(const documents::Measure& measure, const documents::MeasureReading& reading,
+                               const std::string& scope) {
+    session::MetricRow row;
     row.scope = scope;
     row.value = reading.value.value_or(0.0);
     row.unit = measure.unit();
@@ -189,24 +193,26 @@ MetricRow measure_row(const Measure& measure, const MeasureReading& reading, con
 }
 
 /// Adds the measures of the bone at the end of the step, or as last measured.
-void add_measures(const StepState& state, const Procedure& procedure, std::vector<MetricRow>& rows) {
+void add_measures(const StepState& state, const documents::Procedure& procedure,
+                  std::vector<session::MetricRow>& rows) {
     for (std::size_t m = 0; m < procedure.measures.size() && m < state.measures.size(); ++m) {
-        const Measure& measure = procedure.measures[m];
+        const documents::Measure& measure = procedure.measures[m];
         if (!state.measures[m].value) continue;
-        MetricRow row = measure_row(measure, state.measures[m], state.step->id);
+        session::MetricRow row = measure_row(measure, state.measures[m], state.step->id);
         row.id = state.step->id + ".measure." + measure.id;
-        row.status = status_of_limits(state, [&](const Limit& limit) { return limit.measure == measure.id; });
+        row.status =
+            status_of_limits(state, [&](const documents::Limit& limit) { return limit.measure == measure.id; });
         row.help = help_of(measure);
         rows.push_back(std::move(row));
     }
 }
 
 /// Adds the measures of the whole run: before the first cut, and at the end of the last measured step.
-void add_measures_of_run(const StepMonitor& monitor, const Scene& scene, std::vector<MetricRow>& rows) {
+void add_measures_of_run(const StepMonitor& monitor, const Scene& scene, std::vector<session::MetricRow>& rows) {
     for (std::size_t m = 0; m < scene.measured_before.size(); ++m) {
-        const Measure& measure = scene.procedure.measures[m];
-        const auto add = [&](const MeasureReading& reading, const char* when, const std::string& status) {
-            MetricRow row = measure_row(measure, reading, "run");
+        const documents::Measure& measure = scene.procedure.measures[m];
+        const auto add = [&](const documents::MeasureReading& reading, const char* when, const std::string& status) {
+            session::MetricRow row = measure_row(measure, reading, "run");
             row.id = "measure." + measure.id + "." + when;
             row.status = status;
             row.help = help_of(measure);
@@ -219,7 +225,7 @@ void add_measures_of_run(const StepMonitor& monitor, const Scene& scene, std::ve
         });
         if (last == steps.rend()) continue;
         add(last->measures[m], "after",
-            status_of_limits(*last, [&](const Limit& limit) { return limit.measure == measure.id; }));
+            status_of_limits(*last, [&](const documents::Limit& limit) { return limit.measure == measure.id; }));
     }
 }
 
@@ -253,7 +259,7 @@ void add_advance(const TipProgress& advance, StepRows& rows) {
     rows.length("plunge.hand", advance.hand_plunge, -1.0, "info", "The farthest that the hand moved on meanwhile.");
 }
 
-void add_sides(const std::string& name, const Breach& breach, const AxisFrame& frame, StepRows& rows) {
+void add_sides(const std::string& name, const bone::Breach& breach, const AxisFrame& frame, StepRows& rows) {
     const bool knows_sides = frame.medial != Vec3{};
     constexpr std::array sides{"medial", "lateral", "cranial", "caudal"};
     for (std::size_t side = 0; knows_sides && side < sides.size(); ++side)
@@ -263,14 +269,14 @@ void add_sides(const std::string& name, const Breach& breach, const AxisFrame& f
 }
 
 /// @param is_one   one of several, which are distinguished by their diameters
-void add_breach(double diameter, const Breach& breach, bool is_one, const AxisFrame& frame, StepRows& rows) {
+void add_breach(double diameter, const bone::Breach& breach, bool is_one, const AxisFrame& frame, StepRows& rows) {
     std::string name = "breach";
     if (is_one) {
-        const std::string width = quantity_text(diameter, "mm");
+        const std::string width = text::quantity_text(diameter, "mm");
         name += "-" + width.substr(0, width.find(' ')) + "mm";
     }
     rows.length(name, breach.worst(), rows.half_voxel(), rows.status_of("breach", diameter),
-                "How far a cylinder of " + quantity_text(diameter, "mm") + " along the hole leaves the bone.");
+                "How far a cylinder of " + text::quantity_text(diameter, "mm") + " along the hole leaves the bone.");
     add_sides(name, breach, frame, rows);
 }
 
@@ -297,7 +303,7 @@ private:
     StepRows* rows_;
 };
 
-void add_angle(const DrilledHole& hole, const char* line, StepRows& rows) {
+void add_angle(const bone::DrilledHole& hole, const char* line, StepRows& rows) {
     if (hole.angle)
         rows.row("hole-angle", *hole.angle, "deg", 1.0_deg, rows.status_of("hole_angle"),
                  std::string("Between ") + line + " and the planned axis.");
@@ -306,7 +312,7 @@ void add_angle(const DrilledHole& hole, const char* line, StepRows& rows) {
 constexpr const char* at_waist = "at the waist of the bone around the axis; where there is none, at the entry.";
 
 /// @param width   [m] of the drill
-void add_drilled(const DrilledHole& hole, double width, StepRows& rows) {
+void add_drilled(const bone::DrilledHole& hole, double width, StepRows& rows) {
     add_angle(hole, "the line of least squares through the hole's middles", rows);
     OffsetRows offsets("the hole's middle", rows);
     // Revision 1 was the position of the tip at first contact.
@@ -318,7 +324,7 @@ void add_drilled(const DrilledHole& hole, double width, StepRows& rows) {
         .uncertainty = volume_uncertainty(width / rows.spacing());
 }
 
-void add_screw(const InsertedScrew& screw, const DrilledHole& axis, const AxisFrame& frame, StepRows& rows) {
+void add_screw(const InsertedScrew& screw, const bone::DrilledHole& axis, const AxisFrame& frame, StepRows& rows) {
     add_angle(axis, "the axis of the screw", rows);
     OffsetRows offsets("the screw's axis", rows);
     offsets.add("entry-offset", "entry_offset", axis.entry_offset, "at the entry.");
@@ -331,7 +337,7 @@ void add_screw(const InsertedScrew& screw, const DrilledHole& axis, const AxisFr
         rows.row("hole-axis-angle", *screw.hole_angle, "deg", 1.0_deg, "info",
                  "Between the axis of the screw and that of the implant's hole.");
     const std::string how_far =
-        "How far the screw's thread, " + quantity_text(screw.diameter, "mm") + " wide, leaves the bone";
+        "How far the screw's thread, " + text::quantity_text(screw.diameter, "mm") + " wide, leaves the bone";
     const bool is_in_vertebra = !screw.heary_grade.empty();  // both grades are defined for screws in pedicles
     const std::string name = is_in_vertebra ? "gertzbein-robbins" : "thread-outside";
     if (is_in_vertebra)
@@ -370,8 +376,8 @@ bool is_in_a_hole(const Scene& scene, std::size_t step) {
 
 }  // namespace
 
-std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene) {
-    std::vector<MetricRow> all;
+std::vector<session::MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene) {
+    std::vector<session::MetricRow> all;
     for (std::size_t s = 0; s < monitor.steps().size(); ++s) {
         const StepState& state = monitor.steps()[s];
         if (!state.start) continue;
@@ -403,13 +409,13 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
     return all;
 }
 
-std::vector<MetricRow> implant_metrics(const std::string& step, const kerf_force& law, const double* signals) {
-    std::vector<MetricRow> rows;
+std::vector<session::MetricRow> implant_metrics(const std::string& step, const kerf_force& law, const double* signals) {
+    std::vector<session::MetricRow> rows;
     for (std::uint32_t i = 0; i < law.signal_count; ++i) {
         const kerf_signal& signal = law.signals[i];
         std::string name = signal.id;
         std::replace(name.begin(), name.end(), '_', '-');
-        MetricRow& row = rows.emplace_back();
+        session::MetricRow& row = rows.emplace_back();
         row.id = step + ".left." + name;
         row.scope = step;
         row.value = signals[i];
@@ -421,8 +427,8 @@ std::vector<MetricRow> implant_metrics(const std::string& step, const kerf_force
     return rows;
 }
 
-MetricRow groove_row(double volume) {
-    MetricRow row;
+session::MetricRow groove_row(double volume) {
+    session::MetricRow row;
     row.id = "bone.grooves";
     row.scope = "run";
     row.value = volume;
@@ -433,13 +439,13 @@ MetricRow groove_row(double volume) {
     return row;
 }
 
-std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, std::size_t crumbs,
-                                     double crumb_volume) {
+std::vector<session::MetricRow> piece_metrics(const session::RunSummary& summary, double before, std::size_t crumbs,
+                                              double crumb_volume) {
     if (summary.pieces.size() < 2 && crumbs == 0) return {};
-    std::vector<MetricRow> rows;
+    std::vector<session::MetricRow> rows;
     const auto row = [&](std::string id, const char* scope, double value, std::string unit, double per_unit,
                          std::string help) {
-        MetricRow& added = rows.emplace_back();
+        session::MetricRow& added = rows.emplace_back();
         added.id = std::move(id);
         added.scope = scope;
         added.value = value;
@@ -451,24 +457,24 @@ std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, s
     double after = summary.removed + crumb_volume;
     row("bone.pieces", "run",
         static_cast<double>(std::count_if(summary.pieces.begin(), summary.pieces.end(),
-                                          [](const PieceRow& piece) { return !piece.is_metal; })),
+                                          [](const session::PieceRow& piece) { return !piece.is_metal; })),
         "", 1.0, "Pieces of bone at the end, without crumbs.");
-    for (const PieceRow& piece : summary.pieces) {
+    for (const session::PieceRow& piece : summary.pieces) {
         after += piece.volume;
         row((piece.is_metal ? "implant-" : "bone.piece-") + std::to_string(piece.body), "run", piece.volume, "mm3",
             1e-9, std::string("Volume of this ") + (piece.is_metal ? "implant" : "piece") + ", in " + piece.file + ".");
     }
     row("bone.crumbs", "run", static_cast<double>(crumbs), "", 1.0, "Pieces under 10 mm3: they are washed away.");
     row("bone.crumb-volume", "run", crumb_volume, "mm3", 1e-9, "Bone in them.");
-    row("bone.balance", simulation_scope, before > 0.0 ? (after - before) / before : 0.0, "%", 0.01,
+    row("bone.balance", session::simulation_scope, before > 0.0 ? (after - before) / before : 0.0, "%", 0.01,
         "Pieces, implants, removed bone and crumbs together, over the bone and the implants before, less one.");
     return rows;
 }
 
-MetricRow port_energy_row(const PassivityGuard& guard) {
-    MetricRow row;
+session::MetricRow port_energy_row(const PassivityGuard& guard) {
+    session::MetricRow row;
     row.id = "haptics.port-energy";
-    row.scope = simulation_scope;
+    row.scope = session::simulation_scope;
     row.value = guard.min_energy();
     row.unit = "mJ";
     row.per_unit = 1e-3;
@@ -478,4 +484,4 @@ MetricRow port_energy_row(const PassivityGuard& guard) {
     return row;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -9,25 +9,25 @@
 #include "session/recording.h"
 
 /// Metric rows of a run: of the operation, and of the simulation itself.
-namespace kerf {
+namespace kerf::run {
 
 /// Returns the metric rows of the steps: depth, clearance to each limited zone, cut or hole, time in air, and the
 /// quantities of other goals and limits.   [any] pure.
-[[nodiscard]] std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene);
+[[nodiscard]] std::vector<session::MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene);
 
 /// Returns a row for each signal of an implant's law at the moment when its driver left it.   [any] pure.
 /// @param signals   SI, declared order
-[[nodiscard]] std::vector<MetricRow> implant_metrics(const std::string& step, const kerf_force& law,
-                                                     const double* signals);
+[[nodiscard]] std::vector<session::MetricRow> implant_metrics(const std::string& step, const kerf_force& law,
+                                                              const double* signals);
 /// Returns the bone volume in the grooves of threads, which the removed volume does not include [m³].   [any] pure.
-[[nodiscard]] MetricRow groove_row(double volume);
+[[nodiscard]] session::MetricRow groove_row(double volume);
 
 /// Returns the rows of separated bone, pieces and crumbs. As a check of the simulation, also the balance with the bone
 /// `before` [m³].   [any] pure.
-[[nodiscard]] std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, std::size_t crumbs,
-                                                   double crumb_volume);
+[[nodiscard]] std::vector<session::MetricRow> piece_metrics(const session::RunSummary& summary, double before,
+                                                            std::size_t crumbs, double crumb_volume);
 
 /// Returns the energy balance of the loop, a check of the simulation.   [any] pure.
-[[nodiscard]] MetricRow port_energy_row(const PassivityGuard& guard);
+[[nodiscard]] session::MetricRow port_energy_row(const PassivityGuard& guard);
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -3,7 +3,7 @@
 
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -35,4 +35,4 @@ std::string heary(const BreachLocations& least, const BreachLocations& most) {
     return best == worst ? best : best + "/" + worst;
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

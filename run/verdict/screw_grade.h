@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace kerf {
+namespace kerf::run {
 
 /// Returns the grade of a pedicle screw by the breach of its thread: A none, B under 2 mm, C under 4 mm, D under 6 mm,
 /// E more [gertzbein-robbins-1990]. For a breach between `least` and `most` [m] with different grades, returns both:
@@ -25,4 +25,4 @@ struct BreachLocations {
 /// Returns both grades where half a voxel decides: "I/IV".
 [[nodiscard]] std::string heary(const BreachLocations& least, const BreachLocations& most);
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -9,7 +9,7 @@
 #include "documents/solids.h"
 #include "documents/turn_about.h"
 
-namespace kerf {
+namespace kerf::run {
 
 namespace {
 
@@ -17,13 +17,13 @@ Vec3 unit_or_none(Vec3 v) noexcept { return dot(v, v) > 1e-12 ? normalized(v) : 
 
 }  // namespace
 
-Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
+Pose AxisFrame::pose_at(const documents::Waypoint& w) const noexcept {
     const Vec3 into_bone = w.is_across_surface && inwards != Vec3{} ? inwards : along;
     Vec3 from_entry = w.depth * into_bone + w.medial * medial + w.aside * aside();
     Quat rotation = quat_between({0, 0, 1}, into_bone);
     if (across != Vec3{})
-        rotation = turn_about(into_bone, rotate(rotation, {0, 1, 0}),
-                              unit_or_none(across - dot(across, into_bone) * into_bone)) *
+        rotation = documents::turn_about(into_bone, rotate(rotation, {0, 1, 0}),
+                                         unit_or_none(across - dot(across, into_bone) * into_bone)) *
                    rotation;
     if (w.tilt != 0.0) rotation = rotation * quat_from_rotation_vector({0, 0, w.tilt});
     if (w.medial_angle != 0.0 || w.cranial_angle != 0.0) {
@@ -36,8 +36,8 @@ Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
     return {entry + from_entry, rotation};
 }
 
-AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy,
-                     const LandmarkPlane* plane) noexcept {
+AxisFrame axis_frame(const documents::LandmarkAxis& axis, double entry_along_axis, const documents::Anatomy& anatomy,
+                     const documents::LandmarkPlane* plane) noexcept {
     AxisFrame frame;
     frame.along = normalized(axis.to - axis.from);
     frame.entry = axis.from + entry_along_axis * frame.along;
@@ -51,7 +51,7 @@ AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const An
     return frame;
 }
 
-double clearance(const ToolSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept {
+double clearance(const ToolSolid& solid, const Pose& world_from_tool, const documents::Zone& zone) noexcept {
     const auto& outline = solid.outline();
     double least = HUGE_VAL;
     for (std::size_t i = 0; i + 1 < outline.size(); ++i)
@@ -60,7 +60,7 @@ double clearance(const ToolSolid& solid, const Pose& world_from_tool, const Zone
             const double r = outline[i].radius + t * (outline[i + 1].radius - outline[i].radius);
             const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
             for (const Vec3 in_tool : solid.around(r, z))
-                least = std::min(least, distance_to_any(zone.solids, world_from_tool * in_tool));
+                least = std::min(least, documents::distance_to_any(zone.solids, world_from_tool * in_tool));
         }
     return least;
 }
@@ -71,25 +71,25 @@ namespace {
 Pose body_from_world(std::size_t owner, const Observation& now) noexcept {
     return owner < now.world_from_body.size() ? inverse(now.world_from_body[owner]) : identity_pose();
 }
-bool is_within(const Bound& bound, double value) noexcept {
+bool is_within(const documents::Bound& bound, double value) noexcept {
     return bound.at_least.value_or(-HUGE_VAL) <= value && value <= bound.at_most.value_or(HUGE_VAL);
 }
 
 /// Returns the distance of a value beyond its bound; negative within.
-double excess_of(const Bound& bound, double value) noexcept {
+double excess_of(const documents::Bound& bound, double value) noexcept {
     return std::max(bound.at_least ? *bound.at_least - value : -HUGE_VAL,
                     bound.at_most ? value - *bound.at_most : -HUGE_VAL);
 }
 
 /// Adds a signal that a goal or limit names, once.
-void add_signal(const NamedSignal& signal, std::vector<SignalState>& signals) {
+void add_signal(const documents::NamedSignal& signal, std::vector<SignalState>& signals) {
     if (signal.id.empty()) return;
     if (std::none_of(signals.begin(), signals.end(), [&](const SignalState& s) { return s.signal->id == signal.id; }))
         signals.push_back({.signal = &signal});
 }
 
 /// Returns the value of a signal; nothing if it is not finite.
-std::optional<double> value_of(const NamedSignal& signal, const Observation& now) noexcept {
+std::optional<double> value_of(const documents::NamedSignal& signal, const Observation& now) noexcept {
     if (signal.index >= now.signals.size() || !std::isfinite(now.signals[signal.index])) return {};
     return now.signals[signal.index];
 }
@@ -102,7 +102,7 @@ void take_signals(const Observation& now, StepState& state) noexcept {
             s.is_seen = true;
         }
     for (std::size_t g = 0; g < state.was_within_bound.size(); ++g) {
-        const Goal& goal = state.step->goals[g];
+        const documents::Goal& goal = state.step->goals[g];
         if (goal.quantity != "signal") continue;
         if (const auto value = value_of(goal.signal, now); value && is_within(goal.bound, *value))
             state.was_within_bound[g] = true;
@@ -126,7 +126,8 @@ void TipSpeed::show(Vec3 tip, bool is_in_bone, double dt) noexcept {
     value_ = dt > 0.0 ? length(sum) / (static_cast<double>(ticks) * dt) : 0.0;
 }
 
-StepMonitor::StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames)
+StepMonitor::StepMonitor(const documents::Procedure& procedure, const documents::Anatomy& anatomy,
+                         std::vector<AxisFrame> frames)
     : anatomy_(&anatomy), measures_(&procedure.measures), frames_(std::move(frames)) {
     owners_.zone.assign(anatomy.zones.size(), 0);
     owners_.step.assign(procedure.steps.size(), 0);
@@ -216,23 +217,24 @@ void StepMonitor::update_need_of_measures(const StepState& state, std::size_t ne
     if (needs_measures_) is_measure_due_ = false;
 }
 
-void StepMonitor::show_measures(std::vector<MeasureReading> measures) {
+void StepMonitor::show_measures(std::vector<documents::MeasureReading> measures) {
     needs_measures_ = false;
     if (current_ < steps_.size()) steps_[current_].measures = std::move(measures);
 }
 
-void StepMonitor::judge_measures(std::size_t step, std::vector<MeasureReading> measures, double time) {
+void StepMonitor::judge_measures(std::size_t step, std::vector<documents::MeasureReading> measures, double time) {
     news_.clear();
     StepState& state = steps_[step];
     state.measures = std::move(measures);
     for (auto& limit : state.limits) {
         if (limit.limit->quantity != "measure") continue;
-        const MeasureReading* reading = reading_of(limit.limit->measure, state);
+        const documents::MeasureReading* reading = reading_of(limit.limit->measure, state);
         if (reading != nullptr && reading->value) hold(limit, *reading->value, time);
     }
 }
 
-const MeasureReading* StepMonitor::reading_of(const std::string& measure, const StepState& state) const noexcept {
+const documents::MeasureReading* StepMonitor::reading_of(const std::string& measure,
+                                                         const StepState& state) const noexcept {
     for (std::size_t m = 0; m < measures_->size() && m < state.measures.size(); ++m)
         if ((*measures_)[m].id == measure) return &state.measures[m];
     return nullptr;
@@ -240,7 +242,7 @@ const MeasureReading* StepMonitor::reading_of(const std::string& measure, const 
 
 std::optional<double> StepMonitor::measured(const LimitState& limit, const StepState& state, const Observation& now,
                                             double depth, const ToolSolid& cutting) const {
-    const Limit& asked = *limit.limit;
+    const documents::Limit& asked = *limit.limit;
     const std::string& quantity = asked.quantity;
     // A stuck screw is not running, but its torque counts.
     if (quantity == "torque") return std::abs(now.torque);
@@ -264,20 +266,20 @@ std::optional<double> StepMonitor::measured(const LimitState& limit, const StepS
 std::optional<double> StepMonitor::clearance_to(const LimitState& limit, const Observation& now,
                                                 const ToolSolid& cutting) const {
     const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),
-                                   [&](const Zone& z) { return z.id == limit.limit->zone; });
+                                   [&](const documents::Zone& z) { return z.id == limit.limit->zone; });
     if (zone == anatomy_->zones.end()) return {};
     const Pose seen = seen_from(owners_.zone[static_cast<std::size_t>(zone - anatomy_->zones.begin())], now);
     // Distances are 1-Lipschitz: far from the zone, the tip's distance shows that the minimum cannot change.
     const double reach = cutting.tip_z() - cutting.end_z() + cutting.largest_radius();
-    if (limit.is_seen && distance_to_any(zone->solids, seen.position) - reach > limit.worst) return {};
+    if (limit.is_seen && documents::distance_to_any(zone->solids, seen.position) - reach > limit.worst) return {};
     return clearance(cutting, seen, *zone);
 }
 
 bool StepMonitor::is_reached(std::size_t index, const StepState& state, const Observation& now) const noexcept {
-    const Goal& goal = state.step->goals[index];
+    const documents::Goal& goal = state.step->goals[index];
     if (goal.quantity == "signal") return state.was_within_bound[index];
     if (goal.quantity == "measure") {
-        const MeasureReading* reading = reading_of(goal.measure, state);
+        const documents::MeasureReading* reading = reading_of(goal.measure, state);
         return reading != nullptr && reading->value && is_within(goal.bound, *reading->value);
     }
     if (goal.quantity == "removed_volume") return is_within(goal.bound, state.removed);
@@ -288,7 +290,7 @@ bool StepMonitor::is_reached(std::size_t index, const StepState& state, const Ob
     return state.has_cut_bone() && is_within(goal.bound, state.deepest);
 }
 
-void StepMonitor::judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time) {
+void StepMonitor::judge_cut(std::size_t step, const std::optional<bone::CutWall>& wall, double removed, double time) {
     news_.clear();
     StepState& state = steps_[step];
     state.wall = wall;
@@ -308,7 +310,7 @@ void StepMonitor::judge_hole(std::size_t step, HoleResult drilled, double time) 
     StepState& state = steps_[step];
     for (auto& limit : state.limits) {
         if (!drilled.hole) break;
-        const DrilledHole& hole = *drilled.hole;
+        const bone::DrilledHole& hole = *drilled.hole;
         const std::string& quantity = limit.limit->quantity;
         if (quantity == "hole_angle" && hole.angle) hold(limit, *hole.angle, time);
         if (quantity == "entry_offset" && hole.entry_offset) hold(limit, *hole.entry_offset, time);
@@ -369,7 +371,7 @@ void StepMonitor::follow(const Observation& now, double depth, double hand, doub
 }
 
 void StepMonitor::hold(LimitState& limit, double value, double time) {
-    const Bound& bound = limit.limit->bound;
+    const documents::Bound& bound = limit.limit->bound;
     const bool is_broken = (bound.at_least && value < *bound.at_least) || (bound.at_most && value > *bound.at_most);
     const bool is_worse = bound.at_least && bound.at_most ? excess_of(bound, value) > excess_of(bound, limit.worst)
                           : bound.at_least                ? value < limit.worst
@@ -381,4 +383,4 @@ void StepMonitor::hold(LimitState& limit, double value, double time) {
     news_.emplace_back(limit.limit->zone.empty() ? "limit_broken" : "zone_entered", limit.limit->name());
 }
 
-}  // namespace kerf
+}  // namespace kerf::run

@@ -19,7 +19,7 @@
 #include "run/verdict/reduction.h"
 
 /// Judges goals and limits of the steps in file order, tick by tick. A pure function of its observations.
-namespace kerf {
+namespace kerf::run {
 
 /// The frame of a step: its axis, with the origin at the first bone along it.
 struct AxisFrame {
@@ -34,14 +34,16 @@ struct AxisFrame {
     /// Returns the direction in the plane perpendicular to the axis: the tool's x axis.
     [[nodiscard]] Vec3 aside() const noexcept { return cross(across, along); }
     /// Returns the tool pose at a waypoint: tip there, +z along the axis and, with a plane, y along its normal.
-    [[nodiscard]] Pose pose_at(const Waypoint& waypoint) const noexcept;
+    [[nodiscard]] Pose pose_at(const documents::Waypoint& waypoint) const noexcept;
 };
 /// Returns the frame of an axis. `plane` may be null.
-[[nodiscard]] AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy,
-                                   const LandmarkPlane* plane = nullptr) noexcept;
+[[nodiscard]] AxisFrame axis_frame(const documents::LandmarkAxis& axis, double entry_along_axis,
+                                   const documents::Anatomy& anatomy,
+                                   const documents::LandmarkPlane* plane = nullptr) noexcept;
 
 /// Returns the distance of a solid's outline from a zone [m]; negative inside. Samples rings along the outline.
-[[nodiscard]] double clearance(const ToolSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept;
+[[nodiscard]] double clearance(const ToolSolid& solid, const Pose& world_from_tool,
+                               const documents::Zone& zone) noexcept;
 
 /// The state of the run in one tick.
 struct Observation {
@@ -94,7 +96,7 @@ private:
 /// A screw that a step has left in bone.
 struct InsertedScrew {
     double diameter = 0.0;           ///< [m] over its thread
-    Breach breach{};                 ///< of its thread
+    bone::Breach breach{};           ///< of its thread
     double least = 0.0, most = 0.0;  ///< [m] bounds of the breach
     std::string heary_grade{};  ///< its grade by the location of the breach [heary-2004]; two if half a voxel decides
     std::optional<double> hole_offset{};  ///< [m] from the axis of the implant's hole, in the middle of the metal
@@ -103,27 +105,27 @@ struct InsertedScrew {
 
 /// The hole that a step drilled, or its inserted screw.
 struct HoleResult {
-    std::optional<DrilledHole> hole;                  ///< none: no section is a whole circle
-    std::optional<InsertedScrew> screw{};             ///< its axis is the axis of `hole`
-    std::vector<std::pair<double, Breach>> breaches;  ///< diameter [m] of each cylinder that a limit names
+    std::optional<bone::DrilledHole> hole;                  ///< none: no section is a whole circle
+    std::optional<InsertedScrew> screw{};                   ///< its axis is the axis of `hole`
+    std::vector<std::pair<double, bone::Breach>> breaches;  ///< diameter [m] of each cylinder that a limit names
 };
 
 /// Range of a signal that a goal or limit of the step names.
 struct SignalState {
-    const NamedSignal* signal = nullptr;
+    const documents::NamedSignal* signal = nullptr;
     double least = 0.0, greatest = 0.0;  ///< SI, over the ticks of the step
     bool is_seen = false;
 };
 
 struct LimitState {
-    const Limit* limit = nullptr;
+    const documents::Limit* limit = nullptr;
     double worst = 0.0;  ///< the value closest to, or farthest beyond, the bound
     bool is_seen = false;
     std::optional<double> broken_at;  ///< [s]
 };
 
 struct StepState {
-    const Step* step = nullptr;
+    const documents::Step* step = nullptr;
     std::vector<bool> goal_done;
     std::vector<LimitState> limits;
     std::optional<double> start, end;  ///< [s]
@@ -132,13 +134,14 @@ struct StepState {
     bool has_met_bone_still = false;   ///< it touched bone without running
     TipProgress advance;               ///< while it cut
     TipSpeed tip_speed;
-    std::optional<CutWall> wall;         ///< of its cut, measured at its end
+    std::optional<bone::CutWall> wall;   ///< of its cut, measured at its end
     std::optional<HoleResult> drilled;   ///< its hole, measured at its end
     std::optional<Reduction> reduction;  ///< of a fracture, at the end of the step
     double removed = 0.0;                ///< [m³] in this step
     std::vector<SignalState> signals;    ///< each signal that the step names, once
     std::vector<bool> was_within_bound;  ///< for each goal on a signal: the signal was within its bound in some tick
-    std::vector<MeasureReading> measures{};  ///< of the procedure, as last measured in this step; empty: not yet
+    std::vector<documents::MeasureReading>
+        measures{};  ///< of the procedure, as last measured in this step; empty: not yet
 
     bool is_released_at_end = false;  ///< its tool stays in the bone
     double moved = 0.0;               ///< [m] maximum distance of the bone at the entry from its pose at the start
@@ -153,7 +156,8 @@ struct StepState {
 class StepMonitor {
 public:
     /// Pre: procedure and anatomy outlive this object. `frames`: one per step.
-    StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames);
+    StepMonitor(const documents::Procedure& procedure, const documents::Anatomy& anatomy,
+                std::vector<AxisFrame> frames);
 
     /// Sets that the tool of a step is an implant: the step ends when it is released, not when it is retracted.
     void ends_with_release(std::size_t step) { steps_[step].is_released_at_end = true; }
@@ -162,15 +166,15 @@ public:
     void observe(const Observation& now, const ToolSolid& cutting);
     /// Judges the cut of the step that ended in the last tick: its wall, if one was found, and the bone `removed` in it
     /// [m³].
-    void judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time);
+    void judge_cut(std::size_t step, const std::optional<bone::CutWall>& wall, double removed, double time);
     /// Judges the hole that the step left.
     void judge_hole(std::size_t step, HoleResult drilled, double time);
     /// Returns whether a goal on a measure needs the next measurement: the tool has left the bone since the last one.
     [[nodiscard]] bool needs_measures() const noexcept { return needs_measures_; }
     /// Passes the procedure's measures, in their order, to the running step.
-    void show_measures(std::vector<MeasureReading> measures);
+    void show_measures(std::vector<documents::MeasureReading> measures);
     /// Judges the measures at the end of the step.
-    void judge_measures(std::size_t step, std::vector<MeasureReading> measures, double time);
+    void judge_measures(std::size_t step, std::vector<documents::MeasureReading> measures, double time);
     /// Adds an event that the tool's law reported in this tick.
     void report(const std::string& event, double time);
     /// Releases an implant: the step ends with the next tick. Returns the reason if it cannot, else an empty text.
@@ -182,7 +186,7 @@ public:
     [[nodiscard]] const Owners& owners() const noexcept { return owners_; }
 
     [[nodiscard]] const std::vector<StepState>& steps() const noexcept { return steps_; }
-    [[nodiscard]] const std::vector<Measure>& measures() const noexcept { return *measures_; }
+    [[nodiscard]] const std::vector<documents::Measure>& measures() const noexcept { return *measures_; }
     /// Returns the index of the running step; the number of steps if all are done.
     [[nodiscard]] std::size_t current() const noexcept { return current_; }
     [[nodiscard]] const AxisFrame& frame(std::size_t step) const noexcept { return frames_[step]; }
@@ -196,15 +200,16 @@ private:
                                                  const Observation& now, double depth, const ToolSolid& cutting) const;
     [[nodiscard]] std::optional<double> clearance_to(const LimitState& limit, const Observation& now,
                                                      const ToolSolid& cutting) const;
-    [[nodiscard]] const MeasureReading* reading_of(const std::string& measure, const StepState& state) const noexcept;
+    [[nodiscard]] const documents::MeasureReading* reading_of(const std::string& measure,
+                                                              const StepState& state) const noexcept;
     /// Updates whether a goal on a measure is next, and can be measured now.
     void update_need_of_measures(const StepState& state, std::size_t next_goal, bool is_in_bone, bool is_out, int held);
     static void follow(const Observation& now, double depth, double hand, double dt, StepState& state);
     /// Compares a measured value with its limit.
     void hold(LimitState& limit, double value, double time);
 
-    const Anatomy* anatomy_;
-    const std::vector<Measure>* measures_;
+    const documents::Anatomy* anatomy_;
+    const std::vector<documents::Measure>* measures_;
     std::vector<AxisFrame> frames_;
     Owners owners_;  ///< at first body 0 owns all
     std::vector<StepState> steps_;
@@ -216,4 +221,4 @@ private:
     std::vector<std::pair<std::string, std::string>> news_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::run

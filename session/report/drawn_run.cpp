@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace kerf {
+namespace kerf::session {
 
 double lateral_force(const TickRow& row) noexcept {
     const Vec3 force = linear(row.modelled);
@@ -87,4 +87,4 @@ void DrawnRun::add(EventRow event) {
     if (events_.size() < max_events) events_.push_back(std::move(event));
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -13,7 +13,7 @@
 
 /// Selects the parts of a run that its page shows. Ticks and events arrive one at a time, so memory does not grow with
 /// the run.
-namespace kerf {
+namespace kerf::session {
 
 /// Selects at most `most` of `total` rows: all of them if they are few. Else it selects the minimum and maximum of
 /// thrust, torque, lateral force and depth in every stretch of time, and the first and last row.   [any]
@@ -82,4 +82,4 @@ private:
 /// Returns the torque on the hand about the handle's z axis that was sent to the device [N·m], device newtons.   [any]
 [[nodiscard]] double sent_torque(const TickRow& row) noexcept;
 
-}  // namespace kerf
+}  // namespace kerf::session

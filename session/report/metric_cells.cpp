@@ -8,7 +8,7 @@
 
 #include "session/report/report_data.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 33> names{{
@@ -124,4 +124,4 @@ std::string table_html(const std::string& rows) {
            rows + "</tbody></table>\n";
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -8,7 +8,7 @@
 #include "session/recording.h"
 
 /// Cells and rows of the tables of metrics in report.html. All functions return safe HTML, except those of names.
-namespace kerf {
+namespace kerf::session {
 
 /// Returns the id with spaces for "-", "_" and ".".   [any]
 [[nodiscard]] std::string words_of(std::string_view id);
@@ -48,4 +48,4 @@ struct RowResult {
 
 [[nodiscard]] std::string table_html(const std::string& rows);
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -20,7 +20,7 @@
 #include "session/session_tables.h"
 #include "text/plain_numbers.h"
 
-namespace kerf {
+namespace kerf::session {
 
 namespace {
 
@@ -97,7 +97,7 @@ private:
         return found != keys_.end() ? found->second : std::string();
     }
     [[nodiscard]] double number_of(const std::string& name) const {
-        const PlainNumbers point;
+        const text::PlainNumbers point;
         const std::string value = key(name);
         return value.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(value.c_str(), nullptr);
     }
@@ -302,4 +302,4 @@ std::optional<RecordedRun> read_run(const std::string& path, std::string& error,
     return Reading(path, file).run(error);
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

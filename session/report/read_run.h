@@ -8,7 +8,7 @@
 #include "session/report/drawn_run.h"
 #include "session/report/recorded_procedure.h"
 
-namespace kerf {
+namespace kerf::session {
 
 /// All data of a run that its page shows, read from a session.
 struct RecordedRun {
@@ -23,4 +23,4 @@ struct RecordedRun {
 /// @param is_own   the run that wrote the file reads it, and still has its folder locked   [main]
 [[nodiscard]] std::optional<RecordedRun> read_run(const std::string& path, std::string& error, bool is_own = false);
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -9,26 +9,26 @@
 #include "core/plugin/unit.h"
 #include "documents/yaml/document.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 constexpr std::size_t longest_text = 1'000'000;  ///< [bytes] same as for a procedure's file
 
-std::string text_of(const Node& map, std::string_view key) {
-    const Node* value = map.find(key);
-    return value != nullptr && value->kind == Node::Kind::scalar ? value->text : std::string();
+std::string text_of(const documents::Node& map, std::string_view key) {
+    const documents::Node* value = map.find(key);
+    return value != nullptr && value->kind == documents::Node::Kind::scalar ? value->text : std::string();
 }
 
 /// Returns the children of a list or map; none if the key is missing.
-const std::vector<Node>& children_of(const Node& map, std::string_view key) {
-    static const std::vector<Node> none;
-    const Node* found = map.find(key);
+const std::vector<documents::Node>& children_of(const documents::Node& map, std::string_view key) {
+    static const std::vector<documents::Node> none;
+    const documents::Node* found = map.find(key);
     return found != nullptr ? found->children : none;
 }
 
 /// Returns the value of "3.2 mm" in SI. The text was checked when it was run, so its unit needs no check here.
 /// @param unit   set to the unit; unchanged if there is none
-std::optional<double> quantity_of(const Node& map, std::string_view key, std::string& unit) {
+std::optional<double> quantity_of(const documents::Node& map, std::string_view key, std::string& unit) {
     const std::string text = text_of(map, key);
     double number = 0.0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -42,9 +42,9 @@ std::optional<double> quantity_of(const Node& map, std::string_view key, std::st
 }
 
 /// Returns the demand of `{depth: {at_least: 30 mm}}`. A limit also has a `reason:` key.
-std::optional<RecordedDemand> demand_of(const Node& item) {
-    for (const Node& quantity : item.children) {
-        if (quantity.kind != Node::Kind::map || quantity.key.empty()) continue;
+std::optional<RecordedDemand> demand_of(const documents::Node& item) {
+    for (const documents::Node& quantity : item.children) {
+        if (quantity.kind != documents::Node::Kind::map || quantity.key.empty()) continue;
         RecordedDemand demand;
         demand.quantity = quantity.key;
         demand.of = text_of(quantity, demand.quantity == "signal"    ? "id"
@@ -60,9 +60,9 @@ std::optional<RecordedDemand> demand_of(const Node& item) {
     return std::nullopt;
 }
 
-std::vector<RecordedDemand> demands_of(const Node& step, std::string_view key) {
+std::vector<RecordedDemand> demands_of(const documents::Node& step, std::string_view key) {
     std::vector<RecordedDemand> demands;
-    for (const Node& item : children_of(step, key))
+    for (const documents::Node& item : children_of(step, key))
         if (auto demand = demand_of(item)) demands.push_back(std::move(*demand));
     return demands;
 }
@@ -72,15 +72,15 @@ std::vector<RecordedDemand> demands_of(const Node& step, std::string_view key) {
 RecordedProcedure recorded_procedure(const std::string& text, std::string_view rehearsal) {
     RecordedProcedure procedure;
     if (text.empty() || text.size() > longest_text) return procedure;
-    const Result<Document> document = parse_document("", text);
+    const text::Result<documents::Document> document = documents::parse_document("", text);
     if (!document) return procedure;
-    const Node& root = document->root;
-    if (const Node* metadata = root.find("metadata")) procedure.title = text_of(*metadata, "title");
-    for (const Node& one : children_of(root, "rehearsals"))
+    const documents::Node& root = document->root;
+    if (const documents::Node* metadata = root.find("metadata")) procedure.title = text_of(*metadata, "title");
+    for (const documents::Node& one : children_of(root, "rehearsals"))
         if (!rehearsal.empty() && text_of(one, "id") == rehearsal) procedure.rehearsal_title = text_of(one, "title");
-    for (const Node& step : children_of(root, "steps"))
+    for (const documents::Node& step : children_of(root, "steps"))
         procedure.steps.push_back({text_of(step, "id"), demands_of(step, "goals"), demands_of(step, "limits")});
     return procedure;
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

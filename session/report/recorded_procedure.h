@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Titles, goals and limits of a procedure for a run's page, from the recorded text.
-namespace kerf {
+namespace kerf::session {
 
 /// A goal or limit as written in the text.
 struct RecordedDemand {
@@ -38,4 +38,4 @@ struct RecordedProcedure {
 /// @param rehearsal   id of the one that was run; may be empty
 [[nodiscard]] RecordedProcedure recorded_procedure(const std::string& text, std::string_view rehearsal);
 
-}  // namespace kerf
+}  // namespace kerf::session

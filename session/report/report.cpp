@@ -19,7 +19,7 @@
 #include "session/report/report_steps.h"
 #include "text/plain_numbers.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 constexpr std::size_t max_listed_events = 500;
@@ -211,7 +211,7 @@ std::string events_html(const DrawnRun& run) {
                        "</summary><div class=\"wide\"><table><thead><tr><th "
                        "class=\"number\">Time</th><th>Event</th><th>Detail</th></tr></thead><tbody>";
     for (std::size_t i = 0; i < std::min(events.size(), max_listed_events); ++i) {
-        const PlainNumbers point;
+        const text::PlainNumbers point;
         char time[40];
         std::snprintf(time, sizeof time, "%.2f s", events[i].time);
         html += "<tr><td class=\"number\">" + std::string(time) + "</td><td><code>" + html_escaped(events[i].id) +
@@ -268,4 +268,4 @@ std::string report_html(const RunSummary& summary, const DrawnRun& run, const Re
                    {"script", std::string(report_script)}});
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -7,7 +7,7 @@
 #include "session/report/drawn_run.h"
 #include "session/report/recorded_procedure.h"
 
-namespace kerf {
+namespace kerf::session {
 
 /// Returns a run as one HTML page for people: verdict and reasons, the bone in 3D, forces, holes and screws, steps with
 /// goals and limits, checks of the simulation. The page needs no network. Without scripts it lacks only the plots over
@@ -17,4 +17,4 @@ namespace kerf {
 [[nodiscard]] std::string report_html(const RunSummary& summary, const DrawnRun& run,
                                       const RecordedProcedure& procedure = {});
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -16,7 +16,7 @@
 #include "text/plain_numbers.h"
 #include "text/printable_lines.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -124,7 +124,7 @@ std::string base64(std::span<const unsigned char> bytes) {
 
 std::string html_escaped(std::string_view text) {
     std::string safe;
-    for (const char c : printable_lines(text)) switch (c) {
+    for (const char c : text::printable_lines(text)) switch (c) {
             case '&':
                 safe += "&amp;";
                 break;
@@ -159,7 +159,7 @@ std::string sensible_number(double value, double uncertainty, std::span<const do
     } else if (value != 0.0) {
         decimals = decimals_for(std::abs(value), 3);
     }
-    const PlainNumbers point;
+    const text::PlainNumbers point;
     const auto text_of = [](double number, int places) {
         char digits[400];
         std::snprintf(digits, sizeof digits, "%.*f", places, number);
@@ -167,7 +167,7 @@ std::string sensible_number(double value, double uncertainty, std::span<const do
     };
     int enough = decimals;
     for (const double bound : bounds)
-        enough = std::max(enough, distinguishing_digits(value, bound, decimals, max_decimals, text_of));
+        enough = std::max(enough, text::distinguishing_digits(value, bound, decimals, max_decimals, text_of));
     std::string text = text_of(value, enough);
 
     if (!is_known && text.find('.') != std::string::npos) {
@@ -179,7 +179,7 @@ std::string sensible_number(double value, double uncertainty, std::span<const do
 
 std::string number_as_written(double value) {
     if (!std::isfinite(value)) return "–";
-    const PlainNumbers point;
+    const text::PlainNumbers point;
     char digits[40];
     std::snprintf(digits, sizeof digits, "%.10g", value);
     return with_minus(digits);
@@ -223,7 +223,7 @@ std::string report_data_json(const RunSummary& summary, const DrawnRun& run) {
                     {"signals", signals_json(summary.signals, drawn)},
                     {"events", events_json(run.events())},
                     {"mesh", mesh_json(run.bone(), direction_of_view(run.deepest()))}};
-    const std::string text = printable_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
+    const std::string text = text::printable_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 
     // "</script>" or "<!--" in a name must not end the element. In JSON, "<" occurs only within a string.
     std::string safe;
@@ -259,7 +259,7 @@ std::string thrust_over_depth_svg(const std::vector<TickRow>& drawn) {
     std::string svg;
     const auto add = [&svg](const char* format, auto... values) {
         char text[256];
-        const PlainNumbers point;
+        const text::PlainNumbers point;
         std::snprintf(text, sizeof text, format, values...);
         svg += text;
     };
@@ -288,4 +288,4 @@ std::string thrust_over_depth_svg(const std::vector<TickRow>& drawn) {
     return svg + "\"/></svg>";
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

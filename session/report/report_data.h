@@ -12,7 +12,7 @@
 #include "session/report/drawn_run.h"
 
 /// Formats numbers and text for report.html.
-namespace kerf {
+namespace kerf::session {
 
 /// Returns base64 of RFC 4648, with padding.   [any]
 [[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
@@ -43,4 +43,4 @@ namespace kerf {
 /// Returns thrust over depth as a picture that needs no script.   [any]
 [[nodiscard]] std::string thrust_over_depth_svg(const std::vector<TickRow>& drawn);
 
-}  // namespace kerf
+}  // namespace kerf::session

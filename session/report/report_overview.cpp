@@ -10,7 +10,7 @@
 #include "session/report/metric_cells.h"
 #include "session/report/report_data.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 struct Column {
@@ -188,4 +188,4 @@ std::string measures_html(const RunSummary& summary) {
                               rows + "</tbody></table></section>\n";
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

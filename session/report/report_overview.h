@@ -6,7 +6,7 @@
 #include "session/recording.h"
 
 /// The tables of report.html that compare steps, as HTML.
-namespace kerf {
+namespace kerf::session {
 
 /// One row for each hole, and one for each screw or implant. Empty where there is neither.   [any]
 [[nodiscard]] std::string holes_html(const RunSummary& summary);
@@ -14,4 +14,4 @@ namespace kerf {
 /// One row for each measure of the bone: before the first cut and in the end. Empty without any.   [any]
 [[nodiscard]] std::string measures_html(const RunSummary& summary);
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -13,7 +13,7 @@
 #include "session/report/metric_cells.h"
 #include "session/report/report_data.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 constexpr RowResult reached{"ok", "✓ reached"}, missed{"broken", "✗ not reached", true}, kept{"ok", "✓ kept"},
@@ -254,4 +254,4 @@ std::string checks_html(const RunSummary& summary) {
     return rows.empty() ? rows : table_html(rows);
 }
 
-}  // namespace kerf
+}  // namespace kerf::session

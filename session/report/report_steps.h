@@ -8,7 +8,7 @@
 #include "session/report/recorded_procedure.h"
 
 /// The tables of single steps in report.html, as HTML.
-namespace kerf {
+namespace kerf::session {
 
 /// Returns the steps as HTML: goals and limits with the measured values, failed ones first, then the other metrics of
 /// the step. Metrics without a step come last.   [any]
@@ -18,4 +18,4 @@ namespace kerf {
 /// Returns the metrics that check the simulation as HTML. Empty without any.   [any]
 [[nodiscard]] std::string checks_html(const RunSummary& summary);
 
-}  // namespace kerf
+}  // namespace kerf::session

@@ -152,7 +152,7 @@ const Row* cheapest_enough(const std::vector<const Row*>& rows) {
 
 std::string chart_csv(const Chart& chart) {
     std::string text =
-        std::string("# ") + notice_line + ".\n# costs in us of one tick, on " + chart.processor +
+        std::string("# ") + session::notice_line + ".\n# costs in us of one tick, on " + chart.processor +
         "; all else is the same wherever it is run\n"
         "scene,method,knob,spacing_mm,points,force_error,force_error_worst_grid,volume_error,"
         "peak_step,rms_reference_N,rms_error_N,lateral_where_none_N,gain,same_hand_error,same_hand_"
@@ -195,7 +195,7 @@ std::string chart_csv(const Chart& chart) {
 }
 
 std::string tests_csv(const Chart& chart) {
-    std::string text = std::string("# ") + notice_line + ".\ncutter,method,knob,fails,measured\n";
+    std::string text = std::string("# ") + session::notice_line + ".\ncutter,method,knob,fails,measured\n";
     for (const Standing& standing : chart.standings)
         text += csv_quoted(standing.cutter) + "," + csv_quoted(standing.method) + "," + csv_quoted(standing.knob) +
                 "," + csv_quoted(joined(standing.fails, " ")) + "," + csv_quoted(standing.told) + "\n";
@@ -261,7 +261,7 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
                  : "none.") +
             (said.is_oblique ? " M9 walks here: its thrust alone." : "") + (said.note.empty() ? "" : " " + said.note));
     content += drawing::text_at(12, picture_height - 10,
-                                std::string(notice_line) + ". Filled: passes; hollow: fails. " +
+                                std::string(session::notice_line) + ". Filled: passes; hollow: fails. " +
                                     (methods.empty() || methods.front().stiffest > 0.0
                                          ? "K: the stiffest wall on a bare device without friction. "
                                          : "") +
@@ -276,24 +276,24 @@ std::string chart_html(const Chart& chart) {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">"
         "<title>Accuracy against speed</title><style>";
-    html += report_style;
+    html += session::report_style;
     html += "figure svg { width: 100%; }</style></head><body><main>\n<header class=\"top\"><div><h1>Accuracy against "
             "speed</h1>"
             "<p class=\"soft\">How right the force of a drill, a burr and a saw is, and what it costs. Costs were "
             "measured on " +
-            html_escaped(chart.processor) + "; all else is the same wherever it is run.</p></div></header>\n";
+            session::html_escaped(chart.processor) + "; all else is the same wherever it is run.</p></div></header>\n";
     html += "<section><h2>Methods</h2><div class=\"wide\"><table><thead><tr><th>Method</th><th>What</th>"
             "<th class=\"number\">K_max</th><th>Tests failed, by fineness</th></tr></thead><tbody>";
     for (const MethodNote& method : chart.methods) {
-        html += "<tr><td>" + html_escaped(method.id) + "</td><td>" + html_escaped(method.title) +
-                "</td><td class=\"number\">" + html_escaped(stiffness_text(method.stiffest)) + "</td><td>";
+        html += "<tr><td>" + session::html_escaped(method.id) + "</td><td>" + session::html_escaped(method.title) +
+                "</td><td class=\"number\">" + session::html_escaped(stiffness_text(method.stiffest)) + "</td><td>";
         for (const Standing& standing : chart.standings)
             if (standing.method == method.id)
-                html +=
-                    "<span title=\"" + html_escaped(standing.told) + "\">" + html_escaped(standing.knob) +
-                    ": <span class=\"" +
-                    (standing.fails.empty() ? "ok\">none" : "broken\">" + html_escaped(joined(standing.fails, " "))) +
-                    "</span></span><br>";
+                html += "<span title=\"" + session::html_escaped(standing.told) + "\">" +
+                        session::html_escaped(standing.knob) + ": <span class=\"" +
+                        (standing.fails.empty() ? "ok\">none"
+                                                : "broken\">" + session::html_escaped(joined(standing.fails, " "))) +
+                        "</span></span><br>";
         html += "</td></tr>";
     }
     html +=
@@ -312,26 +312,26 @@ std::string chart_html(const Chart& chart) {
         for (const Row* row : rows_of(chart, scene.id)) {
             const Measured& m = row->measured;
             const auto cell = [&](double value, const char* unit) {
-                return "<td class=\"number\">" + sensible_number(value) + " " + unit + "</td>";
+                return "<td class=\"number\">" + session::sensible_number(value) + " " + unit + "</td>";
             };
-            html += "<tr><td>" + html_escaped(row->method) + "</td><td>" + html_escaped(row->knob) + "</td>" +
-                    cell(100.0 * m.force_error, "%") + cell(100.0 * m.volume_error, "%") +
+            html += "<tr><td>" + session::html_escaped(row->method) + "</td><td>" + session::html_escaped(row->knob) +
+                    "</td>" + cell(100.0 * m.force_error, "%") + cell(100.0 * m.volume_error, "%") +
                     cell(100.0 * m.peak_step, "%") + cell(m.cost.p999, "µs") + cell(m.cost.longest, "µs") + "<td>" +
-                    html_escaped(joined(row->fails)) + "</td></tr>";
+                    session::html_escaped(joined(row->fails)) + "</td></tr>";
         }
         html += "</tbody></table></div></details></section>\n";
     }
     if (!chart.surfaces.empty()) html += "<section><figure>" + surfaces_svg(chart.surfaces) + "</figure></section>\n";
     html += published_html(chart.law, chart.awl, chart.checks);
-    return html + "</main>\n<footer><p><strong>" + notice_line + ".</strong></p></footer></body></html>\n";
+    return html + "</main>\n<footer><p><strong>" + session::notice_line + ".</strong></p></footer></body></html>\n";
 }
 
 std::string write_chart(const std::string& folder, const Chart& chart) {
-    MadeFolders made;
+    text::MadeFolders made;
     if (std::string error = made.make(folder); !error.empty()) return error;
     std::string wrong;
     const auto write = [&](const std::string& name, const std::string& text) {
-        const std::string what = write_file(folder + "/" + name, text);
+        const std::string what = text::write_file(folder + "/" + name, text);
         if (!what.empty()) wrong += (wrong.empty() ? "" : "\n") + what;
     };
     write("chart.csv", chart_csv(chart));

@@ -48,7 +48,7 @@ std::vector<Tick> ticks_of(const Axis& axis) {
                     ticks.push_back({part * decade, part == 1.0 || decades < 3.0});
         return ticks;
     }
-    const double step = round_step(axis.high - axis.low);
+    const double step = session::round_step(axis.high - axis.low);
     for (double at = std::ceil(axis.low / step - 1e-9) * step; at <= axis.high + 1e-9 * step; at += step)
         ticks.push_back({std::abs(at) < 1e-9 * step ? 0.0 : at, true});
     return ticks;
@@ -101,7 +101,7 @@ std::string curve_svg(const Curve& curve, const Scale& x, const Scale& y) {
         const double mx = x.at(m.x), my = y.at(m.y);
         line += (line.empty() ? "M" : "L") + px(mx) + " " + px(my);
         if (!curve.has_dots) continue;
-        std::string one = "<g class=\"" + class_of(curve) + "\"><title>" + html_escaped(m.told) + "</title>";
+        std::string one = "<g class=\"" + class_of(curve) + "\"><title>" + session::html_escaped(m.told) + "</title>";
         if (m.x_most > m.x)
             one += path("M" + px(mx) + " " + px(my) + "H" + px(x.at(m.x_most)) + "m0 -3v6", "class=\"kp-whisker\"");
         if (m.y_spread > 0.0)
@@ -211,7 +211,7 @@ std::string marker_svg(double x, double y, int colour, bool is_filled) {
 std::string picture(double width, double height, const std::string& title, const std::string& content) {
     const std::string size = px(width) + " " + px(height);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"kp\" viewBox=\"0 0 " + size + "\" width=\"" + px(width) +
-           "\" height=\"" + px(height) + "\" role=\"img\"><title>" + html_escaped(title) + "</title><style>" +
+           "\" height=\"" + px(height) + "\" role=\"img\"><title>" + session::html_escaped(title) + "</title><style>" +
            plot_style() + "</style><rect width=\"" + px(width) + "\" height=\"" + px(height) +
            "\" class=\"kp-paper\"/>\n" + content + "</svg>\n";
 }

@@ -11,7 +11,7 @@ namespace kerf::drawing {
 
 std::string text_at(double x, double y, std::string_view text, std::string_view more) {
     return "<text x=\"" + std::to_string(static_cast<int>(x)) + "\" y=\"" + std::to_string(static_cast<int>(y)) +
-           "\" " + std::string(more) + ">" + html_escaped(text) + "</text>\n";
+           "\" " + std::string(more) + ">" + session::html_escaped(text) + "</text>\n";
 }
 
 std::string px(double value) {

@@ -21,7 +21,7 @@ constexpr double ladder[] = {1.0e-3, 0.7e-3, 0.5e-3, 0.35e-3, 0.25e-3, 0.18e-3, 
 constexpr double pitch_steps[] = {8.0, 4.0, 2.0};  // of the procedure's own pitch, coarsest first
 
 std::string in_mm(double metres) {
-    const PlainNumbers point;
+    const text::PlainNumbers point;
     char text[32];
     std::snprintf(text, sizeof text, "%.3g mm", 1e3 * metres);
     return text;

@@ -23,8 +23,8 @@ struct Task {
     Way way;
     double spacing = 0.25e-3;  ///< [m] as the procedure says
     double coarsest = 1e300;   ///< [m] at which the tool's own cut is still known
-    Accuracy accuracy;
-    Budget budget;
+    documents::Accuracy accuracy;
+    documents::Budget budget;
     std::function<Cost(const Body&, const ToolSetup&, const CouplingGains&, const Way&)> cost_of =
         &plan::cost_of;  ///< nothing else of a plan is timed
 };
@@ -38,14 +38,16 @@ struct Choice {
     Apart error = {};               ///< against the reference
     std::optional<Cost> cost = {};  ///< where it was timed
     /// The torque is held to what is asked of the force.
-    [[nodiscard]] bool keeps(const Accuracy& accuracy, bool torque_counts) const noexcept {
+    [[nodiscard]] bool keeps(const documents::Accuracy& accuracy, bool torque_counts) const noexcept {
         return has_bone && miss(accuracy, torque_counts) <= 1.0;
     }
     /// [–] the worst of its errors as a share of what is asked for.
-    [[nodiscard]] double miss(const Accuracy& accuracy, bool torque_counts) const noexcept {
+    [[nodiscard]] double miss(const documents::Accuracy& accuracy, bool torque_counts) const noexcept {
         return std::max(error.felt(torque_counts) / accuracy.force, error.volume / accuracy.volume);
     }
-    [[nodiscard]] bool keeps(const Budget& budget) const noexcept { return cost && cost->p999 <= 1e6 * budget.tick; }
+    [[nodiscard]] bool keeps(const documents::Budget& budget) const noexcept {
+        return cost && cost->p999 <= 1e6 * budget.tick;
+    }
 };
 
 /// The same grid and elements, whatever is left out.
@@ -77,7 +79,7 @@ struct StepPlan {
     std::vector<FeatureFound> features;  ///< of what is chosen
     std::vector<Cheaper> cheaper;        ///< only where nothing that keeps the accuracy keeps the budget
     Cost cost_as_written;                ///< of the procedure as it stands
-    [[nodiscard]] bool keeps(const Budget& budget) const noexcept { return chosen.keeps(budget); }
+    [[nodiscard]] bool keeps(const documents::Budget& budget) const noexcept { return chosen.keeps(budget); }
 };
 
 using Progress = std::function<void(const std::string& what)>;

@@ -16,7 +16,7 @@ namespace {
 
 /// Two digits: an error is not known better.
 std::string percent(double share) {
-    const PlainNumbers point;
+    const text::PlainNumbers point;
     char text[32];
     const double value = 100.0 * share;
     std::snprintf(text, sizeof text, value > 0.0 && value < 0.005 ? "<0.01 %%" : "%.2g %%",
@@ -26,7 +26,7 @@ std::string percent(double share) {
 }
 
 std::string two_digits(double value, const char* unit) {
-    const PlainNumbers point;
+    const text::PlainNumbers point;
     char text[32];
     std::snprintf(text, sizeof text, value < 99.5 ? "%.2g %s" : "%.0f %s", value, unit);
     return text;
@@ -49,11 +49,11 @@ std::string microseconds(const Cost& cost) {
 
 std::string pitch_text(const Task& task, double pitch) {
     const auto found = pitch_of(task.force);
-    return found ? quantity_text(pitch, found->unit) : "-";
+    return found ? text::quantity_text(pitch, found->unit) : "-";
 }
 
 std::string where(const Task& task, const Choice& choice) {
-    return quantity_text(choice.spacing, "mm") +
+    return text::quantity_text(choice.spacing, "mm") +
            (pitch_of(task.force) ? ", elements of " + pitch_text(task, choice.pitch) : "");
 }
 
@@ -105,18 +105,18 @@ std::string to_write(const Task& task, const StepPlan& plan) {
     const std::string indent = "        ", parameter = indent + "instruments." + task.instrument + ".parameters.";
     std::string text;
     if (plan.chosen.spacing != task.spacing)
-        text += indent + "accuracy.spacing: " + quantity_text(plan.chosen.spacing, "mm") + "\n";
+        text += indent + "accuracy.spacing: " + text::quantity_text(plan.chosen.spacing, "mm") + "\n";
     const auto pitch = pitch_of(task.force);
     if (pitch && plan.chosen.pitch != task.setup.force_parameters[pitch->param])
         text += parameter + task.force.parameters[pitch->param].id + ": " +
-                quantity_text(plan.chosen.pitch, pitch->unit) + "\n";
+                text::quantity_text(plan.chosen.pitch, pitch->unit) + "\n";
     for (const FeatureFound& feature : plan.features) {
         if (!feature.is_left_out) continue;
         for (const ComponentInfo* info : {&task.tool, &task.force})
             for (const FeatureInfo& line : info->features)
                 if (line.id == feature.id) {
                     const ParameterInfo& p = info->parameters[line.param];
-                    text += parameter + p.id + ": " + quantity_text(line.off, p.display_unit) + "\n";
+                    text += parameter + p.id + ": " + text::quantity_text(line.off, p.display_unit) + "\n";
                 }
     }
     return text;
@@ -130,7 +130,7 @@ std::string plan_text(const Task& task, const StepPlan& plan) {
     text += std::string("  required      ") + (plan.torque_counts ? "force and torque" : "force") + " within " +
             percent(task.accuracy.force) + ", bone removed within " + percent(task.accuracy.volume) +
             (task.budget.is_given ? ", " + two_digits(1e6 * task.budget.tick, "us") + " a tick" : "; no budget") + "\n";
-    text += "  reference     " + quantity_text(plan.reference.spacing, "mm") + ", elements of " +
+    text += "  reference     " + text::quantity_text(plan.reference.spacing, "mm") + ", elements of " +
             pitch_text(task, plan.reference.pitch) + ": " + two_digits(plan.reference_force, "N") + " and " +
             two_digits(1e3 * plan.reference_torque, "N mm") + " (RMS along the path)" +
             (plan.torque_counts ? "" : "; so little torque does not count") + "\n\n";
@@ -138,7 +138,8 @@ std::string plan_text(const Task& task, const StepPlan& plan) {
             column("removed", 10) + "a tick, 999 of 1000\n";
     bool is_marked = false;
     for (const Choice& choice : plan.tried) {
-        text += "  " + column(quantity_text(choice.spacing, "mm"), 10) + column(pitch_text(task, choice.pitch), 10);
+        text +=
+            "  " + column(text::quantity_text(choice.spacing, "mm"), 10) + column(pitch_text(task, choice.pitch), 10);
         const bool is_chosen = !is_marked && is_same(choice, plan.chosen);
         is_marked = is_marked || is_chosen;
         if (!choice.has_bone)
@@ -169,11 +170,11 @@ std::string plan_text(const Task& task, const StepPlan& plan) {
 }
 
 std::string plan_csv(std::span<const StepPlan> plans) {
-    std::string text =
-        std::string("# ") + notice_line + "\nstep,what,spacing_m,pitch,force_error,torque_error,volume_error,outcome\n";
+    std::string text = std::string("# ") + session::notice_line +
+                       "\nstep,what,spacing_m,pitch,force_error,torque_error,volume_error,outcome\n";
     const auto row = [&](const StepPlan& plan, const std::string& what, double spacing, double pitch, const Apart& a,
                          const char* outcome) {
-        const PlainNumbers point;
+        const text::PlainNumbers point;
         char figures[200];
         std::snprintf(figures, sizeof figures, "%.6g,%.6g,%.6g,%.6g,%.6g", spacing, pitch, a.force, a.torque, a.volume);
         text += plan.step + "," + what + "," + figures + "," + outcome + "\n";

@@ -47,7 +47,7 @@ std::string tally(std::span<const Finding> findings) {
 }
 
 std::string atlas_csv(std::span<const Finding> findings) {
-    std::string text = std::string("# ") + notice_line + ".\n" +
+    std::string text = std::string("# ") + session::notice_line + ".\n" +
                        "test,scene,device,hand,delay_ticks,method,measured,criterion,outcome,reason\n";
     for (const Finding& f : findings) {
         for (const std::string& field :
@@ -60,10 +60,10 @@ std::string atlas_csv(std::span<const Finding> findings) {
 }
 
 std::string write_atlas(const std::string& folder, std::span<const Finding> findings) {
-    MadeFolders made;
+    text::MadeFolders made;
     if (std::string error = made.make(folder); !error.empty()) return error;
-    const std::string csv = write_file(folder + "/stability.csv", atlas_csv(findings));
-    const std::string svg = write_file(folder + "/stability.svg", atlas_svg(findings));
+    const std::string csv = text::write_file(folder + "/stability.csv", atlas_csv(findings));
+    const std::string svg = text::write_file(folder + "/stability.svg", atlas_svg(findings));
     if (csv.empty()) made.keep();
     return csv.empty() || svg.empty() ? csv + svg : csv + "\n" + svg;
 }

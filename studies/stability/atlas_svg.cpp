@@ -92,7 +92,7 @@ std::string mark(int x, int y, Outcome outcome, Method method, const std::string
     std::string style = "class=\"na\" ";
     if (outcome == Outcome::pass) style = method == Method::kerf ? "class=\"ours\" " : "class=\"theirs\" ";
     if (outcome == Outcome::fail) style = "class=\"bad\" ";
-    std::string text = "<g><title>" + html_escaped(told) + "</title><rect " + place + size + style + "/>";
+    std::string text = "<g><title>" + session::html_escaped(told) + "</title><rect " + place + size + style + "/>";
     const auto line = [&](int x1, int y1, int x2, int y2, const char* kind) {
         return "<path class=\"" + std::string(kind) + "\" d=\"M" + std::to_string(x + x1) + " " +
                std::to_string(y + y1) + "L" + std::to_string(x + x2) + " " + std::to_string(y + y2) + "\"/>";
@@ -162,8 +162,8 @@ std::string atlas_svg(std::span<const Finding> findings) {
             if (const auto at = layout.cells.find({r, c}); at != layout.cells.end())
                 svg += mark(layout.x_of(c), y, at->second.outcome, row.method, at->second.told);
     }
-    return svg + legend(bottom + 26) + text_at(12, bottom + 52, std::string(notice_line) + ".", "class=\"soft\"") +
-           "</svg>\n";
+    return svg + legend(bottom + 26) +
+           text_at(12, bottom + 52, std::string(session::notice_line) + ".", "class=\"soft\"") + "</svg>\n";
 }
 
 }  // namespace kerf::stability

@@ -24,7 +24,7 @@
 #include "tests/support/operation.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using namespace literals;
@@ -32,8 +32,8 @@ using test::metric;
 
 const char* const procedure_file = KERF_SOURCE_DIR "/procedures/amputation.yaml";
 
-const Scene& knee() {
-    static const Scene scene = test::scene_of(procedure_file);
+const run::Scene& knee() {
+    static const run::Scene scene = test::scene_of(procedure_file);
     return scene;
 }
 test::Rehearsals& rehearsals() {
@@ -44,7 +44,7 @@ const test::WatchedRun& outcome_of(const std::string& rehearsal) { return rehear
 
 TEST(Amputation, TheExpertPassesAndTheBoneIsInTwo) {
     const test::WatchedRun& run = outcome_of("expert");
-    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass);
     EXPECT_TRUE(run.summary.reasons.empty());
     ASSERT_EQ(run.summary.pieces.size(), 2u);
     for (const char* cut : {"cut-1", "cut-2", "cut-3", "cut-4"}) {
@@ -62,14 +62,14 @@ TEST(Amputation, NoBoneIsLostOrMade) {
 TEST(Amputation, EachBlunderFailsForWhatItSaysAlone) {
     for (const char* rehearsal : {"hasty", "tilted", "into-the-artery"}) {
         const test::WatchedRun& run = outcome_of(rehearsal);
-        EXPECT_EQ(run.summary.verdict, Verdict::fail) << rehearsal;
+        EXPECT_EQ(run.summary.verdict, session::Verdict::fail) << rehearsal;
         EXPECT_TRUE(run.is_as_expected) << rehearsal;
         EXPECT_EQ(run.summary.pieces.size(), 2u) << rehearsal;
     }
 }
 
 TEST(Amputation, ATiltedCutIsMeasuredAsTiltedAndItsNeighboursAreNot) {
-    const RunSummary& run = outcome_of("tilted").summary;
+    const session::RunSummary& run = outcome_of("tilted").summary;
     EXPECT_NEAR(metric(run, "cut-3.plane-angle"), 8.0_deg, 0.5_deg /* the coupling gives way in the slot */);
     for (const char* cut : {"cut-1", "cut-2"})
         EXPECT_LT(metric(run, std::string(cut) + ".plane-angle"), 0.5_deg) << cut;
@@ -78,7 +78,7 @@ TEST(Amputation, ATiltedCutIsMeasuredAsTiltedAndItsNeighboursAreNot) {
 
 TEST(Amputation, ItComesApartOnceAndInTheLastCut) {
     const test::WatchedRun& run = rehearsals().with_ticks("expert");
-    const auto apart = [](const EventRow& event) { return event.id == came_apart_event; };
+    const auto apart = [](const session::EventRow& event) { return event.id == session::came_apart_event; };
     ASSERT_EQ(std::count_if(run.events.begin(), run.events.end(), apart), 1);
     const auto event = std::find_if(run.events.begin(), run.events.end(), apart);
     EXPECT_EQ(run.ticks[event->tick].step, 3);
@@ -86,18 +86,20 @@ TEST(Amputation, ItComesApartOnceAndInTheLastCut) {
 
 TEST(Amputation, ACutTakenBackAndDoneAgainEndsAsIfNothingHadBeen) {
     // Given the expert's way, with the last cut taken back once it is out of the bone, and done again
-    Scene scene = knee();
-    std::vector<Waypoint>& path = scene.procedure.rehearsals[0].path;
-    const auto away = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.depth < -50e-3; });
+    run::Scene scene = knee();
+    std::vector<documents::Waypoint>& path = scene.procedure.rehearsals[0].path;
+    const auto away =
+        std::find_if(path.begin(), path.end(), [](const documents::Waypoint& w) { return w.depth < -50e-3; });
     ASSERT_NE(away, path.end());
-    for (const auto kind : {HandInput::Kind::undo, HandInput::Kind::redo}) away->inputs.push_back({kind});
-    RunRequest request;
+    for (const auto kind : {documents::HandInput::Kind::undo, documents::HandInput::Kind::redo})
+        away->inputs.push_back({kind});
+    run::RunRequest request;
     request.rehearsal = "expert";
     const test::WatchedRun run = test::watched_run(scene, test::plugins(), request);
     ASSERT_EQ(run.error, "");
-    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass);
     // Then it ends with the same pieces
-    const RunSummary& plain = outcome_of("expert").summary;
+    const session::RunSummary& plain = outcome_of("expert").summary;
     ASSERT_EQ(run.summary.pieces.size(), plain.pieces.size());
     for (std::size_t n = 0; n < plain.pieces.size(); ++n)
         EXPECT_NEAR(run.summary.pieces[n].volume, plain.pieces[n].volume,
@@ -106,18 +108,20 @@ TEST(Amputation, ACutTakenBackAndDoneAgainEndsAsIfNothingHadBeen) {
 }
 
 TEST(Amputation, WithTheLastCutTakenBackThereIsOnePieceAndNothingToTakeAway) {
-    Scene scene = knee();
-    std::vector<Waypoint>& path = scene.procedure.rehearsals[0].path;
-    const auto away = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.depth < -50e-3; });
+    run::Scene scene = knee();
+    std::vector<documents::Waypoint>& path = scene.procedure.rehearsals[0].path;
+    const auto away =
+        std::find_if(path.begin(), path.end(), [](const documents::Waypoint& w) { return w.depth < -50e-3; });
     ASSERT_NE(away, path.end());
-    away->inputs.push_back({HandInput::Kind::undo});
-    RunRequest request;
+    away->inputs.push_back({documents::HandInput::Kind::undo});
+    run::RunRequest request;
     request.rehearsal = "expert";
     const test::WatchedRun run = test::watched_run(scene, test::plugins(), request);
     ASSERT_EQ(run.error, "");
     EXPECT_EQ(run.summary.pieces.size(), 1u);
-    const auto undone = std::find_if(run.events.begin(), run.events.end(),
-                                     [](const EventRow& e) { return e.id == hand_input_event && e.detail == "undo"; });
+    const auto undone = std::find_if(run.events.begin(), run.events.end(), [](const session::EventRow& e) {
+        return e.id == session::hand_input_event && e.detail == "undo";
+    });
     ASSERT_NE(undone, run.events.end());
     // What is left is what three cuts leave: the bone that was there before the fourth
     double three = 0.0;
@@ -129,23 +133,24 @@ TEST(Amputation, WithTheLastCutTakenBackThereIsOnePieceAndNothingToTakeAway) {
 TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     // Given a recorded run, and another that would take its pieces over later than lock-step does
     const test::TemporaryFolder folder;
-    RunRequest request;
+    run::RunRequest request;
     request.rehearsal = "expert";
     request.out = folder / "first";
     const test::WatchedRun recorded = test::watched_run(knee(), test::plugins(), request);
     ASSERT_TRUE(recorded.error.empty()) << recorded.error;
     std::string error;
-    auto inputs = read_session(request.out + "/session.db", error);
+    auto inputs = session::read_session(request.out + "/session.db", error);
     ASSERT_TRUE(inputs) << error;
     ASSERT_EQ(inputs->adoptions.size(), 1u);
     ASSERT_EQ(inputs->hand_inputs.size(), 2u);
 
     // When it is replayed
-    RunRequest again;
+    run::RunRequest again;
     again.rehearsal = "expert";
     again.replay = inputs->device_from_handle;
     again.adoptions = inputs->adoptions;
-    for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, *hand_input(text));
+    for (const auto& [tick, text] : inputs->hand_inputs)
+        again.hand_inputs.emplace_back(tick, *documents::hand_input(text));
     const test::WatchedRun same = test::watched_run(knee(), test::plugins(), again);
     again.adoptions = {inputs->adoptions[0] + 300};
     const test::WatchedRun later = test::watched_run(knee(), test::plugins(), again);
@@ -158,15 +163,15 @@ TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     // and each piece has a surface of its own, which a second run may write over.
     EXPECT_TRUE(std::filesystem::exists(request.out + "/bone.stl"));
     EXPECT_TRUE(std::filesystem::exists(request.out + "/bone-1.stl"));
-    OutputLock lock;
-    MadeFolders made;
-    EXPECT_EQ(prepare_output(request.out, lock, made), "");
+    text::OutputLock lock;
+    text::MadeFolders made;
+    EXPECT_EQ(session::prepare_output(request.out, lock, made), "");
 }
 
 TEST(TranstibialAmputation, ThreeCutsPartThePhantomAndABlunderMeetsTheArtery) {
-    const Scene leg = test::scene_of(procedure_file, "transtibial");
+    const run::Scene leg = test::scene_of(procedure_file, "transtibial");
     ASSERT_EQ(leg.procedure.rehearsals.size(), 2u);
-    for (const Rehearsal& rehearsal : leg.procedure.rehearsals) {
+    for (const documents::Rehearsal& rehearsal : leg.procedure.rehearsals) {
         const test::WatchedRun run = test::rehearsed(leg, rehearsal.id);
         EXPECT_TRUE(run.is_as_expected) << rehearsal.id;
         EXPECT_EQ(run.summary.pieces.size(), 2u) << rehearsal.id;
@@ -175,9 +180,9 @@ TEST(TranstibialAmputation, ThreeCutsPartThePhantomAndABlunderMeetsTheArtery) {
 }
 
 TEST(ReciprocatingAmputation, OneCutPartsThePhantomAndATwistFails) {
-    const Scene leg = test::scene_of(procedure_file, "reciprocating");
+    const run::Scene leg = test::scene_of(procedure_file, "reciprocating");
     ASSERT_EQ(leg.procedure.rehearsals.size(), 3u);
-    for (const Rehearsal& rehearsal : leg.procedure.rehearsals) {
+    for (const documents::Rehearsal& rehearsal : leg.procedure.rehearsals) {
         const test::WatchedRun run = test::rehearsed(leg, rehearsal.id);
         EXPECT_TRUE(run.is_as_expected) << rehearsal.id;
         EXPECT_EQ(run.summary.pieces.size(), 2u) << rehearsal.id;
@@ -205,42 +210,43 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     if (const char* data = std::getenv("KERF_DATA");
         !data || !std::filesystem::exists(std::string(data) + "/" + bone.data))
         GTEST_SKIP() << "KERF_DATA names no folder with " << bone.data;
-    const Scene scene = test::scene_of(procedure_file, bone.variant, {},
-                                       std::string(KERF_SOURCE_DIR "/tests/real-data/") + bone.anatomy);
+    const run::Scene scene = test::scene_of(procedure_file, bone.variant, {},
+                                            std::string(KERF_SOURCE_DIR "/tests/real-data/") + bone.anatomy);
 
     // When the expert works on it
     const test::TemporaryFolder folder;
-    RunRequest request;
+    run::RunRequest request;
     request.rehearsal = "expert";
     request.out = folder / "first";
     const test::WatchedRun run = test::watched_run(scene, test::plugins(), request);
 
     // Then it comes apart in the last cut, the piece is taken away, and no bone is lost or made
-    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass);
     ASSERT_EQ(run.summary.pieces.size(), 2u);
     EXPECT_LT(std::abs(metric(run.summary, "bone.balance")), 1e-3);
     EXPECT_GT(metric(run.summary, "remove.moved"), 60.0_mm);
-    const auto event =
-        std::find_if(run.events.begin(), run.events.end(), [](const EventRow& e) { return e.id == came_apart_event; });
+    const auto event = std::find_if(run.events.begin(), run.events.end(),
+                                    [](const session::EventRow& e) { return e.id == session::came_apart_event; });
     ASSERT_NE(event, run.events.end());
     EXPECT_EQ(run.ticks[event->tick].step, bone.last_cut);
     for (const char* name : {"bone.stl", "bone-1.stl"}) {
-        Diagnostics diagnostics;
-        auto surface = read_surface(request.out + "/" + name).take(diagnostics);
+        text::Diagnostics diagnostics;
+        auto surface = bone::read_surface(request.out + "/" + name).take(diagnostics);
         ASSERT_TRUE(surface) << to_text(diagnostics);
-        weld(surface->mesh);
-        EXPECT_TRUE(border_loops_of(half_edges_of(surface->mesh)).empty()) << name;
+        bone::weld(surface->mesh);
+        EXPECT_TRUE(bone::border_loops_of(bone::half_edges_of(surface->mesh)).empty()) << name;
     }
 
     // and its record gives the same bits again.
     std::string error;
-    const auto inputs = read_session(request.out + "/session.db", error);
+    const auto inputs = session::read_session(request.out + "/session.db", error);
     ASSERT_TRUE(inputs) << error;
-    RunRequest again;
+    run::RunRequest again;
     again.rehearsal = "expert";
     again.replay = inputs->device_from_handle;
     again.adoptions = inputs->adoptions;
-    for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, *hand_input(text));
+    for (const auto& [tick, text] : inputs->hand_inputs)
+        again.hand_inputs.emplace_back(tick, *documents::hand_input(text));
     EXPECT_EQ(test::watched_run(scene, test::plugins(), again).summary.hash, run.summary.hash);
 }
 
@@ -251,4 +257,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& of) { return of.param.name; });
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

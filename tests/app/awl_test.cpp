@@ -8,7 +8,7 @@
 
 #include "tests/support/operation.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 test::WatchedRun outcome_of(const char* rehearsal) {
@@ -16,12 +16,13 @@ test::WatchedRun outcome_of(const char* rehearsal) {
 }
 
 auto told(const test::WatchedRun& run, const std::string& id) {
-    return std::count_if(run.events.begin(), run.events.end(), [&](const EventRow& event) { return event.id == id; });
+    return std::count_if(run.events.begin(), run.events.end(),
+                         [&](const session::EventRow& event) { return event.id == id; });
 }
 
 double max_thrust(const test::WatchedRun& run) {
     double most = 0.0;
-    for (const TickRow& row : run.ticks)
+    for (const session::TickRow& row : run.ticks)
         if (row.step == 1) most = std::max(most, row.thrust);
     return most;
 }
@@ -43,4 +44,4 @@ TEST(PedicleAwl, AimedAtTheCanalItIsResistedByThePediclesWallAndBreaksThat) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

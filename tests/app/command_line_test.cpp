@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 CommandLine read(std::vector<const char*> words) {
@@ -208,4 +208,4 @@ TEST(CommandLine, ReportsMistakesWithACorrection) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

@@ -18,7 +18,7 @@
 #include "session/recorder.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 CommandLine read(std::vector<std::string> words) {
@@ -70,7 +70,7 @@ TEST(CommandTable, HelpHasEveryParameter) {
     for (const Command& command : command_table()) {
         const std::string help = help_of(command);
         EXPECT_TRUE(has(help, "Usage: kerf " + command.full_name())) << help;
-        EXPECT_TRUE(has(help, notice_line)) << help;
+        EXPECT_TRUE(has(help, session::notice_line)) << help;
         EXPECT_TRUE(has(help, command.footer)) << help;
         for (const auto* parameters : {&command.arguments, &command.options})
             for (const Parameter& parameter : *parameters) {
@@ -131,7 +131,7 @@ TEST(ManPage, HasEveryCommandAndOption) {
         for (const Parameter& option : command.options)
             EXPECT_TRUE(has(page, "\\fB" + dashed(option.name) + "\\fR")) << option.name;
     }
-    EXPECT_TRUE(has(page, std::string("\n") + notice_line + ".\n"));
+    EXPECT_TRUE(has(page, std::string("\n") + session::notice_line + ".\n"));
     EXPECT_TRUE(has(page, "\n.TH KERF 1 "));
 }
 
@@ -154,7 +154,7 @@ TEST(ManPage, GroffHasNoWarning) {
 /// docs/commands.md, from the table.
 std::string page_of_commands() {
     std::string text =
-        "<!-- SPDX-License-Identifier: Apache-2.0 -->\n# Commands\n\n*" + std::string(notice_line) +
+        "<!-- SPDX-License-Identifier: Apache-2.0 -->\n# Commands\n\n*" + std::string(session::notice_line) +
         ".*\n\n`kerf COMMAND --help` prints the options of a command. The test `Docs.HaveEveryCommand` "
         "compares\nthis page with the program; with `KERF_UPDATE_GOLDEN=1` it writes the page again.\n\n"
         "## Completion and manual page\n\n"
@@ -185,4 +185,4 @@ TEST(Docs, HaveEveryCommand) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

@@ -15,7 +15,7 @@
 #include "app/command_table.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -136,4 +136,4 @@ TEST(Completion, EveryScriptHasEveryCommandAndOption) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

@@ -13,12 +13,13 @@
 #include "kerf/units.hpp"
 #include "tests/support/operation.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using namespace literals;
 
-Scene jaw(const std::string& variant, const std::vector<std::string>& settings = {}, const std::string& anatomy = "") {
+run::Scene jaw(const std::string& variant, const std::vector<std::string>& settings = {},
+               const std::string& anatomy = "") {
     return test::scene_of(KERF_SOURCE_DIR "/procedures/dental-implant.yaml", variant, settings, anatomy);
 }
 
@@ -30,7 +31,7 @@ class DentalImplant : public testing::TestWithParam<Ending> {};
 
 TEST_P(DentalImplant, EndsAsExpected) {
     const auto& [variant, rehearsal, device] = GetParam();
-    const Scene scene = jaw(variant, {std::string("haptics.device=") + device});
+    const run::Scene scene = jaw(variant, {std::string("haptics.device=") + device});
     const test::WatchedRun run = test::rehearsed(scene, rehearsal);
     EXPECT_TRUE(run.is_as_expected) << test::reasons_of(run);
 }
@@ -51,20 +52,20 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 /// The largest torque about the shaft in the last step, before a time.
-double largest_torque(const Scene& scene, const test::WatchedRun& run, double before) {
+double largest_torque(const run::Scene& scene, const test::WatchedRun& run, double before) {
     const auto last = static_cast<std::int32_t>(scene.procedure.steps.size()) - 1;
     double largest = 0.0;
-    for (const TickRow& row : run.ticks)
+    for (const session::TickRow& row : run.ticks)
         if (row.step == last && row.time < before) largest = std::max(largest, std::abs(row.torque));
     return largest;
 }
 
 // 20 to 60 N·cm without a torque stop; 35 to 45 N·cm is where the expert stops. Nothing of the law was fitted to it.
 TEST(DentalImplantTorque, IsThatOfImplantsInALowerJaw) {
-    const Scene scene = jaw("");
+    const run::Scene scene = jaw("");
     const test::WatchedRun run = test::rehearsed(scene, "expert");
     const auto seats = std::find_if(run.events.begin(), run.events.end(),
-                                    [](const EventRow& event) { return event.id == "implant.head_contact"; });
+                                    [](const session::EventRow& event) { return event.id == "implant.head_contact"; });
     ASSERT_NE(seats, run.events.end());
     const double going_in = largest_torque(scene, run, seats->time), at_the_end = largest_torque(scene, run, 1e9);
     EXPECT_GT(going_in, 0.20);
@@ -76,12 +77,12 @@ TEST(DentalImplantTorque, IsThatOfImplantsInALowerJaw) {
 // 02-08: a sudden rise at the crest, less in the cancellous bone, an abrupt rise at the floor of the sinus, and nothing
 // behind it.
 TEST(DentalImplantThrust, RisesAtBothCorticesAndIsGoneBehindTheSinusFloor) {
-    const Scene scene = jaw("upper-jaw");
+    const run::Scene scene = jaw("upper-jaw");
     const test::WatchedRun run = test::rehearsed(scene, "sinus");
     const auto mean_between = [&](double from, double to) {
         double sum = 0.0;
         int count = 0;
-        for (const TickRow& row : run.ticks) {
+        for (const session::TickRow& row : run.ticks) {
             if (row.step != 0 || row.depth < from || row.depth >= to || row.feed_rate <= 0.0) continue;
             sum += row.thrust;
             ++count;
@@ -99,19 +100,19 @@ TEST(DentalImplantThrust, RisesAtBothCorticesAndIsGoneBehindTheSinusFloor) {
 
 TEST(DentalImplantInARealJaw, IsInsertedByTheExpert) {
     if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
-    const Scene scene = jaw("", {}, KERF_SOURCE_DIR "/tests/real-data/mandible.yaml");
+    const run::Scene scene = jaw("", {}, KERF_SOURCE_DIR "/tests/real-data/mandible.yaml");
     const test::WatchedRun run = test::rehearsed(scene, "expert");
-    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass);
     EXPECT_LT(largest_torque(scene, run, 1e9), 0.45);
 }
 
 TEST(DentalImplantHole, IsRefusedWhereItIsWiderThanTheThread) {
-    Diagnostics diagnostics;
-    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/dental-implant.yaml"};
+    text::Diagnostics diagnostics;
+    run::DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/dental-implant.yaml"};
     request.changes = {"", {"instruments.final.parameters.diameter=4.2 mm"}};
-    static_cast<void>(check_documents(request, test::plugins()).take(diagnostics));
+    static_cast<void>(run::check_documents(request, test::plugins()).take(diagnostics));
     EXPECT_NE(to_text(diagnostics).find("E0517"), std::string::npos) << to_text(diagnostics);
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

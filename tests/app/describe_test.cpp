@@ -8,7 +8,7 @@
 #include "tests/support/drill_rig.h"
 #include "text/quantity.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 std::string description(const std::string& wanted) {
@@ -24,9 +24,9 @@ TEST(Describe, PrintsEveryValueOfEveryComponent) {
                   std::string::npos);
         for (const auto* values : {&component.parameters, &component.drives})
             for (const ParameterInfo& p : *values)
-                for (const std::string& part :
-                     {p.id, p.help, p.source, quantity_text(p.def, p.display_unit),
-                      "from " + quantity_text(p.min, p.display_unit) + " to " + quantity_text(p.max, p.display_unit)})
+                for (const std::string& part : {p.id, p.help, p.source, text::quantity_text(p.def, p.display_unit),
+                                                "from " + text::quantity_text(p.min, p.display_unit) + " to " +
+                                                    text::quantity_text(p.max, p.display_unit)})
                     EXPECT_NE(text.find(part), std::string::npos) << p.id << ": " << part;
         for (const SignalInfo& s : component.signals)
             for (const std::string& part : {s.id, s.help, s.display_unit})
@@ -64,4 +64,4 @@ TEST(Describe, PrintsCoreWithoutPlugins) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

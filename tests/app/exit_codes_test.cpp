@@ -10,7 +10,7 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using test::contents_of;
@@ -214,4 +214,4 @@ TEST(ExitCode, OfChartNeedsItsScene) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

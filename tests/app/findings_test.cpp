@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 std::vector<Findings> two_files() {
-    Diagnostic d;
+    text::Diagnostic d;
     d.code = "E0412";
     d.place = {"a,b.yaml", 14, 22, 5};
     d.message = "drill.diameter is 65 mm: 100 % wrong.";
@@ -45,7 +45,7 @@ TEST(Findings, HaveEveryPartInJson) {
 
 TEST(Findings, HaveThePositionOfTheReason) {
     std::vector<Findings> files = two_files();
-    Reason& reason = files[0].diagnostics[0].reason.emplace();
+    text::Reason& reason = files[0].diagnostics[0].reason.emplace();
     reason.place = {"base.yaml", 3, 7, 2};
     reason.message = "it stands here first.";
     reason.source_line = "  abcdef";
@@ -60,4 +60,4 @@ TEST(Findings, HaveThePositionOfTheReason) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

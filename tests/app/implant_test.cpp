@@ -14,7 +14,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 /// A plate of 30 × 30 × 3 mm across the tool's axis, from 8 mm ahead of the tip; without the first faces it is open.
@@ -69,23 +69,24 @@ struct WithPlate {
 TEST(Implant, StopsTheDrillWhereItLies) {
     // Given a plate from 7 to 4 mm before the bone
     const WithPlate with(plate());
-    Diagnostics diagnostics;
-    const auto scene = make_scene(with.file, "", test::plugins()).take(diagnostics);
+    text::Diagnostics diagnostics;
+    const auto scene = run::make_scene(with.file, "", test::plugins()).take(diagnostics);
     ASSERT_TRUE(scene) << to_text(diagnostics);
-    RunRequest request;
+    run::RunRequest request;
     request.out = with.folder / "run";
     const test::WatchedRun run = test::watched_run(*scene, test::plugins(), request);
     ASSERT_EQ(run.error, "");
     // Then the drill meets metal and never bone, and that is told
     const auto happened = [&](const std::string& id) {
-        return std::any_of(run.events.begin(), run.events.end(), [&](const EventRow& e) { return e.id == id; });
+        return std::any_of(run.events.begin(), run.events.end(),
+                           [&](const session::EventRow& e) { return e.id == id; });
     };
     EXPECT_TRUE(happened("haptics.met_metal"));
     EXPECT_FALSE(happened("entered_bone"));
     double deepest = -1.0;
-    for (const TickRow& row : run.ticks) deepest = std::max(deepest, row.depth);
+    for (const session::TickRow& row : run.ticks) deepest = std::max(deepest, row.depth);
     EXPECT_NEAR(deepest, -7e-3, 0.5e-3 /* its lips stand off the plate by their own angle */);
-    EXPECT_EQ(run.summary.verdict, Verdict::incomplete);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::incomplete);
     EXPECT_EQ(run.summary.removed, 0.0);
     // and it has a surface of its own: 30 × 30 × 3 mm
     ASSERT_EQ(run.summary.pieces.size(), 2u);
@@ -95,8 +96,8 @@ TEST(Implant, StopsTheDrillWhereItLies) {
 
 TEST(Implant, AnOpenSurfaceIsRefusedAtItsPlaceInTheProcedure) {
     const WithPlate with(plate(2));
-    Diagnostics diagnostics;
-    EXPECT_FALSE(make_scene(with.file, "", test::plugins()).take(diagnostics));
+    text::Diagnostics diagnostics;
+    EXPECT_FALSE(run::make_scene(with.file, "", test::plugins()).take(diagnostics));
     const std::string text = to_text(diagnostics);
     EXPECT_NE(text.find("E0649"), std::string::npos) << text;
     EXPECT_NE(text.find("plate: {mesh: {file: plate.stl"), std::string::npos) << text;
@@ -104,10 +105,10 @@ TEST(Implant, AnOpenSurfaceIsRefusedAtItsPlaceInTheProcedure) {
 
 TEST(Implant, AFileThatIsNotThereIsMissedBeforeAnythingIsMade) {
     const WithPlate with("");
-    Diagnostics diagnostics;
-    EXPECT_FALSE(check_documents({with.file}, test::plugins()).take(diagnostics));
+    text::Diagnostics diagnostics;
+    EXPECT_FALSE(run::check_documents({with.file}, test::plugins()).take(diagnostics));
     EXPECT_NE(to_text(diagnostics).find("E0620"), std::string::npos) << to_text(diagnostics);
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

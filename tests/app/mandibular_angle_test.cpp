@@ -20,7 +20,7 @@
 #include "tests/support/operation.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using namespace literals;
@@ -29,8 +29,8 @@ using test::metric, test::metric_row, test::reasons_of, test::rehearsed, test::s
 const char* const procedure_file = KERF_SOURCE_DIR "/procedures/mandibular-angle-reduction.yaml";
 const char* const phantom_file = KERF_SOURCE_DIR "/procedures/anatomy/mandible-whole-phantom.yaml";
 
-const Scene& jaw() {
-    static const Scene scene = test::scene_of(procedure_file);
+const run::Scene& jaw() {
+    static const run::Scene scene = test::scene_of(procedure_file);
     return scene;
 }
 test::Rehearsals& rehearsals() {
@@ -46,10 +46,10 @@ std::string text_of(const std::string& file) {
 }
 
 TEST(MandibularAngle, BeginsAtTheAnglesOfThePaper) {  // 04-13: 115 and 20 deg
-    const RunSummary& summary = outcome_of("expert").summary;
+    const session::RunSummary& summary = outcome_of("expert").summary;
     for (const std::string side : {"right", "left"}) {
-        const MetricRow &gonial = metric_row(summary, "measure.gonial_angle_" + side + ".before"),
-                        &plane = metric_row(summary, "measure.mandibular_plane_" + side + ".before");
+        const session::MetricRow &gonial = metric_row(summary, "measure.gonial_angle_" + side + ".before"),
+                                 &plane = metric_row(summary, "measure.mandibular_plane_" + side + ".before");
         EXPECT_NEAR(gonial.value, 115.0_deg, 0.3_deg) << side;
         EXPECT_NEAR(plane.value, 20.0_deg, 0.3_deg) << side;
         EXPECT_GT(gonial.uncertainty, 0.0);
@@ -60,10 +60,10 @@ TEST(MandibularAngle, BeginsAtTheAnglesOfThePaper) {  // 04-13: 115 and 20 deg
 // 04-14: a scripted cut is within 1 deg; residents are off by 5.2 to 5.6 deg and by 1.6 to 1.9 deg.
 TEST(MandibularAngle, TheExpertComesNearThePlan) {
     const test::WatchedRun& run = outcome_of("expert");
-    EXPECT_EQ(run.summary.verdict, Verdict::pass) << reasons_of(run);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass) << reasons_of(run);
     for (const std::string side : {"right", "left"}) {
-        const MetricRow &gonial = metric_row(run.summary, "left-anterior.measure.gonial_error_" + side),
-                        &plane = metric_row(run.summary, "left-anterior.measure.plane_error_" + side);
+        const session::MetricRow &gonial = metric_row(run.summary, "left-anterior.measure.gonial_error_" + side),
+                                 &plane = metric_row(run.summary, "left-anterior.measure.plane_error_" + side);
         RecordProperty("gonial_error_" + side + "_deg", std::to_string(gonial.value / 1.0_deg));
         RecordProperty("plane_error_" + side + "_deg", std::to_string(plane.value / 1.0_deg));
         EXPECT_LT(std::abs(gonial.value), 1.0_deg) << side;
@@ -83,18 +83,18 @@ TEST(MandibularAngle, APerfectCutIsWithinADegreeOfThePlan) {
         std::regex_replace(whole, std::regex("      - \\{follow: left-\\w+\\}\n"), std::string());
     ASSERT_NE(right_only, whole);
     std::ofstream(file) << right_only;
-    DocumentRequest request{.procedure = file, .anatomy = phantom_file};
+    run::DocumentRequest request{.procedure = file, .anatomy = phantom_file};
     request.changes = {"", {"haptics.coupling=direct"}};
     const test::WatchedRun run = rehearsed(scene_of(request));
     for (const std::string measure : {"gonial_error_right", "plane_error_right"}) {
-        const MetricRow& error = metric_row(run.summary, "right-anterior.measure." + measure);
+        const session::MetricRow& error = metric_row(run.summary, "right-anterior.measure." + measure);
         RecordProperty(measure + "_deg", std::to_string(error.value / 1.0_deg));
         EXPECT_LT(std::abs(error.value), 1.0_deg) << measure;
     }
 }
 
 TEST(MandibularAngle, ThePlanOfThePhantomIsThatOfThePaper) {  // 04-13: to 126 and 28 deg
-    const RunSummary& summary = outcome_of("expert").summary;
+    const session::RunSummary& summary = outcome_of("expert").summary;
     for (const std::string side : {"right", "left"}) {
         EXPECT_NEAR(metric(summary, "measure.planned_gonial_" + side + ".before"), 126.0_deg, 0.05_deg);
         EXPECT_NEAR(metric(summary, "measure.planned_plane_" + side + ".before"), 28.0_deg, 0.05_deg);
@@ -103,7 +103,7 @@ TEST(MandibularAngle, ThePlanOfThePhantomIsThatOfThePaper) {  // 04-13: to 126 a
 
 // The plan is geometry: the ostectomy alone makes 180 + 28 - 85 = 123 deg, the burr the rest.
 TEST(MandibularAngle, TheBurrMakesTheLastThreeDegrees) {
-    const RunSummary& summary = outcome_of("expert").summary;
+    const session::RunSummary& summary = outcome_of("expert").summary;
     const double cut = metric(summary, "right-take.measure.asymmetry_posterior"),
                  burred = metric(summary, "right-posterior.measure.asymmetry_posterior");
     EXPECT_LT(cut, 0.3_deg) << "the saw leaves the ramus as it was";
@@ -112,7 +112,7 @@ TEST(MandibularAngle, TheBurrMakesTheLastThreeDegrees) {
 }
 
 TEST(MandibularAngle, IsScoredByAnglesSymmetryRoughnessTimeAndTorque) {
-    const std::string json = summary_json(outcome_of("expert").summary);
+    const std::string json = session::summary_json(outcome_of("expert").summary);
     for (const char* id :
          {"measure.gonial_angle_right.before", "left-anterior.measure.gonial_angle_right",
           "measure.mandibular_plane_left.before", "left-anterior.measure.mandibular_plane_left",
@@ -123,7 +123,7 @@ TEST(MandibularAngle, IsScoredByAnglesSymmetryRoughnessTimeAndTorque) {
 }
 
 TEST(MandibularAngle, BothAnglesAreTakenAwayAndNoBoneIsLost) {
-    const RunSummary& summary = outcome_of("expert").summary;
+    const session::RunSummary& summary = outcome_of("expert").summary;
     EXPECT_EQ(summary.pieces.size(), 3u);
     EXPECT_LT(std::abs(metric(summary, "bone.balance")), 1e-4) << "04-17";
     // Half a slice of 8 deg by 56 mm, of a rod whose tip is an ellipse: the two sides are mirror images.
@@ -134,12 +134,13 @@ TEST(MandibularAngle, BothAnglesAreTakenAwayAndNoBoneIsLost) {
 TEST(MandibularAngle, EachBlunderFailsForItsOwnReason) {
     for (const char* rehearsal : {"into-the-nerve", "twisted"}) {
         const test::WatchedRun& run = outcome_of(rehearsal);
-        EXPECT_EQ(run.summary.verdict, Verdict::fail) << rehearsal;
+        EXPECT_EQ(run.summary.verdict, session::Verdict::fail) << rehearsal;
         EXPECT_TRUE(run.is_as_expected) << rehearsal;
     }
     EXPECT_LT(metric(outcome_of("into-the-nerve").summary, "right-cut.clearance.nerve_right"), 0.0);
     const auto& events = outcome_of("twisted").events;
-    EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const EventRow& e) { return e.id == "sawing.twisted"; }));
+    EXPECT_TRUE(
+        std::any_of(events.begin(), events.end(), [](const session::EventRow& e) { return e.id == "sawing.twisted"; }));
 }
 
 // ---- jaws that it cannot be done on --------------------------------------------------------------------------------
@@ -148,12 +149,12 @@ TEST(MandibularAngle, EachBlunderFailsForItsOwnReason) {
 std::string said_of(const std::string& pattern, const std::string& by, std::vector<std::string> settings = {}) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "jaw.yaml") << std::regex_replace(text_of(phantom_file), std::regex(pattern), by);
-    Diagnostics diagnostics;
-    DocumentRequest request{.procedure = procedure_file, .anatomy = folder / "jaw.yaml"};
+    text::Diagnostics diagnostics;
+    run::DocumentRequest request{.procedure = procedure_file, .anatomy = folder / "jaw.yaml"};
     settings.push_back("accuracy.spacing=1 mm");  // it is refused before anything is cut
     request.changes = {"", settings};
-    auto documents = check_documents(request, test::plugins()).take(diagnostics);
-    if (documents) (void)make_scene(std::move(*documents)).take(diagnostics);
+    auto documents = run::check_documents(request, test::plugins()).take(diagnostics);
+    if (documents) (void)run::make_scene(std::move(*documents)).take(diagnostics);
     return to_text(diagnostics);
 }
 
@@ -194,14 +195,14 @@ TEST(MandibleToReduce, IsWarnedOfABurrTooSlowToCut) {
 
 const char* const real_file = KERF_SOURCE_DIR "/tests/real-data/mandible-angle.yaml";
 
-const Scene& real_jaw() {
-    static const Scene scene = scene_of(procedure_file, "", {}, real_file);
+const run::Scene& real_jaw() {
+    static const run::Scene scene = scene_of(procedure_file, "", {}, real_file);
     return scene;
 }
 
 /// Both sides reach their plan as nearly as residents' do.
 void expect_reduced(const test::WatchedRun& run) {
-    EXPECT_EQ(run.summary.verdict, Verdict::pass) << reasons_of(run);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass) << reasons_of(run);
     for (const std::string side : {"right", "left"})
         for (const std::string measure : {"gonial", "plane"}) {
             const std::string id = measure + "_error_" + side;
@@ -240,14 +241,14 @@ TEST(RealMandible, IsReducedAsASurface) {
     const test::TemporaryFolder folder;
     std::vector<std::string> notes;
     std::string error;
-    const auto surface = base_surface(nullptr, real_jaw().body, notes, error);
+    const auto surface = bone::base_surface(nullptr, real_jaw().body, notes, error);
     ASSERT_TRUE(surface) << error;
     std::ofstream out(folder / "jaw.obj");
     for (const Vec3 v : surface->vertices) out << "v " << 1e3 * v.x << ' ' << 1e3 * v.y << ' ' << 1e3 * v.z << '\n';
     for (const auto& t : surface->triangles) out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
     out.close();
     std::ofstream(folder / "jaw.yaml") << surface_anatomy("jaw.obj");
-    DocumentRequest request{.procedure = procedure_file, .anatomy = folder / "jaw.yaml"};
+    run::DocumentRequest request{.procedure = procedure_file, .anatomy = folder / "jaw.yaml"};
     request.changes = {"", {"accuracy.spacing=0.3 mm"}};  // the least thickness of its walls asks for that
     expect_reduced(rehearsed(scene_of(request)));
 }
@@ -267,4 +268,4 @@ TEST(RealMandible, IsRefusedAsAShell) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

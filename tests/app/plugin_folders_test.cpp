@@ -11,7 +11,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,4 +58,4 @@ TEST(PluginFolders, ReportAnUnreadableFolder) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

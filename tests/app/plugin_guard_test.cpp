@@ -12,7 +12,7 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using test::contents_of;
@@ -237,4 +237,4 @@ TEST(PluginGuard, ListGoesOnWithoutAPluginThatCrashes) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

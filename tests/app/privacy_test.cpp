@@ -22,7 +22,7 @@
 #include "tests/support/dicom_writer.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -413,7 +413,8 @@ TEST(PrivacyReport, SearchesBase64InPages) {
         const std::string planted = bytes.substr(0, 300 + shift) + "/home/jane/scans/1" + bytes;
         std::ofstream(folder / "report.html")
             << "<script>{\"positions\":\""
-            << base64({reinterpret_cast<const unsigned char*>(planted.data()), planted.size()}) << "\"}</script>";
+            << session::base64({reinterpret_cast<const unsigned char*>(planted.data()), planted.size()})
+            << "\"}</script>";
         EXPECT_EQ(kinds_of(privacy_report(folder / "report.html")),
                   std::vector<std::string>{"a path, in base64=/home/jane/scans/1"})
             << shift;
@@ -430,10 +431,10 @@ void change_session(const std::string& path, const std::string& sql) {
 TEST(PrivacyReport, AllowsTheStartAndNumberOfASession) {
     const TemporaryFolder folder;
     const std::string path = folder / "session.db";
-    SessionHeader header;
+    session::SessionHeader header;
     header.envelope.start = "2026-11-25T01:02:03Z";
     header.envelope.uuid = "20240517-2024-4051-8240-202405172024";
-    Recorder::create(path, header).recorder.reset();
+    session::Recorder::create(path, header).recorder.reset();
     EXPECT_EQ(kinds_of(privacy_report(path)), std::vector<std::string>{});
 
     // Any other text in their place, and the same text in any other place, is found
@@ -453,10 +454,10 @@ TEST(PrivacyReport, IgnoresNumbersOfASession) {
     // Given a session with a megabyte of numbers that look like noise
     const TemporaryFolder folder;
     const std::string path = folder / "session.db";
-    auto recorder = Recorder::create(path, {}).recorder;
+    auto recorder = session::Recorder::create(path, {}).recorder;
     std::uint64_t noise = 1;
     for (std::uint64_t tick = 0; tick < 6000; ++tick) {
-        TickRow row;
+        session::TickRow row;
         row.tick = tick;
         for (double& component : row.coupled) {
             noise = noise * 6364136223846793005u + 1442695040888963407u;
@@ -485,4 +486,4 @@ TEST(PrivacyReport, ReadsTheTextsOfANiftiHeader) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

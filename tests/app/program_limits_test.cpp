@@ -12,7 +12,7 @@
 #include "tests/support/program.h"
 #include "text/printable_lines.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -204,8 +204,8 @@ TEST(Printed, NeverHoldsAControlCharacter) {
                                        "preview " + quoted,
                                        "anatomy check " + quoted + " --for " + pedicle_screw}) {
         const Ended ended = kerf(command, "KERF_PLUGIN_PATH='" + folder.path() + ":/nowhere" + escape + "'");
-        EXPECT_EQ(ended.out, printable_lines(ended.out)) << command;
-        EXPECT_EQ(ended.err, printable_lines(ended.err)) << command;
+        EXPECT_EQ(ended.out, text::printable_lines(ended.out)) << command;
+        EXPECT_EQ(ended.err, text::printable_lines(ended.err)) << command;
         EXPECT_TRUE(has(ended.err + ended.out, "\\x1b]0;owned\\x07\\x1b[2J\\x9b31m\\u202e")) << command << ended.err;
     }
 }
@@ -278,4 +278,4 @@ TEST(Outputs, OfARunPassPrivacy) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

@@ -25,7 +25,7 @@
 #include "tests/support/json_schema.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using test::contents_of;
@@ -451,4 +451,4 @@ TEST(Program, WithoutRehearsalsThereIsNothingToRehearse) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

@@ -16,7 +16,7 @@
 #include "kerf/units.hpp"
 #include "tests/support/operation.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using test::metric;
@@ -25,13 +25,13 @@ using namespace literals;
 
 const char* const procedure_file = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml";
 
-const Scene& pedicle() {
-    static const Scene scene = test::scene_of(procedure_file);
+const run::Scene& pedicle() {
+    static const run::Scene scene = test::scene_of(procedure_file);
     return scene;
 }
 
 /// The procedure with other values, as `--set` and `--variant` give them.
-Scene pedicle_with(const std::vector<std::string>& settings, const std::string& variant = "") {
+run::Scene pedicle_with(const std::vector<std::string>& settings, const std::string& variant = "") {
     return test::scene_of(procedure_file, variant, settings);
 }
 
@@ -43,7 +43,7 @@ const test::WatchedRun& outcome_of(const std::string& rehearsal) { return rehear
 
 TEST(PedicleScrew, TheExpertPasses) {
     const test::WatchedRun& run = outcome_of("expert");
-    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass);
     EXPECT_TRUE(run.is_as_expected);
     EXPECT_TRUE(run.summary.reasons.empty());
     EXPECT_GT(metric(run.summary, "pilot-hole.clearance.canal"), 2e-3);
@@ -51,7 +51,7 @@ TEST(PedicleScrew, TheExpertPasses) {
 
 TEST(PedicleScrew, TheMedialBreachFailsBecauseOfTheCanalAndOfTheHoleItself) {
     const test::WatchedRun& run = outcome_of("medial-breach");
-    EXPECT_EQ(run.summary.verdict, Verdict::fail);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::fail);
     EXPECT_TRUE(run.is_as_expected);
     EXPECT_NE(run.summary.reasons.at(0).find("canal"), std::string::npos);
     EXPECT_LT(metric(run.summary, "pilot-hole.clearance.canal"), 0.0);
@@ -60,7 +60,7 @@ TEST(PedicleScrew, TheMedialBreachFailsBecauseOfTheCanalAndOfTheHoleItself) {
 }
 
 TEST(PedicleScrew, TheExpertsHoleLiesWhereItWasPlanned) {
-    const RunSummary& s = outcome_of("expert").summary;
+    const session::RunSummary& s = outcome_of("expert").summary;
     EXPECT_LT(metric(s, "pilot-hole.entry-offset"), 1.5e-3);
     EXPECT_LT(metric(s, "pilot-hole.narrowest-offset"), 1.5e-3);
     EXPECT_LT(metric(s, "pilot-hole.end-offset"), 1.5e-3);
@@ -71,26 +71,26 @@ TEST(PedicleScrew, TheExpertsHoleLiesWhereItWasPlanned) {
 // A face at 14 degrees lets a drill start without a starting hole, one at 36 degrees does not; a sleeve holds it there.
 TEST(PedicleScrew, WithoutAStartingHoleADrillSkidsOnASteepFacetAndNotOnAFlatOne) {
     const test::WatchedRun& flat = outcome_of("no-starting-hole");
-    EXPECT_EQ(flat.summary.verdict, Verdict::pass);
+    EXPECT_EQ(flat.summary.verdict, session::Verdict::pass);
     EXPECT_NEAR(metric(flat.summary, "pilot-hole.narrowest-offset"), 1e-3, 0.5e-3);
-    const Scene steep = pedicle_with({}, "steep-facet");
+    const run::Scene steep = pedicle_with({}, "steep-facet");
     const test::WatchedRun skids = test::rehearsed(steep, "no-starting-hole");
     EXPECT_TRUE(skids.is_as_expected);
     EXPECT_GT(metric(skids.summary, "pilot-hole.time-in-air"), 2.0);
-    EXPECT_EQ(test::rehearsed(steep, "expert").summary.verdict, Verdict::pass);
-    const Scene sleeve = pedicle_with({}, "sleeve");
+    EXPECT_EQ(test::rehearsed(steep, "expert").summary.verdict, session::Verdict::pass);
+    const run::Scene sleeve = pedicle_with({}, "sleeve");
     const test::WatchedRun led = test::rehearsed(sleeve, "expert");
-    EXPECT_EQ(led.summary.verdict, Verdict::pass);
+    EXPECT_EQ(led.summary.verdict, session::Verdict::pass);
     EXPECT_LT(metric(led.summary, "pilot-hole.narrowest-offset"), 0.3e-3);
 }
 
 // A blunder that is faster than everybody does not change what the expert feels.
 TEST(PedicleScrew, TheForceScaleIsThatOfTheStepAndNotOfAHand) {
-    const Scene hasty = pedicle_with({"rehearsals.medial-breach.hand.feed=20 mm/s"});
+    const run::Scene hasty = pedicle_with({"rehearsals.medial-breach.hand.feed=20 mm/s"});
     EXPECT_EQ(hasty.gains.force_scale, pedicle().gains.force_scale);
-    const Scene by_law = pedicle_with({"haptics.working_force=~"});
+    const run::Scene by_law = pedicle_with({"haptics.working_force=~"});
     EXPECT_LT(by_law.gains.force_scale, 0.5 * pedicle().gains.force_scale) << "compact bone takes more than 40 N";
-    const Scene slower =
+    const run::Scene slower =
         pedicle_with({"haptics.working_force=~", "steps.pilot-hole.feed=0.1 mm/s", "steps.opening.feed=0.1 mm/s"});
     EXPECT_GT(slower.gains.force_scale, by_law.gains.force_scale);
 }
@@ -98,10 +98,10 @@ TEST(PedicleScrew, TheForceScaleIsThatOfTheStepAndNotOfAHand) {
 // Its start lies across the surface, whose direction each grid knows for itself. Once turned onto the axis the drill
 // passes the canal at the same distance.
 TEST(PedicleScrew, TheHolePassesTheCanalAlikeOnACoarserGrid) {
-    const Scene coarse = pedicle_with({"accuracy.spacing=0.5 mm"});
+    const run::Scene coarse = pedicle_with({"accuracy.spacing=0.5 mm"});
     const double fine = metric(outcome_of("expert").summary, "pilot-hole.clearance.canal");
     const test::WatchedRun rough = test::rehearsed(coarse, "expert");
-    EXPECT_EQ(rough.summary.verdict, Verdict::pass);
+    EXPECT_EQ(rough.summary.verdict, session::Verdict::pass);
     EXPECT_NEAR(metric(rough.summary, "pilot-hole.clearance.canal"), fine, 0.1e-3);
 }
 
@@ -110,7 +110,7 @@ TEST(PedicleScrew, TheHolePassesTheCanalAlikeOnACoarserGrid) {
 TEST(PedicleScrew, TheExpertsScrewLiesInThePedicleAndItsTorqueRisesAsItGoesIn) {
     const test::WatchedRun& run = rehearsals().with_ticks("expert");
     const auto grade = std::find_if(run.summary.metrics.begin(), run.summary.metrics.end(),
-                                    [](const MetricRow& row) { return row.id == "insert.gertzbein-robbins"; });
+                                    [](const session::MetricRow& row) { return row.id == "insert.gertzbein-robbins"; });
     ASSERT_NE(grade, run.summary.metrics.end());
     EXPECT_EQ(grade->status, "grade A");
     EXPECT_EQ(grade->value, 0.0);
@@ -124,7 +124,7 @@ TEST(PedicleScrew, TheExpertsScrewLiesInThePedicleAndItsTorqueRisesAsItGoesIn) {
     constexpr int inserting = 3;  // the step
     const std::size_t torque = column("torque"), turned = column("turned"), slip = column("slip");
     double half_way = 0.0, peak = 0.0, max_turned = 0.0, first_slip = 0.0, max_slip = 0.0;
-    for (const TickRow& row : run.ticks) {
+    for (const session::TickRow& row : run.ticks) {
         peak = std::max(peak, row.signals[torque]);
         if (row.signals[turned] < 5.0_turns) half_way = std::max(half_way, row.signals[torque]);
         max_turned = std::max(max_turned, row.signals[turned]);
@@ -140,14 +140,14 @@ TEST(PedicleScrew, TheExpertsScrewLiesInThePedicleAndItsTorqueRisesAsItGoesIn) {
     EXPECT_EQ(max_slip, first_slip) << "and nothing else";
 }
 
-std::string status_of(const RunSummary& summary, const std::string& id) {
+std::string status_of(const session::RunSummary& summary, const std::string& id) {
     for (const auto& row : summary.metrics)
         if (row.id == id) return row.status;
     return {};
 }
 
 TEST(PedicleScrew, TheReleasedScrewIsABodyOfMetalInTheScene) {
-    const RunSummary& s = outcome_of("expert").summary;
+    const session::RunSummary& s = outcome_of("expert").summary;
     ASSERT_EQ(s.pieces.size(), 2u);
     EXPECT_FALSE(s.pieces[0].is_metal);
     EXPECT_TRUE(s.pieces[1].is_metal);
@@ -165,7 +165,7 @@ TEST(PedicleScrew, TurnedOnAfterItsHeadHasSeatedItStrips) {
     const test::WatchedRun& run = outcome_of("stripped");
     EXPECT_TRUE(run.is_as_expected);
     std::vector<std::string> phases;
-    for (const EventRow& event : run.events)
+    for (const session::EventRow& event : run.events)
         if (event.id.starts_with("implant.") && (phases.empty() || phases.back() != event.id))
             phases.push_back(event.id);
     const auto head = std::find(phases.begin(), phases.end(), "implant.head_contact"),
@@ -178,9 +178,9 @@ TEST(PedicleScrew, TurnedOnAfterItsHeadHasSeatedItStrips) {
 class PedicleOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(PedicleOf, TakesItsScrewWithoutABreach) {
-    const Scene scene = pedicle_with({"accuracy.spacing=0.5 mm"}, GetParam());
+    const run::Scene scene = pedicle_with({"accuracy.spacing=0.5 mm"}, GetParam());
     const test::WatchedRun run = test::rehearsed(scene, "expert");
-    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass);
     EXPECT_EQ(status_of(run.summary, "insert.gertzbein-robbins"), "grade A");
 }
 
@@ -194,15 +194,15 @@ INSTANTIATE_TEST_SUITE_P(Variant, PedicleOf, testing::Values("l1", "l2", "l4", "
 TEST(PedicleScrew, OnlyAnImplantIsReleasedAndOnlyWhereItBelongs) {
     const auto refusals = [](const char* setting) {
         std::string details;
-        const Scene scene = pedicle_with({setting, "accuracy.spacing=0.5 mm"});
-        for (const EventRow& event : test::rehearsed(scene, "expert").events)
+        const run::Scene scene = pedicle_with({setting, "accuracy.spacing=0.5 mm"});
+        for (const session::EventRow& event : test::rehearsed(scene, "expert").events)
             if (event.id == "hand.refused") details += event.detail + "\n";
         return details;
     };
-    Diagnostics diagnostics;
-    DocumentRequest request{.procedure = procedure_file};
+    text::Diagnostics diagnostics;
+    run::DocumentRequest request{.procedure = procedure_file};
     request.changes = {"", {"rehearsals.expert.path=[{depth: -5 mm, do: release}, {depth: -6 mm}]"}};
-    static_cast<void>(check_documents(request, test::plugins()).take(diagnostics));
+    static_cast<void>(run::check_documents(request, test::plugins()).take(diagnostics));
     EXPECT_NE(to_text(diagnostics).find("E0518"), std::string::npos) << to_text(diagnostics);
     EXPECT_EQ(refusals("steps.insert.goals=[{entry: {}}, {depth: {at_least: 37 mm}}]"),
               "release: a goal of the step is not reached\n");
@@ -216,7 +216,7 @@ TEST(PedicleScrew, TwoRunsAreTheSameBits) {
 
 TEST(PedicleScrew, NobodyIsPushedHarderThanTheDeviceAllows) {
     for (const char* rehearsal : {"expert", "medial-breach"})
-        for (const TickRow& row : rehearsals().with_ticks(rehearsal).ticks)
+        for (const session::TickRow& row : rehearsals().with_ticks(rehearsal).ticks)
             ASSERT_LE(length(linear(row.commanded)),
                       pedicle().device->peak_force * (1.0 + 1e-7 /* a session has float32 */))
                 << row.tick;
@@ -224,12 +224,12 @@ TEST(PedicleScrew, NobodyIsPushedHarderThanTheDeviceAllows) {
 
 TEST(PedicleScrew, TheSolveSettlesInEveryTick) {
     for (const char* rehearsal : {"expert", "medial-breach"})
-        for (const TickRow& row : rehearsals().with_ticks(rehearsal).ticks)
+        for (const session::TickRow& row : rehearsals().with_ticks(rehearsal).ticks)
             ASSERT_LT(row.iterations, iteration_cap) << row.tick;
 }
 
 TEST(PedicleScrew, WhatIsRemovedIsCountedByTissue) {
-    const RunSummary& s = outcome_of("expert").summary;
+    const session::RunSummary& s = outcome_of("expert").summary;
     double sum = 0.0;
     for (const auto& [tissue, volume] : s.removed_by_tissue) {
         EXPECT_GT(volume, 0.0) << tissue;
@@ -244,7 +244,7 @@ protected:
     void SetUp() override {
         if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
     }
-    [[nodiscard]] static Scene scene() {
+    [[nodiscard]] static run::Scene scene() {
         const char* variant = std::string(GetParam()) == "t12.yaml" ? "narrow-pedicle" : "";  // 6.5 mm do not go in
         return test::scene_of(procedure_file, variant, {},
                               std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam());
@@ -253,19 +253,19 @@ protected:
 
 TEST_P(RealScan, TheExpertDrillsThroughBoneAllTheWayAndInsertsTheScrew) {
     const test::WatchedRun run = test::rehearsed(scene(), "expert");
-    const StepRow& pilot_hole = run.summary.steps.at(0);
+    const session::StepRow& pilot_hole = run.summary.steps.at(0);
     EXPECT_TRUE(pilot_hole.done);
     EXPECT_TRUE(pilot_hole.broken_limits.empty());
     EXPECT_GT(metric(run.summary, "pilot-hole.clearance.canal"), 0.0);
     EXPECT_EQ(metric(run.summary, "pilot-hole.time-in-air"), 0.0);
     EXPECT_LT(metric(run.summary, "pilot-hole.narrowest-offset"), 1.5e-3);
-    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass);
     EXPECT_LT(metric(run.summary, "insert.gertzbein-robbins"), 1e-3);
 }
 
 TEST_P(RealScan, WithoutAStartingHoleTheDrillGoesOnBesideTheBone) {
     const test::WatchedRun run = test::rehearsed(scene(), "no-starting-hole");
-    EXPECT_EQ(run.summary.verdict, Verdict::fail);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::fail);
     EXPECT_GT(metric(run.summary, "pilot-hole.time-in-air"), 2.0);
 }
 
@@ -282,14 +282,14 @@ INSTANTIATE_TEST_SUITE_P(Vertebra, RealScan, testing::Values("l3.yaml", "t12.yam
 TEST(RealSurface, AHoleAlongTheNeckOfTheFemurEndsAsItSays) {
     if (const char* data = std::getenv("KERF_DATA"); !data || !std::filesystem::exists(std::string(data) + "/meshes"))
         GTEST_SKIP() << "KERF_DATA names no folder with meshes/";
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto made =
-        make_scene(KERF_SOURCE_DIR "/tests/real-data/neck-hole.yaml", "", test::plugins()).take(diagnostics);
+        run::make_scene(KERF_SOURCE_DIR "/tests/real-data/neck-hole.yaml", "", test::plugins()).take(diagnostics);
     ASSERT_TRUE(made) << to_text(diagnostics);
     const test::WatchedRun run = test::rehearsed(*made, "straight");
-    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass);
     for (const auto& [tissue, volume] : run.summary.removed_by_tissue) EXPECT_GT(volume, 1e-9) << tissue;
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

@@ -17,7 +17,7 @@
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 constexpr const char* procedure_file = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml";
@@ -25,8 +25,8 @@ constexpr const char* phantom_file = KERF_SOURCE_DIR "/procedures/anatomy/verteb
 
 /// The shipped phantom as a scanner would see it, with one voxel of air at `odd` instead of 0.
 void write_scan(const std::string& file, float odd) {
-    Diagnostics diagnostics;
-    const auto phantom = read_anatomy(phantom_file).take(diagnostics);
+    text::Diagnostics diagnostics;
+    const auto phantom = documents::read_anatomy(phantom_file).take(diagnostics);
     if (!phantom) throw std::runtime_error(to_text(diagnostics));
     constexpr int size[] = {64, 90, 40};
     std::ofstream out(file, std::ios::binary);
@@ -49,9 +49,9 @@ void write_anatomy(const std::string& file) {
     std::ofstream(file) << text.substr(0, from) << "ct:\n  image: scan.mha\n  threshold: 250\n\n" << text.substr(to);
 }
 
-std::optional<Scene> scene_of(const std::string& anatomy) {
-    Diagnostics diagnostics;
-    auto scene = make_scene(procedure_file, anatomy, test::plugins()).take(diagnostics);
+std::optional<run::Scene> scene_of(const std::string& anatomy) {
+    text::Diagnostics diagnostics;
+    auto scene = run::make_scene(procedure_file, anatomy, test::plugins()).take(diagnostics);
     EXPECT_TRUE(scene) << to_text(diagnostics);
     return scene;
 }
@@ -59,7 +59,7 @@ std::optional<Scene> scene_of(const std::string& anatomy) {
 TEST(ScanReplay, APhantomsHashIsThatOfItsText) {
     const auto scene = scene_of("");
     ASSERT_TRUE(scene);
-    EXPECT_EQ(scene->anatomy_hash, hash_of_text(test::contents_of(phantom_file)));
+    EXPECT_EQ(scene->anatomy_hash, session::hash_of_text(test::contents_of(phantom_file)));
     EXPECT_FALSE(scene->import.notes.empty());
 }
 
@@ -70,15 +70,15 @@ TEST(ScanReplay, IsRefusedWithAnotherScanUnderTheSameName) {
     write_scan(folder / "scan.mha", 0.0f);
     const auto scene = scene_of(folder / "anatomy.yaml");
     ASSERT_TRUE(scene);
-    SessionHeader header;
+    session::SessionHeader header;
     header.procedure_text = scene->procedure.text;
     header.anatomy_hash = scene->anatomy_hash;
-    auto created = Recorder::create(folder / "session.db", header);
+    auto created = session::Recorder::create(folder / "session.db", header);
     ASSERT_EQ(created.error, "");
-    TickRow row;
+    session::TickRow row;
     row.device_from_handle = identity_pose();
     created.recorder->push(row);
-    ASSERT_EQ(created.recorder->finish(RunSummary{}), "");
+    ASSERT_EQ(created.recorder->finish(session::RunSummary{}), "");
 
     // When a voxel of the scan changes, and the session is replayed
     write_scan(folder / "scan.mha", -1.0f);
@@ -91,11 +91,11 @@ TEST(ScanReplay, IsRefusedWithAnotherScanUnderTheSameName) {
 
     // Then it is refused before anything is drilled, and says why
     EXPECT_NE(other->anatomy_hash, scene->anatomy_hash);
-    EXPECT_NE(scene->anatomy_hash, hash_of_text(scene->anatomy.text));
+    EXPECT_NE(scene->anatomy_hash, session::hash_of_text(scene->anatomy.text));
     EXPECT_EQ(WEXITSTATUS(status), 2);
     EXPECT_NE(test::contents_of(folder / "said.txt").find("another scan"), std::string::npos)
         << test::contents_of(folder / "said.txt");
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

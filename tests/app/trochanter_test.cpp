@@ -12,7 +12,7 @@
 #include "kerf/units.hpp"
 #include "tests/support/operation.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using namespace literals;
@@ -20,8 +20,8 @@ using test::metric, test::reasons_of, test::rehearsed, test::WatchedRun;
 
 const char* const procedure_file = KERF_SOURCE_DIR "/procedures/trochanter-fixation.yaml";
 
-Scene femur(const std::vector<std::string>& settings = {}, const std::string& variant = "",
-            const std::string& anatomy = "") {
+run::Scene femur(const std::vector<std::string>& settings = {}, const std::string& variant = "",
+                 const std::string& anatomy = "") {
     return test::scene_of(procedure_file, variant, settings, anatomy);
 }
 
@@ -29,10 +29,10 @@ class Trochanter : public testing::TestWithParam<const char*> {};
 
 // Tip-apex distance below 25 mm; 5 mm are what experts plunge in normal bone, 8 mm what novices do.
 TEST_P(Trochanter, IsFixedByTheExpertOn) {
-    const Scene scene = femur({std::string("haptics.device=") + GetParam()});
+    const run::Scene scene = femur({std::string("haptics.device=") + GetParam()});
     const WatchedRun run = rehearsed(scene, "expert");
     EXPECT_TRUE(run.is_as_expected) << reasons_of(run);
-    const RunSummary& s = run.summary;
+    const session::RunSummary& s = run.summary;
     EXPECT_LT(metric(s, "reduce.reduction-offset"), 0.5_mm);
     EXPECT_LT(metric(s, "reduce.reduction-angle"), 0.5_deg);
     EXPECT_NEAR(metric(s, "lag.axes-angle.neck"), 125.0_deg, 0.5_deg);
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Device, Trochanter, testing::Values("touch", "desktop",
                          });
 
 TEST(TrochanterBlunder, FailsForTheReasonThatItNames) {
-    const Scene scene = femur();
+    const run::Scene scene = femur();
     for (const char* rehearsal : {"malreduction", "plunge"}) {
         const WatchedRun run = rehearsed(scene, rehearsal);
         EXPECT_TRUE(run.is_as_expected) << rehearsal << "\n" << reasons_of(run);
@@ -64,7 +64,7 @@ TEST(TrochanterBlunder, FailsForTheReasonThatItNames) {
 }
 
 TEST(TrochanterVariant, OfOneScrewPasses) {
-    const Scene scene = femur({}, "screw-alone");
+    const run::Scene scene = femur({}, "screw-alone");
     const WatchedRun run = rehearsed(scene, "expert");
     EXPECT_TRUE(run.is_as_expected) << reasons_of(run);
 }
@@ -72,7 +72,7 @@ TEST(TrochanterVariant, OfOneScrewPasses) {
 // Its neck is 10 mm shorter than the phantom's: so are the hole and the screw.
 TEST(TrochanterOfARealFemur, IsFixedWithOneScrew) {
     if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
-    const Scene scene = femur(
+    const run::Scene scene = femur(
         {"instruments.lag-screw.parameters.shaft_length=54 mm",
          "steps.lag-hole.goals=[{entry: {}}, {depth: {at_least: 70 mm}}]",
          "steps.lag.goals=[{entry: {}}, {depth: {at_least: 67 mm}}]",
@@ -92,24 +92,25 @@ TEST(TrochanterPlate, IsMissedWhereAStepFollowsItsHole) {
         femur({"rehearsals.expert.path=[{follow: reduction}, {step: lag-hole, depth: -60 mm, insert: plate}, "
                "{depth: -2 mm}, {depth: 5 mm}, {depth: -5 mm}]"});
     const WatchedRun run = rehearsed(scene, "expert");
-    EXPECT_EQ(run.summary.verdict, Verdict::incomplete);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::incomplete);
     EXPECT_NE(reasons_of(run).find("Step `lag-hole`: `plate`, whose hole it follows, was not in the scene."),
               std::string::npos)
         << reasons_of(run);
 }
 
 TEST(TrochanterFracture, CannotBeUndone) {
-    const Scene scene = femur({"rehearsals.expert.expect=incomplete",
-                               "rehearsals.expert.path=[{depth: -60 mm}, {depth: -50 mm, do: undo}, {depth: -60 mm}]"});
+    const run::Scene scene =
+        femur({"rehearsals.expert.expect=incomplete",
+               "rehearsals.expert.path=[{depth: -60 mm}, {depth: -50 mm, do: undo}, {depth: -60 mm}]"});
     const test::WatchedRun run = [&] {
-        RunRequest request;
+        run::RunRequest request;
         request.rehearsal = "expert";
         return test::watched_run(scene, test::plugins(), request);
     }();
     EXPECT_EQ(run.summary.pieces.size(), 2u);
     EXPECT_TRUE(std::any_of(run.events.begin(), run.events.end(),
-                            [](const EventRow& event) { return event.id == "hand.refused"; }));
+                            [](const session::EventRow& event) { return event.id == "hand.refused"; }));
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

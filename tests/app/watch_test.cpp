@@ -13,7 +13,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ TEST(Watch, RunsAgainWhenTheProcedureChanges) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

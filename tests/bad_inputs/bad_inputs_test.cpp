@@ -61,9 +61,10 @@ struct Ending {
 };
 
 /// Errors alone, or else that it was loaded and the warnings; each once, in their order.
-Ending ending_of(const Diagnostics& found) {
+Ending ending_of(const text::Diagnostics& found) {
     std::set<std::string> errors, warnings;
-    for (const Diagnostic& d : found) (d.level == Diagnostic::Level::error ? errors : warnings).insert(d.code);
+    for (const text::Diagnostic& d : found)
+        (d.level == text::Diagnostic::Level::error ? errors : warnings).insert(d.code);
     Ending ending{errors.empty() ? "loaded" : "", to_text(found), ""};
     for (const std::string& code : errors.empty() ? warnings : errors)
         ending.codes += (ending.codes.empty() ? "" : " ") + code;
@@ -82,17 +83,17 @@ std::string misplaced(const Body& body) {
                          {2, -7.5, -3}, {2, -3, 2.5}, {2, -3, -8.5}};
     const Vec3 outside[]{{11, -3, -3}, {-6, -3, -3}, {2, 4.5, -3}, {2, -10.5, -3}, {2, -3, 5.5}, {2, -3, -11.5}};
     for (const Vec3 mm : in_bone)
-        if (!(locate_on_bone(body, 1e-3 * mm).distance < 0.0)) return at_text(mm) + " is not in bone";
+        if (!(bone::locate_on_bone(body, 1e-3 * mm).distance < 0.0)) return at_text(mm) + " is not in bone";
     for (const Vec3 mm : outside)
-        if (!(locate_on_bone(body, 1e-3 * mm).distance > 0.0)) return at_text(mm) + " is in bone";
+        if (!(bone::locate_on_bone(body, 1e-3 * mm).distance > 0.0)) return at_text(mm) + " is in bone";
     return "";
 }
 
 /// Values of the imported file between voxels, where no border is near.
 std::string misread(const std::string& file) {
-    Diagnostics found;
-    const auto scan = open_scan(file, {}, {}).take(found);
-    const auto image = scan ? scan->read(scan->grid().all(), 0, {}, found) : std::nullopt;
+    text::Diagnostics found;
+    const auto scan = bone::open_scan(file, {}, {}).take(found);
+    const auto image = scan ? scan->read(scan->grid().all(), 0, {}).take(found) : std::nullopt;
     if (!image) return "what import wrote cannot be read: " + to_text(found);
     for (const Vec3 mm :
          {Vec3{2.3, -3.0, -3.0}, {6.0, -5.5, -6.6}, {-8.4, -12.2, -13.0}, {2.0, 8.0, 9.0}, {-9.0, 8.3, -12.5}}) {
@@ -113,13 +114,13 @@ std::string anatomy_of(const std::string& source) {
 }
 
 /// The bone that an anatomy makes of the source, if it does.
-Diagnostics make_bone(const std::string& folder, const std::string& source, std::string& wrong) {
+text::Diagnostics make_bone(const std::string& folder, const std::string& source, std::string& wrong) {
     write_file_of(folder + "/anatomy.yaml", anatomy_of(source));
-    Diagnostics found;
-    const auto anatomy = read_anatomy(folder + "/anatomy.yaml").take(found);
-    const auto body = anatomy ? make_body(*anatomy, spacing).take(found) : std::nullopt;
+    text::Diagnostics found;
+    const auto anatomy = documents::read_anatomy(folder + "/anatomy.yaml").take(found);
+    const auto body = anatomy ? bone::make_body(*anatomy, spacing).take(found) : std::nullopt;
     if (body && wrong.empty()) wrong = misplaced(*body);
-    if (!body && !has_error(found)) wrong = "no bone, and no word why";
+    if (!body && !text::has_error(found)) wrong = "no bone, and no word why";
     return found;
 }
 
@@ -131,7 +132,7 @@ std::string option_of(const std::string& options, const std::string& key) {
 }
 
 /// Both ways in must say the same.
-Ending joined(const Diagnostics& by_import, const Diagnostics& by_anatomy, std::string wrong) {
+Ending joined(const text::Diagnostics& by_import, const text::Diagnostics& by_anatomy, std::string wrong) {
     const Ending a = ending_of(by_import), b = ending_of(by_anatomy);
     if (a.codes != b.codes) wrong = "import ends with `" + a.codes + "`, an anatomy with `" + b.codes + "`";
     return {a.codes, a.told + b.told, wrong};
@@ -140,30 +141,31 @@ Ending joined(const Diagnostics& by_import, const Diagnostics& by_anatomy, std::
 Ending as_scan(const Input& input, const std::string& folder) {
     const bool may_resample = option_of(input.how, "resample") == "true";
     const std::string out = folder + "/imported.nrrd";
-    const ImportOutcome imported =
-        import_source({folder + "/" + input.source, out, option_of(input.how, "series"), "", may_resample, "mm", ""});
+    const app::ImportOutcome imported = app::import_source(
+        {folder + "/" + input.source, out, option_of(input.how, "series"), "", may_resample, "mm", ""});
     std::string wrong = imported.error;
     std::string kept;
-    if (!has_error(imported.diagnostics) && input.how.find("labels") == std::string::npos) wrong += misread(out);
+    if (!text::has_error(imported.diagnostics) && input.how.find("labels") == std::string::npos) wrong += misread(out);
     const std::string source =
         "ct: {image: " + input.source + ", threshold: 0" + (input.how.empty() ? "" : ", " + input.how) + "}";
-    const Diagnostics made = make_bone(folder, source, wrong);
+    const text::Diagnostics made = make_bone(folder, source, wrong);
     return joined(imported.diagnostics, made, wrong);
 }
 
 Ending as_surface(const Input& input, const std::string& folder) {
     const std::string unit = option_of(input.how, "unit"), frame = option_of(input.how, "frame");
     const std::string out = folder + "/imported.stl";
-    const ImportOutcome imported =
-        import_source({folder + "/" + input.source, input.how.find("repair") == std::string::npos ? out : "", "", "",
-                       false, unit.empty() ? "mm" : unit, frame});
+    const app::ImportOutcome imported =
+        app::import_source({folder + "/" + input.source, input.how.find("repair") == std::string::npos ? out : "", "",
+                            "", false, unit.empty() ? "mm" : unit, frame});
     std::string wrong = imported.error;
     const std::string how = (unit.empty() ? "unit: mm" + std::string(input.how.empty() ? "" : ", ") : "") + input.how;
-    const Diagnostics made = make_bone(folder, "mesh: {file: " + input.source + ", " + how + "}", wrong);
-    if (!has_error(imported.diagnostics) && !has_error(made) && input.how.find("repair") == std::string::npos) {
+    const text::Diagnostics made = make_bone(folder, "mesh: {file: " + input.source + ", " + how + "}", wrong);
+    if (!text::has_error(imported.diagnostics) && !text::has_error(made) &&
+        input.how.find("repair") == std::string::npos) {
         // What was written is the same bone again: millimetres, LPS.
-        const Diagnostics again = make_bone(folder, "mesh: {file: imported.stl, unit: mm, frame: LPS}", wrong);
-        if (has_error(again)) wrong = "what import wrote is refused: " + to_text(again);
+        const text::Diagnostics again = make_bone(folder, "mesh: {file: imported.stl, unit: mm, frame: LPS}", wrong);
+        if (text::has_error(again)) wrong = "what import wrote is refused: " + to_text(again);
     }
     if (input.how.find("repair") != std::string::npos) {  // import is not told of repairs
         Ending ending = ending_of(made);
@@ -189,13 +191,13 @@ Ending as_markups(const Input& input, const std::string& folder) {
                                         "landmarks:\n  markups: [{file: " + input.source + ", tolerance: 1 mm}]\n");
     write_file_of(folder + "/anatomy.yaml", anatomy);
     write_file_of(folder + "/hole.yaml", hole);
-    Diagnostics found;
-    const auto documents = check_documents({folder + "/hole.yaml"}, plugins()).take(found);
+    text::Diagnostics found;
+    const auto documents = run::check_documents({folder + "/hole.yaml"}, plugins()).take(found);
     Ending ending = ending_of(found);
     if (!documents) return ending;
     const auto& points = documents->anatomy.points;
     const auto entry =
-        std::find_if(points.begin(), points.end(), [](const LandmarkPoint& p) { return p.id == "entry"; });
+        std::find_if(points.begin(), points.end(), [](const documents::LandmarkPoint& p) { return p.id == "entry"; });
     if (entry == points.end())
         ending.wrong = "there is no `entry`";
     else if (length(entry->at - 1e-3 * Vec3{3, -4, 5}) > 1e-9)
@@ -204,17 +206,17 @@ Ending as_markups(const Input& input, const std::string& folder) {
 }
 
 Ending as_document(const Input& input, const std::string& folder) {
-    Diagnostics found;
+    text::Diagnostics found;
     const bool is_anatomy = input.source == "anatomy.yaml";
     if (is_anatomy)
         write_file_of(folder + "/hole.yaml", hole);
     else
         write_file_of(folder + "/anatomy.yaml", anatomy_of(phantom));
     const auto documents =
-        check_documents({folder + "/" + (is_anatomy ? "hole.yaml" : input.source)}, plugins()).take(found);
+        run::check_documents({folder + "/" + (is_anatomy ? "hole.yaml" : input.source)}, plugins()).take(found);
     Ending ending = ending_of(found);
     if (!documents) return ending;
-    const auto body = make_body(documents->anatomy, spacing).take(found);
+    const auto body = bone::make_body(documents->anatomy, spacing).take(found);
     if (!body) return ending_of(found);
     ending.wrong = misplaced(*body);
     return ending;
@@ -222,7 +224,7 @@ Ending as_document(const Input& input, const std::string& folder) {
 
 Ending as_session(const Input& input, const std::string& folder) {
     std::string error;
-    const auto inputs = read_session(folder + "/" + input.source, error);
+    const auto inputs = session::read_session(folder + "/" + input.source, error);
     if (!inputs) return {"refused", error, error.empty() ? "no word why" : ""};
     const auto& last = inputs->device_from_handle.back();
     const bool is_whole = inputs->device_from_handle.size() == 200 && std::abs(last.position.x - 0.0199) < 1e-12;
@@ -231,12 +233,12 @@ Ending as_session(const Input& input, const std::string& folder) {
 
 Ending as_report(const Input& input, const std::string& folder) {
     std::string error;
-    const auto run = read_run(folder + "/" + input.source, error);
+    const auto run = session::read_run(folder + "/" + input.source, error);
     if (!run) return {"refused", error, error.empty() ? "no word why" : ""};
     const bool is_whole =
         run->drawn.ticks() == 200 && std::abs(run->drawn.last()->device_from_handle.position.x - 0.0199) < 1e-12;
-    const std::string page = report_html(run->summary, run->drawn, run->procedure);
-    if (page.find(notice_line) == std::string::npos) return {"loaded", "", "the page has no notice"};
+    const std::string page = session::report_html(run->summary, run->drawn, run->procedure);
+    if (page.find(session::notice_line) == std::string::npos) return {"loaded", "", "the page has no notice"};
     return {run->missing.empty() ? "loaded" : "loaded as incomplete", run->missing,
             is_whole ? "" : "the ticks are not those that were recorded"};
 }

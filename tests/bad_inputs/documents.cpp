@@ -74,10 +74,10 @@ std::string repeated(const std::string& text, int times) {
 
 /// A session of 200 ticks; the handle moves by 0.1 mm in each.
 void record(const std::string& path, bool is_finished = true) {
-    auto recorder = Recorder::create(path, {}).recorder;
+    auto recorder = session::Recorder::create(path, {}).recorder;
     if (recorder == nullptr) throw std::runtime_error("no recorder");
     for (std::uint64_t tick = 0; tick < 200; ++tick) {
-        TickRow row;
+        session::TickRow row;
         row.tick = tick;
         row.device_from_handle = {{1e-4 * static_cast<double>(tick), 0.0, 0.0}, {1, 0, 0, 0}};
         recorder->push(row);

@@ -20,8 +20,8 @@ namespace {
 using Make = std::function<void(const std::string&)>;
 
 /// The bone's surface [mm], its faces looking outwards, and others like it: scaled about the origin, then moved.
-SurfaceMesh block(double scale = 1.0, Vec3 move = {}) {
-    SurfaceMesh mesh = cube(1.0);
+bone::SurfaceMesh block(double scale = 1.0, Vec3 move = {}) {
+    bone::SurfaceMesh mesh = cube(1.0);
     for (Vec3& v : mesh.vertices) {
         const double at[]{v.x, v.y, v.z};
         double to[3];
@@ -30,11 +30,11 @@ SurfaceMesh block(double scale = 1.0, Vec3 move = {}) {
     }
     return mesh;
 }
-SurfaceMesh with_signs(SurfaceMesh mesh, double x, double y, double z) {
+bone::SurfaceMesh with_signs(bone::SurfaceMesh mesh, double x, double y, double z) {
     for (Vec3& v : mesh.vertices) v = {x * v.x, y * v.y, z * v.z};
     return x * y * z < 0 ? turned(mesh) : mesh;
 }
-SurfaceMesh without_faces(SurfaceMesh mesh, std::size_t count) {
+bone::SurfaceMesh without_faces(bone::SurfaceMesh mesh, std::size_t count) {
     mesh.triangles.resize(mesh.triangles.size() - count);
     return mesh;
 }
@@ -43,9 +43,9 @@ std::string text_of(Vec3 v) {
     return DicomWriter::decimal(v.x) + " " + DicomWriter::decimal(v.y) + " " + DicomWriter::decimal(v.z);
 }
 
-std::string ascii_stl(const SurfaceMesh& mesh, const std::string& end = "\n") {
+std::string ascii_stl(const bone::SurfaceMesh& mesh, const std::string& end = "\n") {
     std::string text = "solid bone of somebody" + end;
-    for (const Triangle& t : mesh.triangles) {
+    for (const bone::Triangle& t : mesh.triangles) {
         text += "facet normal 0 0 0" + end + " outer loop" + end;
         for (const Vec3 p : mesh.corners(t)) text += "  vertex " + text_of(p) + end;
         text += " endloop" + end + "endfacet" + end;
@@ -53,10 +53,10 @@ std::string ascii_stl(const SurfaceMesh& mesh, const std::string& end = "\n") {
     return text + "endsolid" + end;
 }
 
-std::string obj(const SurfaceMesh& mesh, const std::string& end = "\n", const std::string& more = "") {
+std::string obj(const bone::SurfaceMesh& mesh, const std::string& end = "\n", const std::string& more = "") {
     std::string text;
     for (const Vec3 v : mesh.vertices) text += "v " + text_of(v) + end;
-    for (const Triangle& t : mesh.triangles) {
+    for (const bone::Triangle& t : mesh.triangles) {
         text += "f";
         for (const std::uint32_t corner : t) text += " " + std::to_string(corner + 1) + more;
         text += end;
@@ -66,7 +66,7 @@ std::string obj(const SurfaceMesh& mesh, const std::string& end = "\n", const st
 
 /// Four corners to a face; numbers from the front or from the back.
 std::string obj_of_quads(bool counts_backwards) {
-    const SurfaceMesh mesh = block();
+    const bone::SurfaceMesh mesh = block();
     std::string text;
     for (const Vec3 v : mesh.vertices) text += "v " + text_of(v) + "\n";
     const int corners[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
@@ -79,7 +79,7 @@ std::string obj_of_quads(bool counts_backwards) {
 }
 
 /// PLY in one of its three forms; `count` is what the header promises of faces.
-std::string ply(const SurfaceMesh& mesh, const std::string& form, int count = -1, const std::string& end = "\n") {
+std::string ply(const bone::SurfaceMesh& mesh, const std::string& form, int count = -1, const std::string& end = "\n") {
     std::string text = "ply" + end + "format " + form + " 1.0" + end + "comment of somebody" + end + "element vertex " +
                        std::to_string(mesh.vertices.size()) + end + "property float x" + end + "property float y" +
                        end + "property float z" + end + "property uchar red" + end + "element face " +
@@ -95,7 +95,7 @@ std::string ply(const SurfaceMesh& mesh, const std::string& form, int count = -1
         for (const double x : {v.x, v.y, v.z}) add(static_cast<float>(x));
         text += '\xff';
     }
-    for (const Triangle& t : mesh.triangles) {
+    for (const bone::Triangle& t : mesh.triangles) {
         text += is_text ? "3" : "\3";
         for (const std::uint32_t corner : t) {
             if (is_text)
@@ -131,7 +131,7 @@ std::string moebius_strip() {
     return text;
 }
 
-SurfaceMesh with_spoilt(SurfaceMesh mesh, double value) {
+bone::SurfaceMesh with_spoilt(bone::SurfaceMesh mesh, double value) {
     mesh.vertices[3].y = value;
     return mesh;
 }
@@ -139,23 +139,23 @@ SurfaceMesh with_spoilt(SurfaceMesh mesh, double value) {
 }  // namespace
 
 std::vector<Input> surface_inputs() {
-    const SurfaceMesh bone = block();
+    const bone::SurfaceMesh bone = block();
     const double nan = std::nan(""), none = HUGE_VAL;
     const std::string lps = "frame: LPS";
-    SurfaceMesh with_flaws = bone;
+    bone::SurfaceMesh with_flaws = bone;
     with_flaws.triangles.push_back(bone.triangles[0]);  // twice
     with_flaws.triangles.push_back({1, 1, 5});          // collapsed
     with_flaws.vertices.push_back({900, 900, 900});     // used by nothing
-    SurfaceMesh half_turned = bone;
+    bone::SurfaceMesh half_turned = bone;
     for (std::size_t n = 0; n < 12; n += 3) std::swap(half_turned.triangles[n][1], half_turned.triangles[n][2]);
-    SurfaceMesh crowded = bone;
+    bone::SurfaceMesh crowded = bone;
     crowded.vertices.push_back({2, -3, 12});
     crowded.triangles.push_back({4, 5, 8});
     std::string lying = binary_stl(bone), wide_header = binary_stl(bone, "solid made by a program that lies");
     lying.replace(80, 4, little_endian(std::uint32_t{4'000'000'000u}));
     std::string fewer = binary_stl(bone);
     fewer.replace(80, 4, little_endian(std::uint32_t{3}));
-    SurfaceMesh grains = together(bone, cube(0.5, {14, 0, 0}));
+    bone::SurfaceMesh grains = together(bone, cube(0.5, {14, 0, 0}));
     const std::string huge_list =
         "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element face 1\nproperty list uint int vertex_indices\nend_header\n" +
@@ -202,7 +202,8 @@ std::vector<Input> surface_inputs() {
          "E0645", "no finite number", lps},
         {"STL, a corner that is infinite", Way::surface, "a.stl", file("a.stl", binary_stl(with_spoilt(bone, none))),
          "E0645", "no finite number", lps},
-        {"STL, no faces", Way::surface, "a.stl", file("a.stl", binary_stl(SurfaceMesh{})), "E0647", "no face", lps},
+        {"STL, no faces", Way::surface, "a.stl", file("a.stl", binary_stl(bone::SurfaceMesh{})), "E0647", "no face",
+         lps},
         {"STL, text without faces", Way::surface, "a.stl", file("a.stl", "solid\nendsolid\n"), "E0647", "no face", lps},
         {"STL, an empty file", Way::surface, "a.stl", file("a.stl", ""), "E0644", "at least 84", lps},
         {"STL, far away", Way::surface, "a.stl", file("a.stl", binary_stl(block(1.0, {5e5, 0, 0}))), "E0652",

@@ -5,7 +5,7 @@
 #include "kerf/units.hpp"
 
 /// What the drilling plugin offers, as far as these tests need it.
-namespace kerf {
+namespace kerf::documents {
 
 inline ComponentCatalog drilling_catalog() {
     using namespace literals;
@@ -73,4 +73,4 @@ inline ComponentCatalog example_catalog() {
     return catalog;
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

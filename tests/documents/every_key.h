@@ -9,7 +9,7 @@
 #include "documents/shapes/shapes.h"
 
 /// Documents made of the examples that the shapes give: with every key there is, or with one of them left out.
-namespace kerf {
+namespace kerf::documents {
 
 struct EveryKey {
     static constexpr std::size_t choices = 75;
@@ -126,4 +126,4 @@ void for_every_key(const Shape& shape, Visit&& visit) {
     }
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

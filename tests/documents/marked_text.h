@@ -13,7 +13,7 @@
 #include "text/source.h"
 
 /// A document in which «…» marks where the one error must be reported. The marks are not part of the document.
-namespace kerf {
+namespace kerf::documents {
 
 struct MarkedText {
     std::string text;
@@ -43,14 +43,14 @@ inline std::string replaced(std::string text, std::string_view from, std::string
 }
 
 /// Expects exactly one error, with this code, at the marked place.
-inline void expect_only(Code code, const MarkedText& marked, const Diagnostics& diagnostics) {
+inline void expect_only(text::Code code, const MarkedText& marked, const text::Diagnostics& diagnostics) {
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
-    const Diagnostic& d = diagnostics[0];
-    EXPECT_EQ(d.code, code_text(code)) << to_text(diagnostics);
+    const text::Diagnostic& d = diagnostics[0];
+    EXPECT_EQ(d.code, text::code_text(code)) << to_text(diagnostics);
     EXPECT_EQ(d.place.line, marked.line) << to_text(diagnostics);
     EXPECT_EQ(d.place.column, marked.column) << to_text(diagnostics);
     EXPECT_EQ(d.place.length, marked.length) << to_text(diagnostics);
     EXPECT_FALSE(d.message.empty());
 }
 
-}  // namespace kerf
+}  // namespace kerf::documents

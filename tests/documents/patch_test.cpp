@@ -17,7 +17,7 @@
 #include "tests/support/temporary_folder.h"
 #include "text/printable_lines.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 using namespace literals;
@@ -45,13 +45,13 @@ std::string with_patch(const std::string& patch) {
     return base + "variants:\n  other:\n    patch:\n      " + patch + "\n";
 }
 
-std::optional<Procedure> read(const std::string& text, Diagnostics& found,
+std::optional<Procedure> read(const std::string& text, text::Diagnostics& found,
                               const ProcedureChanges& changes = {"other", {}}) {
     return read_procedure_text("hole.yaml", text, drilling_catalog(), changes).take(found);
 }
 
 Procedure patched(const std::string& patch) {
-    Diagnostics found;
+    text::Diagnostics found;
     const auto procedure = read(with_patch(patch), found);
     EXPECT_TRUE(procedure && found.empty()) << to_text(found);
     return procedure.value_or(Procedure{});
@@ -99,14 +99,14 @@ TEST(Patch, KnowsNamesWithDots) {
         to.replace(to.find("drill"), 5, "a.b");
         text = replaced(text, from, to);
     }
-    Diagnostics found;
+    text::Diagnostics found;
     const auto procedure = read(text, found);
     ASSERT_TRUE(procedure) << to_text(found);
     EXPECT_EQ(procedure->instruments.at(0).tool_parameters.at(0), 5.0_mm);
 }
 
 TEST(Patch, LeavesTheProcedureAsItIsUnlessItIsChosen) {
-    Diagnostics found;
+    text::Diagnostics found;
     const std::string text = with_patch("time_limit: 30 s");
     const auto procedure = read(text, found, {});
     ASSERT_TRUE(procedure) << to_text(found);
@@ -117,30 +117,30 @@ TEST(Patch, LeavesTheProcedureAsItIsUnlessItIsChosen) {
     EXPECT_EQ(procedure->variants[0].id, "other");
 }
 
-void expect_refused(Code code, const std::string& patch) {
+void expect_refused(text::Code code, const std::string& patch) {
     SCOPED_TRACE(patch);
     const MarkedText marked(with_patch(patch));
-    Diagnostics found;
+    text::Diagnostics found;
     EXPECT_FALSE(read(marked.text, found));
     expect_only(code, marked, found);
 }
 
 TEST(Patch, RefusesAPathThatLeadsNowhere) {
-    expect_refused(Code::patch_nowhere, "«steps.deepn.title»: Go on");
-    expect_refused(Code::patch_nowhere, "«metadata.title.text»: A hole");
-    expect_refused(Code::patch_nowhere, "«steps.deepen.goals.depth»: {at_least: 20 mm}");
+    expect_refused(text::Code::patch_nowhere, "«steps.deepn.title»: Go on");
+    expect_refused(text::Code::patch_nowhere, "«metadata.title.text»: A hole");
+    expect_refused(text::Code::patch_nowhere, "«steps.deepen.goals.depth»: {at_least: 20 mm}");
 }
 TEST(Patch, RefusesAPathThroughAnUnknownName) {
-    expect_refused(Code::patch_nowhere, "«instruments.dril.drives.spindle_speed»: 900 rpm");
-    expect_refused(Code::patch_nowhere, "instruments: {«pilot»: {parameters: {diameter: 5 mm}}}");
-    expect_refused(Code::patch_nowhere, "steps: [{id: «deepn», title: Go on}]");
-    Diagnostics found;
+    expect_refused(text::Code::patch_nowhere, "«instruments.dril.drives.spindle_speed»: 900 rpm");
+    expect_refused(text::Code::patch_nowhere, "instruments: {«pilot»: {parameters: {diameter: 5 mm}}}");
+    expect_refused(text::Code::patch_nowhere, "steps: [{id: «deepn», title: Go on}]");
+    text::Diagnostics found;
     EXPECT_FALSE(read(with_patch("instruments.pilot.drives.spindle_speed: 900 rpm"), found));
     ASSERT_EQ(found.size(), 1u) << to_text(found);
     EXPECT_EQ(found[0].write, "instruments.drill.drives.spindle_speed:") << "the only name that there is";
 }
 TEST(Patch, AddsAWholeInstrument) {
-    Diagnostics found;
+    text::Diagnostics found;
     const auto p =
         read(with_patch("{instruments.thin: {plugin: kerf.drilling, tool: twist_drill, force: drill_cutting}, "
                         "steps.enter.instrument: thin}"),
@@ -148,11 +148,11 @@ TEST(Patch, AddsAWholeInstrument) {
     ASSERT_TRUE(p) << to_text(found);
     EXPECT_EQ(p->instruments.size(), 2u);
 }
-TEST(Patch, RefusesToRemoveWhatIsNotThere) { expect_refused(Code::nothing_to_remove, "«steps.deepen.limit»: ~"); }
+TEST(Patch, RefusesToRemoveWhatIsNotThere) { expect_refused(text::Code::nothing_to_remove, "«steps.deepen.limit»: ~"); }
 TEST(Patch, RefusesAPathWithoutEnd) {
     std::string path = "a";
     for (int i = 0; i < 400; ++i) path += ".a";
-    expect_refused(Code::nested_too_deep, "«" + path + "»: 1");
+    expect_refused(text::Code::nested_too_deep, "«" + path + "»: 1");
 }
 
 TEST(Patch, RefusesMoreThanAPersonWouldWrite) {
@@ -161,9 +161,9 @@ TEST(Patch, RefusesMoreThanAPersonWouldWrite) {
         variants +=
             (i == 32 ? "  «v" : "  v") + std::to_string(i) + (i == 32 ? "»" : "") + ": {patch: {time_limit: 3 s}}\n";
     const MarkedText many(base + variants);
-    Diagnostics found;
+    text::Diagnostics found;
     EXPECT_FALSE(read(many.text, found, {}));
-    expect_only(Code::out_of_range, many, found);
+    expect_only(text::Code::out_of_range, many, found);
 
     std::string keys;
     for (int i = 0; i < 50'000; ++i) keys += (i > 0 ? ", k" : "k") + std::to_string(i) + ": 1";
@@ -173,7 +173,7 @@ TEST(Patch, RefusesMoreThanAPersonWouldWrite) {
 }
 
 TEST(Patch, AMistakeInItIsShownWhereItStandsTogetherWithWhatItReplaces) {
-    Diagnostics found;
+    text::Diagnostics found;
     EXPECT_FALSE(read(with_patch("instruments.drill.parameters: {diameter: 5}"), found));
     EXPECT_EQ(
         to_text(found),
@@ -184,10 +184,12 @@ TEST(Patch, AMistakeInItIsShownWhereItStandsTogetherWithWhatItReplaces) {
         "      drill: {plugin: kerf.drilling, tool: twist_drill, force: drill_cutting, parameters: {diameter: 4 mm}}\n"
         "                                                                                                     ^^^^\n");
 }
-TEST(Patch, AnUnknownKeyInItIsShownWhereItStands) { expect_refused(Code::unknown_key, "«acuracy».spacing: 0.5 mm"); }
+TEST(Patch, AnUnknownKeyInItIsShownWhereItStands) {
+    expect_refused(text::Code::unknown_key, "«acuracy».spacing: 0.5 mm");
+}
 
 TEST(Patch, RefusesAVariantThatIsNotThere) {
-    Diagnostics found;
+    text::Diagnostics found;
     EXPECT_FALSE(read(with_patch("time_limit: 30 s"), found, {"othr", {}}));
     ASSERT_EQ(found.size(), 1u) << to_text(found);
     EXPECT_EQ(found[0].code, "E0311");
@@ -201,7 +203,7 @@ TEST(Patch, RefusesAVariantThatIsNotThere) {
 // ---- --set
 
 TEST(Setting, ComesAfterTheVariant) {
-    Diagnostics found;
+    text::Diagnostics found;
     const auto p = read(with_patch("{time_limit: 30 s, accuracy.spacing: 0.5 mm}"), found,
                         {"other", {"time_limit=20 s", "steps.deepen.limits=~"}});
     ASSERT_TRUE(p) << to_text(found);
@@ -210,7 +212,7 @@ TEST(Setting, ComesAfterTheVariant) {
     for (const Limit& limit : p->steps.at(1).limits) EXPECT_EQ(limit.quantity, "damage");
 }
 TEST(Setting, ShowsItsMistakesInItself) {
-    Diagnostics found;
+    text::Diagnostics found;
     EXPECT_FALSE(read(base, found, {"", {"time_limit=20"}}));
     EXPECT_EQ(to_text(found),
               "E0402 --set:1:13: time_limit has no unit: got `20`, expected a time in s. Write `20 s`.\n    "
@@ -220,7 +222,7 @@ TEST(Setting, ShowsItsMistakesInItself) {
           "a", "", "time_limit=20 s\nsteps: ~", "time_limit={", "nothing=~"}) {
         found.clear();
         EXPECT_FALSE(read(base, found, {"", {wrong}})) << wrong;
-        EXPECT_TRUE(has_error(found)) << wrong;
+        EXPECT_TRUE(text::has_error(found)) << wrong;
     }
 }
 
@@ -237,7 +239,7 @@ void expect_same_when_read_back(const std::string& text) {
     Document document = read_again("a.yaml", text);
     std::erase_if(document.root.children, [](const Node& child) { return child.key == "variants"; });  // chosen already
     for (const bool is_annotated : {false, true}) {
-        Diagnostics found;
+        text::Diagnostics found;
         const auto back = parse_document("b.yaml", emitted(document, is_annotated)).take(found);
         ASSERT_TRUE(back) << to_text(found) << emitted(document, is_annotated);
         EXPECT_TRUE(is_same(document.root, back->root)) << emitted(document, is_annotated);
@@ -281,16 +283,16 @@ TEST(Emitted, ReadsBackToTheSameTree) {
 }
 
 TEST(Emitted, EscapesControlCharactersOfFileNames) {
-    Diagnostics found;
+    text::Diagnostics found;
     const auto document = parse_document("a\033[2J.yaml", "a: b\n").take(found);
     ASSERT_TRUE(document) << to_text(found);
     const std::string text = emitted(*document, true);
-    EXPECT_EQ(text, printable_lines(text));
+    EXPECT_EQ(text, text::printable_lines(text));
     EXPECT_NE(text.find("# a\\x1b[2J.yaml:1"), std::string::npos) << text;
 }
 
 TEST(Emitted, SaysOfEveryValueWhereItComesFrom) {
-    Diagnostics found;
+    text::Diagnostics found;
     const auto p = read(with_patch("time_limit: 30 s"), found, {"other", {"accuracy.spacing=0.5 mm"}});
     ASSERT_TRUE(p) << to_text(found);
     const std::string text = emitted(*p->document, true);
@@ -305,7 +307,7 @@ TEST(Emitted, SaysOfEveryValueWhereItComesFrom) {
 }
 
 TEST(Emitted, TheTextOfAVariantIsAProcedureByItself) {
-    Diagnostics found;
+    text::Diagnostics found;
     const auto p = read(with_patch("time_limit: 30 s"), found);
     ASSERT_TRUE(p) << to_text(found);
     const auto again = read(p->text, found, {});
@@ -322,12 +324,12 @@ TEST(DamagedVariant, CutOffOrChangedAnywhereIsAnsweredWithoutAThrow) {
             std::string damaged = whole;
             damaged[at] = damage;
             if (damage == '\0') damaged.resize(at);
-            Diagnostics found;
+            text::Diagnostics found;
             std::optional<Procedure> p;
             ASSERT_NO_THROW(p = read(damaged, found));
-            ASSERT_EQ(p.has_value(), !has_error(found)) << to_text(found);
+            ASSERT_EQ(p.has_value(), !text::has_error(found)) << to_text(found);
         }
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -11,7 +11,7 @@
 #include "kerf/units.hpp"
 #include "tests/documents/marked_text.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 using namespace literals;
@@ -35,16 +35,16 @@ zones:
   canal: [ {tube: {from: 0 20 -9 mm, to: 0 20 9 mm, radius: 5 mm}} ]
 )";
 
-void expect_refused(Code code, std::string_view from, std::string_view to) {
+void expect_refused(text::Code code, std::string_view from, std::string_view to) {
     SCOPED_TRACE(std::string(to));
     const MarkedText marked(replaced(faultless, from, to));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text).take(diagnostics));
     expect_only(code, marked, diagnostics);
 }
 
 TEST(ReadAnatomy, GivesSiValues) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless).take(diagnostics);
 
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
@@ -62,7 +62,7 @@ TEST(ReadAnatomy, GivesSiValues) {
 }
 
 TEST(ReadAnatomy, ReadsASphere) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto anatomy =
         read_anatomy_text("bone.yaml", replaced(faultless, "box: {centre: 0 0 0 mm, size: 40 30 20 mm}",
                                                 "sphere: {centre: 1 2 3 mm, radius: 2 cm}"))
@@ -73,10 +73,11 @@ TEST(ReadAnatomy, ReadsASphere) {
     EXPECT_EQ(sphere.radius, 20.0_mm);
 }
 TEST(ReadAnatomy, RefusesASphereWithoutRadius) {
-    expect_refused(Code::missing_key, "box: {centre: 0 0 0 mm, size: 40 30 20 mm}", "«sphere»: {centre: 1 2 3 mm}");
+    expect_refused(text::Code::missing_key, "box: {centre: 0 0 0 mm, size: 40 30 20 mm}",
+                   "«sphere»: {centre: 1 2 3 mm}");
 }
 TEST(ReadAnatomy, ReadsFits) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     std::string text =
         replaced(faultless, "1 mm], tolerance: 1.5 mm}",
                  "1 mm], fit: {sphere: {radius: 2 cm}, residual: {at_most: 0.5 mm}}, tolerance: 1.5 mm}");
@@ -94,55 +95,59 @@ TEST(ReadAnatomy, ReadsFits) {
     EXPECT_FALSE(anatomy->axes[0].fit->residual);
 }
 TEST(ReadAnatomy, RefusesTwoShapesOfOneFit) {
-    expect_refused(Code::one_of, "0 0 mm, tolerance: 1.5 mm}}",
+    expect_refused(text::Code::one_of, "0 0 mm, tolerance: 1.5 mm}}",
                    "0 0 mm, fit: {tube: {radius: 9 mm}, «neck»: {head: midline}}, tolerance: 1.5 mm}}");
 }
 TEST(ReadAnatomy, RefusesANeckWithoutAFittedHead) {
-    expect_refused(Code::fit_reference, "0 0 mm, tolerance: 1.5 mm}}",
+    expect_refused(text::Code::fit_reference, "0 0 mm, tolerance: 1.5 mm}}",
                    "0 0 mm, fit: {neck: {head: «midline»}}, tolerance: 1.5 mm}}");
 }
 TEST(ReadAnatomy, RefusesAnUnknownShaft) {
-    expect_refused(Code::fit_reference, "0 0 mm, tolerance: 1.5 mm}}",
+    expect_refused(text::Code::fit_reference, "0 0 mm, tolerance: 1.5 mm}}",
                    "0 0 mm, fit: {condyles: {shaft: «femur»}}, tolerance: 1.5 mm}}");
 }
 TEST(ReadAnatomy, RefusesAPieceChosenByAFittedPoint) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     std::string text =
         replaced(faultless, "1 mm], tolerance: 1.5 mm}", "1 mm], fit: {sphere: {radius: 2 cm}}, tolerance: 1.5 mm}");
     const std::size_t first = text.find("phantom:"), last = text.find("tissues:");
     text.replace(first, last - first, "ct: {image: scan.nrrd, threshold: 150, keep: {component_at: «midline»}}\n");
     const MarkedText marked(text);
     EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text).take(diagnostics));
-    expect_only(Code::fit_reference, marked, diagnostics);
+    expect_only(text::Code::fit_reference, marked, diagnostics);
 }
 TEST(ReadAnatomy, RefusesFitsInACircle) {
-    expect_refused(Code::fit_reference, "0 0 mm, tolerance: 1.5 mm}}",
+    expect_refused(text::Code::fit_reference, "0 0 mm, tolerance: 1.5 mm}}",
                    "0 0 mm, fit: {condyles: {shaft: «pedicle»}}, tolerance: 1.5 mm}}");
 }
-TEST(ReadAnatomy, RefusesAProcedure) { expect_refused(Code::wrong_kind, "kind: Anatomy", "kind: «Procedure»"); }
+TEST(ReadAnatomy, RefusesAProcedure) { expect_refused(text::Code::wrong_kind, "kind: Anatomy", "kind: «Procedure»"); }
 TEST(ReadAnatomy, RefusesAPartOfTwoShapes) {
-    expect_refused(Code::one_of, "20 mm}, source: A book.",
+    expect_refused(text::Code::one_of, "20 mm}, source: A book.",
                    "20 mm}, «tube»: {from: 0 0 0 mm, to: 0 0 1 mm, radius: 1 mm}");
 }
 TEST(ReadAnatomy, RefusesAPartWithoutShape) {
-    expect_refused(Code::one_of, "{id: body, box: {centre: 0 0 0 mm, size: 40 30 20 mm}, source: A book.}",
+    expect_refused(text::Code::one_of, "{id: body, box: {centre: 0 0 0 mm, size: 40 30 20 mm}, source: A book.}",
                    "«{»id: body}");
 }
-TEST(ReadAnatomy, RefusesTwoPartsOfOneName) { expect_refused(Code::duplicate_id, "id: arch", "id: «body»"); }
-TEST(ReadAnatomy, RefusesTwoLandmarksOfOneName) { expect_refused(Code::duplicate_id, "{pedicle:", "{«midline»:"); }
+TEST(ReadAnatomy, RefusesTwoPartsOfOneName) { expect_refused(text::Code::duplicate_id, "id: arch", "id: «body»"); }
+TEST(ReadAnatomy, RefusesTwoLandmarksOfOneName) {
+    expect_refused(text::Code::duplicate_id, "{pedicle:", "{«midline»:");
+}
 TEST(ReadAnatomy, RefusesATubeWithoutLength) {
-    expect_refused(Code::degenerate, "tube: {from: 0 20 -9 mm, to: 0 20 9 mm",
+    expect_refused(text::Code::degenerate, "tube: {from: 0 20 -9 mm, to: 0 20 9 mm",
                    "«tube»: {from: 0 20 9 mm, to: 0 20 9 mm");
 }
-TEST(ReadAnatomy, RefusesAnUpThatPointsAlongTheTube) { expect_refused(Code::degenerate, "up: 0 0 1", "up: «0 1 0»"); }
+TEST(ReadAnatomy, RefusesAnUpThatPointsAlongTheTube) {
+    expect_refused(text::Code::degenerate, "up: 0 0 1", "up: «0 1 0»");
+}
 TEST(ReadAnatomy, RefusesToTakeAwayFromNothing) {
-    expect_refused(Code::degenerate, "source: A book.}\n    - {id: arch", "subtract: «true»}\n    - {id: arch");
+    expect_refused(text::Code::degenerate, "source: A book.}\n    - {id: arch", "subtract: «true»}\n    - {id: arch");
 }
 TEST(ReadAnatomy, RefusesAThicknessOfTheBase) {
-    expect_refused(Code::degenerate, "{id: cancellous,", "{id: cancellous, «thickness»: 1 mm,");
+    expect_refused(text::Code::degenerate, "{id: cancellous,", "{id: cancellous, «thickness»: 1 mm,");
 }
 TEST(ReadAnatomy, RefusesAShellWithoutThickness) {
-    expect_refused(Code::missing_key, "{id: cortical, thickness: 1.5 mm,", "«{»id: cortical,");
+    expect_refused(text::Code::missing_key, "{id: cortical, thickness: 1.5 mm,", "«{»id: cortical,");
 }
 TEST(ReadAnatomy, GivesATissueItsSolidsAndAZoneThoseOfATissue) {
     const std::string tooth = "{tube: {from: 0 0 0 mm, to: 0 0 9 mm, radius: 2 mm}}";
@@ -154,7 +159,7 @@ TEST(ReadAnatomy, GivesATissueItsSolidsAndAZoneThoseOfATissue) {
                                     "], thickness: 1 mm, density: 2 g/cm3}\n"
                                     "  - {id: cancellous,");
     text = replaced(text, "canal: [", "roots: [{tissue: root}]\n  canal: [");
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", text).take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     EXPECT_EQ(anatomy->tissues.at(1).thickness, 0.0);
@@ -165,35 +170,37 @@ TEST(ReadAnatomy, GivesATissueItsSolidsAndAZoneThoseOfATissue) {
     EXPECT_FALSE(anatomy->zones.at(1).is_tissue);
 }
 TEST(ReadAnatomy, RefusesSolidsOfTheBase) {
-    expect_refused(Code::degenerate, "{id: cancellous,",
+    expect_refused(text::Code::degenerate, "{id: cancellous,",
                    "{id: cancellous, «solids»: [{box: {centre: 0 0 0 mm, size: 1 1 1 mm}}],");
 }
 TEST(ReadAnatomy, RefusesAZoneOfATissueWithoutSolids) {
-    expect_refused(Code::unknown_word, "canal: [", "canal: [{tissue: «cortical»}, ");
+    expect_refused(text::Code::unknown_word, "canal: [", "canal: [{tissue: «cortical»}, ");
 }
 TEST(ReadAnatomy, RefusesABoxWithoutSize) {
-    expect_refused(Code::out_of_range, "size: 40 30 20 mm", "size: «40 0 20 mm»");
+    expect_refused(text::Code::out_of_range, "size: 40 30 20 mm", "size: «40 0 20 mm»");
 }
-TEST(ReadAnatomy, RefusesBoneAsHeavyAsSteel) { expect_refused(Code::out_of_range, "0.25 g/cm3", "«7.8 g/cm3»"); }
+TEST(ReadAnatomy, RefusesBoneAsHeavyAsSteel) { expect_refused(text::Code::out_of_range, "0.25 g/cm3", "«7.8 g/cm3»"); }
 TEST(ReadAnatomy, RefusesTwoNumbersForAPoint) {
-    expect_refused(Code::not_three_numbers, "[0 mm, 2 cm, 1 mm]", "«[»0 mm, 2 cm]");
+    expect_refused(text::Code::not_three_numbers, "[0 mm, 2 cm, 1 mm]", "«[»0 mm, 2 cm]");
 }
 TEST(ReadAnatomy, RefusesAPointWithoutUnit) {
-    expect_refused(Code::missing_unit, "from: -20 40 0 mm", "from: «-20 40 0»");
+    expect_refused(text::Code::missing_unit, "from: -20 40 0 mm", "from: «-20 40 0»");
 }
 TEST(ReadAnatomy, RefusesALandmarkWithoutTolerance) {
-    expect_refused(Code::missing_key, "midline: {at: [0 mm, 2 cm, 1 mm], tolerance: 1.5 mm}",
+    expect_refused(text::Code::missing_key, "midline: {at: [0 mm, 2 cm, 1 mm], tolerance: 1.5 mm}",
                    "«midline»: {at: [0 mm, 2 cm, 1 mm]}");
 }
-TEST(ReadAnatomy, RefusesOtherWordsForTrue) { expect_refused(Code::unknown_word, "subtract: true", "subtract: «yes»"); }
+TEST(ReadAnatomy, RefusesOtherWordsForTrue) {
+    expect_refused(text::Code::unknown_word, "subtract: true", "subtract: «yes»");
+}
 TEST(ReadAnatomy, RefusesAnUnknownKey) {
-    expect_refused(Code::unknown_key, "radius: 5 mm}, sub", "radius: 5 mm, «colour»: red}, sub");
+    expect_refused(text::Code::unknown_key, "radius: 5 mm}, sub", "radius: 5 mm, «colour»: red}, sub");
 }
 TEST(ReadAnatomy, RefusesMoreTissuesThanASampleCanMix) {
     const std::string shell = "  - {id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3, source: A book.}\n";
     std::string five;
     for (const char* id : {"a", "b", "c", "d"}) five += replaced(shell, "cortical", id);
-    expect_refused(Code::out_of_range, shell + "  - {", five + "  - «{»");
+    expect_refused(text::Code::out_of_range, shell + "  - {", five + "  - «{»");
 }
 
 // The same out of a CT.
@@ -213,16 +220,16 @@ tissues:
 landmarks: {}
 )";
 
-void expect_ct_refused(Code code, std::string_view from, std::string_view to) {
+void expect_ct_refused(text::Code code, std::string_view from, std::string_view to) {
     SCOPED_TRACE(std::string(to));
     const MarkedText marked(replaced(faultless_ct, from, to));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text).take(diagnostics));
     expect_only(code, marked, diagnostics);
 }
 
 TEST(ReadAnatomy, GivesTheCtInSi) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless_ct).take(diagnostics);
 
     ASSERT_TRUE(anatomy && anatomy->ct) << to_text(diagnostics);
@@ -237,20 +244,20 @@ TEST(ReadAnatomy, GivesTheCtInSi) {
 
 TEST(ReadAnatomy, RefusesAnImageOutsideBothFolders) {
     for (const char* path : {"/scans/bone.nii.gz", "../bone.nii.gz", "scans/../../bone.nii.gz", "'c:bone.nii.gz'"})
-        expect_ct_refused(Code::path_outside, "scans/bone.nii.gz", "«" + std::string(path) + "»");
+        expect_ct_refused(text::Code::path_outside, "scans/bone.nii.gz", "«" + std::string(path) + "»");
 }
-TEST(ReadAnatomy, RefusesALabelThatIsNoWholeNumber) { expect_ct_refused(Code::not_a_number, "[22,", "[«22.5»,"); }
+TEST(ReadAnatomy, RefusesALabelThatIsNoWholeNumber) { expect_ct_refused(text::Code::not_a_number, "[22,", "[«22.5»,"); }
 TEST(ReadAnatomy, RefusesTwoDensitiesForTheBase) {
-    expect_ct_refused(Code::degenerate, "{id: cancellous}", "{id: cancellous, «density»: 0.25 g/cm3}");
+    expect_ct_refused(text::Code::degenerate, "{id: cancellous}", "{id: cancellous, «density»: 0.25 g/cm3}");
 }
 TEST(ReadAnatomy, RefusesACtWithoutThreshold) {
     expect_ct_refused(
-        Code::missing_key,
+        text::Code::missing_key,
         "ct:\n  image: scans/bone.nii.gz\n  labels: {file: scans/labels.nrrd, keep: [22, 23]}\n  threshold: 150",
         "«ct»:\n  image: scans/bone.nii.gz\n  labels: {file: scans/labels.nrrd, keep: [22, 23]}");
 }
 TEST(ReadAnatomy, RefusesACtBesideAPhantom) {
-    expect_ct_refused(Code::one_of,
+    expect_ct_refused(text::Code::one_of,
                       "ct:", "phantom: {parts: [{id: body, box: {centre: 0 0 0 mm, size: 1 1 1 mm}}]}\n«ct»:");
 }
 
@@ -270,16 +277,16 @@ tissues:
 landmarks: {}
 )";
 
-void expect_mesh_refused(Code code, std::string_view from, std::string_view to) {
+void expect_mesh_refused(text::Code code, std::string_view from, std::string_view to) {
     SCOPED_TRACE(std::string(to));
     const MarkedText marked(replaced(faultless_mesh, from, to));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text).take(diagnostics));
     expect_only(code, marked, diagnostics);
 }
 
 TEST(ReadAnatomy, GivesTheMeshInSi) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless_mesh).take(diagnostics);
 
     ASSERT_TRUE(anatomy && anatomy->mesh) << to_text(diagnostics);
@@ -292,7 +299,7 @@ TEST(ReadAnatomy, GivesTheMeshInSi) {
     EXPECT_EQ(anatomy->mesh->canal.value().radius, 4.0_mm);
 }
 TEST(ReadAnatomy, TakesAMeshForLpsAndSoundWhenNothingIsSaid) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto anatomy =
         read_anatomy_text("bone.yaml",
                           replaced(faultless_mesh,
@@ -306,21 +313,23 @@ TEST(ReadAnatomy, TakesAMeshForLpsAndSoundWhenNothingIsSaid) {
     EXPECT_EQ(anatomy->mesh->inner, InnerPieces::unsaid);
 }
 TEST(ReadAnatomy, RefusesAMeshWithoutUnit) {
-    expect_mesh_refused(Code::missing_key, "mesh:\n  file: meshes/bone.stl\n  unit: cm",
+    expect_mesh_refused(text::Code::missing_key, "mesh:\n  file: meshes/bone.stl\n  unit: cm",
                         "«mesh»:\n  file: meshes/bone.stl");
 }
-TEST(ReadAnatomy, RefusesAUnitThatIsNone) { expect_mesh_refused(Code::unknown_word, "unit: cm", "unit: «inch»"); }
-TEST(ReadAnatomy, RefusesAFrameThatIsNone) { expect_mesh_refused(Code::unknown_word, "frame: RAS", "frame: «LAS»"); }
+TEST(ReadAnatomy, RefusesAUnitThatIsNone) { expect_mesh_refused(text::Code::unknown_word, "unit: cm", "unit: «inch»"); }
+TEST(ReadAnatomy, RefusesAFrameThatIsNone) {
+    expect_mesh_refused(text::Code::unknown_word, "frame: RAS", "frame: «LAS»");
+}
 TEST(ReadAnatomy, RefusesToCloseAWholeSection) {
-    expect_mesh_refused(Code::out_of_range, "holes_up_to: 3 mm", "holes_up_to: «30 mm»");
+    expect_mesh_refused(text::Code::out_of_range, "holes_up_to: 3 mm", "holes_up_to: «30 mm»");
 }
 TEST(ReadAnatomy, RefusesAMeshOutsideBothFolders) {
-    expect_mesh_refused(Code::path_outside, "meshes/bone.stl", "«../bone.stl»");
+    expect_mesh_refused(text::Code::path_outside, "meshes/bone.stl", "«../bone.stl»");
 }
 TEST(ReadAnatomy, RefusesAMeshBesideAPhantom) {
-    expect_mesh_refused(Code::one_of,
+    expect_mesh_refused(text::Code::one_of,
                         "mesh:", "phantom: {parts: [{id: body, box: {centre: 0 0 0 mm, size: 1 1 1 mm}}]}\n«mesh»:");
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::documents

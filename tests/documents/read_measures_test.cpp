@@ -15,7 +15,7 @@
 #include "tests/documents/catalog.h"
 #include "tests/documents/marked_text.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 using namespace literals;
@@ -56,20 +56,20 @@ rehearsals:
   - {id: breach, expect: {fail: wall}, path: [{depth: -5 mm}, {depth: 32 mm}]}
 )";
 
-std::optional<Procedure> read(const std::string& text, Diagnostics& diagnostics) {
+std::optional<Procedure> read(const std::string& text, text::Diagnostics& diagnostics) {
     return read_procedure_text("hole.yaml", text, drilling_catalog()).take(diagnostics);
 }
 
-void expect_refused(Code code, std::string_view from, std::string_view to) {
+void expect_refused(text::Code code, std::string_view from, std::string_view to) {
     SCOPED_TRACE(std::string(to));
     const MarkedText marked(replaced(faultless, from, to));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
     expect_only(code, marked, diagnostics);
 }
 
 TEST(ReadMeasures, GivesWhatIsWritten) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure = read(faultless, diagnostics);
     ASSERT_TRUE(procedure) << to_text(diagnostics);
     EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
@@ -100,59 +100,60 @@ TEST(ReadMeasures, GivesWhatIsWritten) {
 }
 
 TEST(ReadMeasures, RefusesTheUnitOfAnotherKind) {
-    expect_refused(Code::wrong_dimension, "at_least: 120 deg", "at_least: «120 mm»");
-    expect_refused(Code::wrong_dimension, "at_least: 2 mm", "at_least: «2 deg»");
-    expect_refused(Code::missing_unit, "at_least: 120 deg", "at_least: «120»");
-    expect_refused(Code::out_of_range, "at_least: 120 deg", "at_least: «200 deg»");
-    Diagnostics diagnostics;
+    expect_refused(text::Code::wrong_dimension, "at_least: 120 deg", "at_least: «120 mm»");
+    expect_refused(text::Code::wrong_dimension, "at_least: 2 mm", "at_least: «2 deg»");
+    expect_refused(text::Code::missing_unit, "at_least: 120 deg", "at_least: «120»");
+    expect_refused(text::Code::out_of_range, "at_least: 120 deg", "at_least: «200 deg»");
+    text::Diagnostics diagnostics;
     static_cast<void>(read(replaced(faultless, "at_least: 120 deg", "at_least: 120 mm"), diagnostics));
     EXPECT_NE(to_text(diagnostics).find("deg"), std::string::npos) << to_text(diagnostics);
 }
 
 TEST(ReadMeasures, RefusesUnknownNames) {
-    expect_refused(Code::unknown_measure, "of: gonial_angle, at", "of: «gonial_angel», at");
-    expect_refused(Code::unknown_construction, "of: ramus, to", "of: «ramuss», to");
-    expect_refused(Code::unknown_construction, "in: symmetry", "in: «skin»");
-    expect_refused(Code::unknown_construction, "chord: {line: [gonion,", "chord: {line: [«chord»,");
-    expect_refused(Code::unknown_limit, "fail: wall", "fail: «walls»");
-    Diagnostics diagnostics;
+    expect_refused(text::Code::unknown_measure, "of: gonial_angle, at", "of: «gonial_angel», at");
+    expect_refused(text::Code::unknown_construction, "of: ramus, to", "of: «ramuss», to");
+    expect_refused(text::Code::unknown_construction, "in: symmetry", "in: «skin»");
+    expect_refused(text::Code::unknown_construction, "chord: {line: [gonion,", "chord: {line: [«chord»,");
+    expect_refused(text::Code::unknown_limit, "fail: wall", "fail: «walls»");
+    text::Diagnostics diagnostics;
     static_cast<void>(read(replaced(faultless, "of: ramus, to", "of: ramuss, to"), diagnostics));
     EXPECT_NE(to_text(diagnostics).find("Write `ramus`."), std::string::npos) << to_text(diagnostics);
 }
 
 TEST(ReadMeasures, RefusesMalformedConstructions) {
-    expect_refused(Code::degenerate, "{line: [gonion, menton]}", "{«line»: [gonion]}");
-    expect_refused(Code::degenerate, "plane: [gonion, menton, middle_of_ears]", "«plane»: [gonion, menton]");
-    expect_refused(Code::degenerate, "mirror: {left: [ear_l], right: [ear_r]}",
+    expect_refused(text::Code::degenerate, "{line: [gonion, menton]}", "{«line»: [gonion]}");
+    expect_refused(text::Code::degenerate, "plane: [gonion, menton, middle_of_ears]", "«plane»: [gonion, menton]");
+    expect_refused(text::Code::degenerate, "mirror: {left: [ear_l], right: [ear_r]}",
                    "«mirror»: {left: [ear_l], right: [ear_r, menton]}");
-    expect_refused(Code::duplicate_id, "  chord:", "  «way»:");
-    expect_refused(Code::unknown_word, "side: posterior", "side: «behind»");
-    expect_refused(Code::one_of, "chord: {line: [gonion, menton]}",
+    expect_refused(text::Code::duplicate_id, "  chord:", "  «way»:");
+    expect_refused(text::Code::unknown_word, "side: posterior", "side: «behind»");
+    expect_refused(text::Code::one_of, "chord: {line: [gonion, menton]}",
                    "chord: {«line»: [gonion, menton], middle: [gonion]}");
-    expect_refused(Code::unknown_key, "to: border}}", "to: border, «from»: ramus}}");
-    expect_refused(Code::missing_key, "{angle: {of: ramus, to: border}}", "{«angle»: {of: ramus}}");
-    expect_refused(Code::empty_bound, "measure: {of: wall, at_least: 2 mm, at_most: 8 mm}", "«measure»: {of: wall}");
+    expect_refused(text::Code::unknown_key, "to: border}}", "to: border, «from»: ramus}}");
+    expect_refused(text::Code::missing_key, "{angle: {of: ramus, to: border}}", "{«angle»: {of: ramus}}");
+    expect_refused(text::Code::empty_bound, "measure: {of: wall, at_least: 2 mm, at_most: 8 mm}",
+                   "«measure»: {of: wall}");
 }
 
 TEST(ReadMeasures, RefusesADifferenceOfWhatIsNotThere) {
-    expect_refused(Code::unknown_measure, "of: gonial_angle, from", "of: «gonial_angel», from");
-    expect_refused(Code::unknown_measure, "from: slope", "from: «thicker»");  // below it
-    expect_refused(Code::unknown_measure, "from: slope", "from: «ramus»");
-    expect_refused(Code::other_sort, "steeper: {difference: {of: gonial_angle, from: slope}}",
+    expect_refused(text::Code::unknown_measure, "of: gonial_angle, from", "of: «gonial_angel», from");
+    expect_refused(text::Code::unknown_measure, "from: slope", "from: «thicker»");  // below it
+    expect_refused(text::Code::unknown_measure, "from: slope", "from: «ramus»");
+    expect_refused(text::Code::other_sort, "steeper: {difference: {of: gonial_angle, from: slope}}",
                    "steeper: {difference: {of: gonial_angle, from: «wall»}}");
-    expect_refused(Code::missing_key, "{difference: {of: gonial_angle, from: slope}}",
+    expect_refused(text::Code::missing_key, "{difference: {of: gonial_angle, from: slope}}",
                    "{«difference»: {of: gonial_angle}}");
 }
 
 TEST(ReadMeasures, SaysThatAMeasureStandsBelowItsDifference) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     static_cast<void>(read(replaced(faultless, "from: slope", "from: thicker"), diagnostics));
     EXPECT_NE(to_text(diagnostics).find("Move it up"), std::string::npos) << to_text(diagnostics);
 }
 
 TEST(ReadMeasures, ADifferenceMayBeNegative) {
     const auto bound = [](const std::string& text) {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto procedure = read(
             replaced(faultless, "measure: {of: gonial_angle, at_least: 120 deg}", "measure: " + text), diagnostics);
         return procedure ? std::string() : to_text(diagnostics);
@@ -166,7 +167,7 @@ TEST(ReadMeasures, RefusesMoreThanThereIsRoomFor) {
     std::string many;
     for (std::size_t i = 0; i <= max_measures; ++i)
         many += "  m" + std::to_string(i) + ": {surface_distance: {of: menton}}\n";
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(replaced(faultless, "measures:\n", "measures:\n" + many), diagnostics));
     EXPECT_NE(to_text(diagnostics).find("too many measures"), std::string::npos) << to_text(diagnostics);
 }
@@ -176,9 +177,9 @@ TEST(ReadMeasures, RefusesMorePointsThanAConstructionTakes) {
     for (std::size_t i = 0; i <= max_construction_points; ++i) names += ", p" + std::to_string(i);
     const std::string declared = replaced(faultless, "[way,", "[" + names + ",");
     const MarkedText marked(replaced(declared, "line: [gonion, menton]", "«line»: [" + names + "]"));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
-    expect_only(Code::out_of_range, marked, diagnostics);
+    expect_only(text::Code::out_of_range, marked, diagnostics);
 }
 
 TEST(ReadMeasures, ChecksTheSortsOfTheAnatomy) {
@@ -197,20 +198,20 @@ landmarks:
   axes: {way: {from: 0 0 15 mm, to: 0 0 -9 mm, tolerance: 1 mm}}
   planes: {sagittal: {at: 0 0 0 mm, normal: 1 0 0, tolerance: 1 mm}}
 )";
-    Diagnostics ignored;
+    text::Diagnostics ignored;
     const auto anatomy = read_anatomy_text("bone.yaml", anatomy_text).take(ignored);
     ASSERT_TRUE(anatomy) << to_text(ignored);
     const auto expect_sorts = [&](std::string_view from, std::string_view to, int errors) {
         SCOPED_TRACE(std::string(to));
         const MarkedText marked(from.empty() ? faultless : replaced(faultless, from, to));
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto procedure = read(marked.text, diagnostics);
         ASSERT_TRUE(procedure) << to_text(diagnostics);
         check_needs(*procedure, *anatomy, diagnostics);
         if (errors == 0)
             EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
         else
-            expect_only(Code::other_sort, marked, diagnostics);
+            expect_only(text::Code::other_sort, marked, diagnostics);
     };
     expect_sorts("", "", 0);
     expect_sorts("{entry: {of: way}}", "{entry: {of: «sagittal»}}", 1);
@@ -222,4 +223,4 @@ landmarks:
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::documents

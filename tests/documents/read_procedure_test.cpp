@@ -16,7 +16,7 @@
 #include "tests/documents/catalog.h"
 #include "tests/documents/marked_text.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 using namespace literals;
@@ -56,20 +56,20 @@ rehearsals:
     path: [ {depth: -5 mm, medial: 5 mm}, {depth: 32 mm, medial: 5 mm, medial_angle: -10 deg} ]
 )";
 
-std::optional<Procedure> read(const std::string& text, Diagnostics& diagnostics) {
+std::optional<Procedure> read(const std::string& text, text::Diagnostics& diagnostics) {
     return read_procedure_text("folder/hole.yaml", text, drilling_catalog()).take(diagnostics);
 }
 
-void expect_refused(Code code, std::string_view from, std::string_view to) {
+void expect_refused(text::Code code, std::string_view from, std::string_view to) {
     SCOPED_TRACE(std::string(to));
     const MarkedText marked(replaced(faultless, from, to));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
     expect_only(code, marked, diagnostics);
 }
 
 TEST(ReadProcedure, GivesSiValuesInDeclaredOrder) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Procedure> procedure = read(faultless, diagnostics);
 
     ASSERT_TRUE(procedure) << to_text(diagnostics);
@@ -91,33 +91,33 @@ TEST(ReadProcedure, FindsAStrategyByTheLastWordsOfItsId) {
     groove.plugin = "example.chisel";
     groove.id = "groove";
     catalog.push_back(groove);
-    const auto read_with = [&](const std::string& remeshing, Diagnostics& diagnostics) {
+    const auto read_with = [&](const std::string& remeshing, text::Diagnostics& diagnostics) {
         const std::string text = replaced(
             faultless, "    tool: twist_drill\n",
             "    tool: twist_drill\n    remeshing: " + remeshing + "\n    remeshing_parameters: {depth: 1 mm}\n");
         return read_procedure_text("folder/hole.yaml", text, catalog).take(diagnostics);
     };
     for (const char* word : {"groove", "chisel.groove", "example.chisel.groove"}) {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         EXPECT_FALSE(read_with(word, diagnostics)) << "it has no parameter `depth`";
         ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
         EXPECT_NE(to_text(diagnostics).find("example.chisel.groove has none"), std::string::npos);
     }
     {  // what is not installed is replaced at run time
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto procedure = read_with("example.lathe.ring", diagnostics);
         ASSERT_TRUE(procedure) << to_text(diagnostics);
         EXPECT_EQ(procedure->instruments[0].remeshing, "example.lathe.ring");
     }
     for (const char* word : {"example.chisel.grove", "example.chizel.groove", "example.chisel.ring", "ring"}) {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         EXPECT_FALSE(read_with(word, diagnostics)) << word;
         ASSERT_EQ(diagnostics.size(), 1u) << "its parameters are no second error: " << to_text(diagnostics);
-        EXPECT_EQ(diagnostics[0].code, code_text(Code::unknown_strategy)) << word;
+        EXPECT_EQ(diagnostics[0].code, text::code_text(text::Code::unknown_strategy)) << word;
     }
     groove.plugin = "example.gouge";
     catalog.push_back(groove);
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read_with("groove", diagnostics));
     EXPECT_NE(to_text(diagnostics).find("2 owners: expected one of `example.chisel.groove` or `example.gouge.groove`"),
               std::string::npos)
@@ -125,7 +125,7 @@ TEST(ReadProcedure, FindsAStrategyByTheLastWordsOfItsId) {
 }
 
 TEST(ReadProcedure, GivesGoalsLimitsAndRehearsals) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Procedure> procedure = read(faultless, diagnostics);
 
     ASSERT_TRUE(procedure) << to_text(diagnostics);
@@ -144,7 +144,7 @@ TEST(ReadProcedure, GivesGoalsLimitsAndRehearsals) {
 }
 
 TEST(ReadProcedure, DamageOfTheToolIsALimitOfTheStepUnlessItIsAllowed) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Procedure> strict = read(faultless, diagnostics);
     ASSERT_TRUE(strict) << to_text(diagnostics);
     const Limit& damage = strict->steps.at(0).limits.at(2);
@@ -158,11 +158,12 @@ TEST(ReadProcedure, DamageOfTheToolIsALimitOfTheStepUnlessItIsAllowed) {
              diagnostics);
     ASSERT_TRUE(lenient) << to_text(diagnostics);
     EXPECT_EQ(lenient->steps.at(0).limits.size(), 2u);
-    expect_refused(Code::unknown_event, "    axis: pedicle\n", "    axis: pedicle\n    allow: [«drilling.stalled»]\n");
+    expect_refused(text::Code::unknown_event, "    axis: pedicle\n",
+                   "    axis: pedicle\n    allow: [«drilling.stalled»]\n");
 }
 
 TEST(ReadProcedure, ARehearsalMayExpectDamageAndOtherLimitsBeside) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure =
         read(replaced(faultless, "{fail: canal}", "{fail: drilling.bit_overbent, others: true}"), diagnostics);
     ASSERT_TRUE(procedure) << to_text(diagnostics);
@@ -173,7 +174,7 @@ TEST(ReadProcedure, ARehearsalMayExpectDamageAndOtherLimitsBeside) {
 
 TEST(ReadProcedure, ReadsATurnWithItsTorqueEndAndGrips) {
     const auto turn = [](const std::string& keys) {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto procedure = read(
             replaced(faultless, "{depth: 32 mm} ]", "{depth: 32 mm, turn: {by: -2 turns" + keys + "}} ]"), diagnostics);
         EXPECT_TRUE(procedure) << to_text(diagnostics);
@@ -193,16 +194,16 @@ TEST(ReadProcedure, ReadsATurnWithItsTorqueEndAndGrips) {
 }
 
 TEST(ReadProcedure, RefusesATurnThatNoHandMakesAndWaitsForNoUnknownEvent) {
-    const auto refused = [](Code code, const std::string& turn) {
+    const auto refused = [](text::Code code, const std::string& turn) {
         expect_refused(code, "{depth: 32 mm} ]", "{depth: 32 mm, turn: {by: 2 turns, " + turn + "}} ]");
     };
-    refused(Code::out_of_range, "torque: «21 N*m»");
-    refused(Code::wrong_dimension, "torque: «3 N»");
-    refused(Code::out_of_range, "until: {torque: «0 N*m»}");
-    refused(Code::out_of_range, "regrip: «10 deg»");
-    refused(Code::wrong_dimension, "regrip: «180 mm»");
-    refused(Code::unknown_event, "until: {event: «implant.head_contact»}");
-    Diagnostics diagnostics;
+    refused(text::Code::out_of_range, "torque: «21 N*m»");
+    refused(text::Code::wrong_dimension, "torque: «3 N»");
+    refused(text::Code::out_of_range, "until: {torque: «0 N*m»}");
+    refused(text::Code::out_of_range, "regrip: «10 deg»");
+    refused(text::Code::wrong_dimension, "regrip: «180 mm»");
+    refused(text::Code::unknown_event, "until: {event: «implant.head_contact»}");
+    text::Diagnostics diagnostics;
     read(replaced(faultless, "{depth: 32 mm} ]",
                   "{depth: 32 mm, turn: {by: 2 turns, until: {event: drilling.staled}}} ]"),
          diagnostics);
@@ -213,7 +214,7 @@ TEST(ReadProcedure, RefusesATurnThatNoHandMakesAndWaitsForNoUnknownEvent) {
               std::string::npos)
         << to_text(diagnostics);
     for (const char* until : {"{}", "{torque: 2 N*m, event: drilling.stalled}", "2 N*m"}) {
-        Diagnostics found;
+        text::Diagnostics found;
         EXPECT_FALSE(read(replaced(faultless, "{depth: 32 mm} ]",
                                    std::string("{depth: 32 mm, turn: {by: 2 turns, until: ") + until + "}} ]"),
                           found))
@@ -253,7 +254,7 @@ std::string with_plate(std::string_view from = "", std::string_view to = "", con
 }
 
 TEST(ReadProcedure, GivesThePartsHolesAndPlaceOfAnImplant) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure = read(with_plate(), diagnostics);
     ASSERT_TRUE(procedure) << to_text(diagnostics);
     const Implant& plate = procedure->implants.at(0);
@@ -272,25 +273,25 @@ TEST(ReadProcedure, GivesThePartsHolesAndPlaceOfAnImplant) {
 }
 
 TEST(ReadProcedure, RefusesWhatIsWrongWithAPlate) {
-    const auto refused = [](Code code, const std::string& text) {
+    const auto refused = [](text::Code code, const std::string& text) {
         SCOPED_TRACE(text);
         const MarkedText marked(text);
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         EXPECT_FALSE(read(marked.text, diagnostics));
         expect_only(code, marked, diagnostics);
     };
-    refused(Code::unknown_plate_hole, with_plate("", "", "«plate.leg»"));
-    refused(Code::undeclared_landmark, with_plate("", "", "«bolt.lag»"));
-    refused(Code::undeclared_landmark, with_plate("axis: pedicle", "axis: «pedicel»"));
-    refused(Code::out_of_range, with_plate("diameter: 8 mm", "diameter: «80 mm»"));
-    refused(Code::degenerate, with_plate("lag: {from: 20 0 -10 mm,", "«lag»: {from: 20 0 60 mm,"));
-    refused(Code::missing_key, replaced(with_plate("    place: {axis: pedicle, up: 0 1 1}\n", "", "pedicle"),
-                                        "place: plate", "place: «plate»"));
-    refused(Code::unknown_implant, replaced(with_plate(), "place: plate", "place: «plaque»"));
+    refused(text::Code::unknown_plate_hole, with_plate("", "", "«plate.leg»"));
+    refused(text::Code::undeclared_landmark, with_plate("", "", "«bolt.lag»"));
+    refused(text::Code::undeclared_landmark, with_plate("axis: pedicle", "axis: «pedicel»"));
+    refused(text::Code::out_of_range, with_plate("diameter: 8 mm", "diameter: «80 mm»"));
+    refused(text::Code::degenerate, with_plate("lag: {from: 20 0 -10 mm,", "«lag»: {from: 20 0 60 mm,"));
+    refused(text::Code::missing_key, replaced(with_plate("    place: {axis: pedicle, up: 0 1 1}\n", "", "pedicle"),
+                                              "place: plate", "place: «plate»"));
+    refused(text::Code::unknown_implant, replaced(with_plate(), "place: plate", "place: «plaque»"));
 }
 
 TEST(ReadProcedure, ListsTheHolesThatAnImplantHas) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     read(with_plate("", "", "plate.leg"), diagnostics);
     EXPECT_NE(to_text(diagnostics)
                   .find("The axis `plate.leg` is unknown: `plate` has no hole for this screw, expected `plate.lag`."),
@@ -299,7 +300,7 @@ TEST(ReadProcedure, ListsTheHolesThatAnImplantHas) {
 }
 
 TEST(ReadProcedure, LimitsOfAHoleHaveTheirBoundsAndABreachItsDiameter) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure = read(replaced(faultless, "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n",
                                          "      - {hole_angle: {at_most: 5 deg}, reason: Askew.}\n"
                                          "      - {breach: {diameter: 6.5 mm, at_most: 2 mm}, reason: Breach.}\n"
@@ -316,7 +317,7 @@ TEST(ReadProcedure, LimitsOfAHoleHaveTheirBoundsAndABreachItsDiameter) {
 }
 
 TEST(ReadProcedure, GivesTheFeedTheWorkingForceAndTheSleeve) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto plain = read(faultless, diagnostics);
     ASSERT_TRUE(plain);
     EXPECT_EQ(plain->steps.at(0).feed, 1.0_mm_per_s) << "the default";
@@ -337,21 +338,21 @@ TEST(ReadProcedure, GivesTheFeedTheWorkingForceAndTheSleeve) {
 }
 
 TEST(ReadProcedure, ResolvesTheAnatomyAgainstItsOwnFolder) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Procedure> procedure = read(faultless, diagnostics);
     ASSERT_TRUE(procedure);
     EXPECT_EQ(procedure->anatomy_file, "folder/anatomy/bone.yaml");
 }
 
 TEST(ReadProcedure, KeepsItsTextWordForWord) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Procedure> procedure = read(faultless, diagnostics);
     ASSERT_TRUE(procedure);
     EXPECT_EQ(procedure->text, faultless);
 }
 
 TEST(ReadProcedure, ReadsWhatAPlanMustKeep) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Procedure> as_is = read(faultless, diagnostics);
     ASSERT_TRUE(as_is);
     EXPECT_EQ(as_is->accuracy.force, 0.07);
@@ -366,78 +367,101 @@ TEST(ReadProcedure, ReadsWhatAPlanMustKeep) {
     EXPECT_NEAR(asking->budget.tick, 80e-6, 1e-15);
 }
 TEST(ReadProcedure, RefusesAShareOfForceWithoutItsUnit) {
-    expect_refused(Code::missing_unit, "accuracy: {spacing: 0.5 mm}", "accuracy: {force: «7»}");
+    expect_refused(text::Code::missing_unit, "accuracy: {spacing: 0.5 mm}", "accuracy: {force: «7»}");
 }
 
-TEST(ReadProcedure, RefusesAnotherVersion) { expect_refused(Code::wrong_api_version, "kerf/v1", "«kerf/v2»"); }
-TEST(ReadProcedure, RefusesAnotherKind) { expect_refused(Code::wrong_kind, "kind: Procedure", "kind: «Anatomy»"); }
-TEST(ReadProcedure, RefusesAnUnknownKeyAtTheTop) { expect_refused(Code::unknown_key, "time_limit:", "«time_limits»:"); }
-TEST(ReadProcedure, RefusesAnUnknownKeyDeepInside) { expect_refused(Code::unknown_key, "feed: 2", "«fed»: 2"); }
-TEST(ReadProcedure, RefusesAMissingKey) { expect_refused(Code::missing_key, "metadata: {id: hole, ", "«metadata»: {"); }
+TEST(ReadProcedure, RefusesAnotherVersion) { expect_refused(text::Code::wrong_api_version, "kerf/v1", "«kerf/v2»"); }
+TEST(ReadProcedure, RefusesAnotherKind) {
+    expect_refused(text::Code::wrong_kind, "kind: Procedure", "kind: «Anatomy»");
+}
+TEST(ReadProcedure, RefusesAnUnknownKeyAtTheTop) {
+    expect_refused(text::Code::unknown_key, "time_limit:", "«time_limits»:");
+}
+TEST(ReadProcedure, RefusesAnUnknownKeyDeepInside) { expect_refused(text::Code::unknown_key, "feed: 2", "«fed»: 2"); }
+TEST(ReadProcedure, RefusesAMissingKey) {
+    expect_refused(text::Code::missing_key, "metadata: {id: hole, ", "«metadata»: {");
+}
 TEST(ReadProcedure, RefusesAMissingReason) {
-    expect_refused(Code::missing_key, "{depth: {at_most: 38 mm}, reason: Too deep.}", "«{»depth: {at_most: 38 mm}}");
+    expect_refused(text::Code::missing_key, "{depth: {at_most: 38 mm}, reason: Too deep.}",
+                   "«{»depth: {at_most: 38 mm}}");
 }
-TEST(ReadProcedure, RefusesAMapWhereAListIsNeeded) { expect_refused(Code::wrong_shape, "[A. Author]", "«{»a: b}"); }
+TEST(ReadProcedure, RefusesAMapWhereAListIsNeeded) {
+    expect_refused(text::Code::wrong_shape, "[A. Author]", "«{»a: b}");
+}
 TEST(ReadProcedure, RefusesAListWhereAMapIsNeeded) {
-    expect_refused(Code::wrong_shape, "accuracy: {spacing: 0.5 mm}", "accuracy: «[»0.5 mm]");
+    expect_refused(text::Code::wrong_shape, "accuracy: {spacing: 0.5 mm}", "accuracy: «[»0.5 mm]");
 }
-TEST(ReadProcedure, RefusesAnEmptyValue) { expect_refused(Code::empty_value, "time_limit: 60 s", "«time_limit»:"); }
-TEST(ReadProcedure, RefusesAnEmptyList) { expect_refused(Code::empty_value, "[A. Author]", "«[»]"); }
-TEST(ReadProcedure, RefusesAnUnknownStatus) { expect_refused(Code::unknown_word, "status: draft", "status: «darft»"); }
+TEST(ReadProcedure, RefusesAnEmptyValue) {
+    expect_refused(text::Code::empty_value, "time_limit: 60 s", "«time_limit»:");
+}
+TEST(ReadProcedure, RefusesAnEmptyList) { expect_refused(text::Code::empty_value, "[A. Author]", "«[»]"); }
+TEST(ReadProcedure, RefusesAnUnknownStatus) {
+    expect_refused(text::Code::unknown_word, "status: draft", "status: «darft»");
+}
 TEST(ReadProcedure, RefusesAnUnknownExpectation) {
-    expect_refused(Code::unknown_word, "expect: pass", "expect: «passes»");
+    expect_refused(text::Code::unknown_word, "expect: pass", "expect: «passes»");
 }
 TEST(ReadProcedure, RefusesAnUnknownCoupling) {
-    expect_refused(Code::unknown_word, "{device: touch, ", "{device: touch, coupling: «dierct», ");
+    expect_refused(text::Code::unknown_word, "{device: touch, ", "{device: touch, coupling: «dierct», ");
 }
-TEST(ReadProcedure, RefusesTwoRehearsalsOfOneName) { expect_refused(Code::duplicate_id, "id: breach", "id: «expert»"); }
+TEST(ReadProcedure, RefusesTwoRehearsalsOfOneName) {
+    expect_refused(text::Code::duplicate_id, "id: breach", "id: «expert»");
+}
 TEST(ReadProcedure, RefusesANeedNamedTwice) {
-    expect_refused(Code::duplicate_id, "[cortical]", "[cortical, «cortical»]");
+    expect_refused(text::Code::duplicate_id, "[cortical]", "[cortical, «cortical»]");
 }
-TEST(ReadProcedure, RefusesAnIdOfTwoWords) { expect_refused(Code::malformed_word, "id: hole", "id: «a hole»"); }
+TEST(ReadProcedure, RefusesAnIdOfTwoWords) { expect_refused(text::Code::malformed_word, "id: hole", "id: «a hole»"); }
 TEST(ReadProcedure, RefusesAVersionOfTwoNumbers) {
-    expect_refused(Code::malformed_word, "version: 0.1.0", "version: «0.1»");
+    expect_refused(text::Code::malformed_word, "version: 0.1.0", "version: «0.1»");
 }
 
 TEST(ReadProcedure, RefusesAnAnatomyOutsideItsFolder) {
     for (const char* path :
          {"«../bone.yaml»", "«/etc/bone.yaml»", "«a/../../bone.yaml»", "«a\\bone.yaml»", "«C:bone.yaml»"})
-        expect_refused(Code::path_outside, "anatomy/bone.yaml", path);
+        expect_refused(text::Code::path_outside, "anatomy/bone.yaml", path);
 }
 
 TEST(ReadProcedure, RefusesAGoalWithTwoQuantities) {
-    expect_refused(Code::one_of, "{entry: {}}", "{entry: {}, «depth»: {at_least: 1 mm}}");
+    expect_refused(text::Code::one_of, "{entry: {}}", "{entry: {}, «depth»: {at_least: 1 mm}}");
 }
 TEST(ReadProcedure, RefusesALimitWithoutQuantity) {
-    expect_refused(Code::one_of, "{depth: {at_most: 38 mm}, reason", "«{»reason");
+    expect_refused(text::Code::one_of, "{depth: {at_most: 38 mm}, reason", "«{»reason");
 }
 
-TEST(ReadProcedure, RefusesAnUnknownPlugin) { expect_refused(Code::unknown_plugin, "kerf.drilling", "«kerf.driling»"); }
-TEST(ReadProcedure, RefusesAnUnknownTool) { expect_refused(Code::unknown_tool, "twist_drill", "«twisted_drill»"); }
+TEST(ReadProcedure, RefusesAnUnknownPlugin) {
+    expect_refused(text::Code::unknown_plugin, "kerf.drilling", "«kerf.driling»");
+}
+TEST(ReadProcedure, RefusesAnUnknownTool) {
+    expect_refused(text::Code::unknown_tool, "twist_drill", "«twisted_drill»");
+}
 TEST(ReadProcedure, RefusesAnUnknownForce) {
-    expect_refused(Code::unknown_force, "force: drill_cutting", "force: «drill_cuting»");
+    expect_refused(text::Code::unknown_force, "force: drill_cutting", "force: «drill_cuting»");
 }
 TEST(ReadProcedure, RefusesAToolAsAForce) {
-    expect_refused(Code::unknown_force, "force: drill_cutting", "force: «twist_drill»");
+    expect_refused(text::Code::unknown_force, "force: drill_cutting", "force: «twist_drill»");
 }
-TEST(ReadProcedure, RefusesAnUnknownParameter) { expect_refused(Code::unknown_parameter, "diameter:", "«diametre»:"); }
-TEST(ReadProcedure, RefusesAnUnknownDrive) { expect_refused(Code::unknown_drive, "spindle_speed", "«spindle_sped»"); }
+TEST(ReadProcedure, RefusesAnUnknownParameter) {
+    expect_refused(text::Code::unknown_parameter, "diameter:", "«diametre»:");
+}
+TEST(ReadProcedure, RefusesAnUnknownDrive) {
+    expect_refused(text::Code::unknown_drive, "spindle_speed", "«spindle_sped»");
+}
 TEST(ReadProcedure, RefusesAnAxisThatIsNotDeclared) {
-    expect_refused(Code::undeclared_landmark, "axis: pedicle", "axis: «pedicel»");
+    expect_refused(text::Code::undeclared_landmark, "axis: pedicle", "axis: «pedicel»");
 }
 TEST(ReadProcedure, RefusesARehearsalOfALimitThatNoStepHas) {
-    expect_refused(Code::unknown_limit, "{fail: canal}", "{fail: «nerve»}");
+    expect_refused(text::Code::unknown_limit, "{fail: canal}", "{fail: «nerve»}");
 }
 
 TEST(ReadProcedure, ReadsTheStepInWhichALimitBreaks) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto named = read(replaced(faultless, "{fail: canal}", "{fail: canal, step: drill}"), diagnostics);
     ASSERT_TRUE(named) << to_text(diagnostics);
     EXPECT_EQ(named->rehearsals.at(1).expect_step, "drill");
     const auto incomplete = read(replaced(faultless, "{fail: canal}", "incomplete"), diagnostics);
     ASSERT_TRUE(incomplete) << to_text(diagnostics);
     EXPECT_EQ(incomplete->rehearsals.at(1).expect, "incomplete");
-    expect_refused(Code::unknown_step, "{fail: canal}", "{fail: canal, step: «dril»}");
+    expect_refused(text::Code::unknown_step, "{fail: canal}", "{fail: canal, step: «dril»}");
 }
 
 // ---- goals and limits on what each tick shows
@@ -448,10 +472,10 @@ std::string with_limit(const std::string& limit) {
         faultless, "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n",
         "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n      - {" + limit + ", reason: Because.}\n");
 }
-void expect_limit_refused(Code code, const std::string& limit) {
+void expect_limit_refused(text::Code code, const std::string& limit) {
     SCOPED_TRACE(limit);
     const MarkedText marked(with_limit(limit));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
     expect_only(code, marked, diagnostics);
 }
@@ -467,7 +491,7 @@ TEST(ReadProcedure, GivesLimitsOnLoadsInSi) {
                                                    {"speed: {at_most: 5 mm/s}", "speed", 5.0_mm_per_s},
                                                    {"removed_volume: {at_most: 500 mm3}", "removed_volume", 5e-7},
                                                    {"duration: {at_most: 1 min}", "duration", 60.0_s}}) {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto procedure = read(with_limit(limit), diagnostics);
         ASSERT_TRUE(procedure) << to_text(diagnostics);
         const Limit& read_limit = procedure->steps.at(0).limits.at(2);
@@ -478,12 +502,12 @@ TEST(ReadProcedure, GivesLimitsOnLoadsInSi) {
 }
 
 TEST(ReadProcedure, RefusesLimitsOnLoadsInAnotherUnit) {
-    expect_limit_refused(Code::wrong_dimension, "torque: {at_most: «3 N»}");
-    expect_limit_refused(Code::wrong_dimension, "lateral_force: {at_most: «3 N m»}");
-    expect_limit_refused(Code::wrong_dimension, "speed: {at_most: «5 mm»}");
-    expect_limit_refused(Code::wrong_dimension, "removed_volume: {at_most: «500 mm»}");
-    expect_limit_refused(Code::missing_unit, "duration: {at_most: «60»}");
-    expect_limit_refused(Code::out_of_range, "duration: {at_most: «5000 s»}");
+    expect_limit_refused(text::Code::wrong_dimension, "torque: {at_most: «3 N»}");
+    expect_limit_refused(text::Code::wrong_dimension, "lateral_force: {at_most: «3 N m»}");
+    expect_limit_refused(text::Code::wrong_dimension, "speed: {at_most: «5 mm»}");
+    expect_limit_refused(text::Code::wrong_dimension, "removed_volume: {at_most: «500 mm»}");
+    expect_limit_refused(text::Code::missing_unit, "duration: {at_most: «60»}");
+    expect_limit_refused(text::Code::out_of_range, "duration: {at_most: «5000 s»}");
 }
 
 TEST(ReadProcedure, RefusesAtLeastWhereALimitKnowsOnlyAtMost) {
@@ -491,25 +515,26 @@ TEST(ReadProcedure, RefusesAtLeastWhereALimitKnowsOnlyAtMost) {
          {"torque: {at_most: 3 N m, «at_least»: 1 N m}", "lateral_force: {at_most: 3 N, «at_least»: 1 N}",
           "speed: {at_most: 5 mm/s, «at_least»: 1 mm/s}", "removed_volume: {at_most: 5 mm3, «at_least»: 1 mm3}",
           "duration: {at_most: 60 s, «at_least»: 1 s}"})
-        expect_limit_refused(Code::unknown_key, limit);
+        expect_limit_refused(text::Code::unknown_key, limit);
     for (const char* limit :
          {"«torque»: {}", "«lateral_force»: {}", "«speed»: {}", "«removed_volume»: {}", "«duration»: {}"})
-        expect_limit_refused(Code::missing_key, limit);
+        expect_limit_refused(text::Code::missing_key, limit);
 }
 
 TEST(ReadProcedure, ReadsAGoalOnRemovedBone) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure = read(
         replaced(faultless, "{entry: {}},", "{removed_volume: {at_least: 100 mm3, at_most: 200 mm3}},"), diagnostics);
     ASSERT_TRUE(procedure) << to_text(diagnostics);
     EXPECT_NEAR(procedure->steps.at(0).goals.at(0).bound.at_least.value(), 1e-7, 1e-19 /* rounding */);
     EXPECT_TRUE(procedure->steps.at(0).cuts());
-    expect_refused(Code::missing_key, "{entry: {}},", "{«removed_volume»: {at_most: 200 mm3}},");
-    expect_refused(Code::empty_bound, "{entry: {}},", "{«removed_volume»: {at_least: 300 mm3, at_most: 200 mm3}},");
+    expect_refused(text::Code::missing_key, "{entry: {}},", "{«removed_volume»: {at_most: 200 mm3}},");
+    expect_refused(text::Code::empty_bound, "{entry: {}},",
+                   "{«removed_volume»: {at_least: 300 mm3, at_most: 200 mm3}},");
 }
 
 TEST(ReadProcedure, FindsTheSignalOfTheStepsLaw) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure =
         read(replaced(with_limit("signal: {id: drive_power, at_most: 30 W}"), "{entry: {}},",
                       "{signal: {id: spindle_speed, at_least: 600 rpm}}, {signal: {id: engagement, at_most: 0.5}},"),
@@ -529,18 +554,18 @@ TEST(ReadProcedure, FindsTheSignalOfTheStepsLaw) {
 }
 
 TEST(ReadProcedure, RefusesWhatASignalIsNot) {
-    expect_limit_refused(Code::unknown_signal, "signal: {id: «drive_pwoer», at_most: 30 W}");
-    expect_limit_refused(Code::wrong_dimension, "signal: {id: drive_power, at_most: «30 N»}");
-    expect_limit_refused(Code::missing_unit, "signal: {id: drive_power, at_most: «30»}");
-    expect_limit_refused(Code::wrong_dimension, "signal: {id: engagement, at_most: «1 mm»}");
-    expect_limit_refused(Code::empty_bound, "«signal»: {id: drive_power}");
-    expect_limit_refused(Code::empty_bound, "«signal»: {id: drive_power, at_least: 2 W, at_most: 1 W}");
-    expect_limit_refused(Code::missing_key, "«signal»: {at_most: 30 W}");
-    expect_limit_refused(Code::malformed_word, "signal: {id: «drive power», at_most: 30 W}");
+    expect_limit_refused(text::Code::unknown_signal, "signal: {id: «drive_pwoer», at_most: 30 W}");
+    expect_limit_refused(text::Code::wrong_dimension, "signal: {id: drive_power, at_most: «30 N»}");
+    expect_limit_refused(text::Code::missing_unit, "signal: {id: drive_power, at_most: «30»}");
+    expect_limit_refused(text::Code::wrong_dimension, "signal: {id: engagement, at_most: «1 mm»}");
+    expect_limit_refused(text::Code::empty_bound, "«signal»: {id: drive_power}");
+    expect_limit_refused(text::Code::empty_bound, "«signal»: {id: drive_power, at_least: 2 W, at_most: 1 W}");
+    expect_limit_refused(text::Code::missing_key, "«signal»: {at_most: 30 W}");
+    expect_limit_refused(text::Code::malformed_word, "signal: {id: «drive power», at_most: 30 W}");
 }
 
 TEST(ReadProcedure, ListsTheSignalsThatThereAre) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     read(with_limit("signal: {id: warmth, at_most: 30 W}"), diagnostics);
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].message,
@@ -555,13 +580,13 @@ TEST(ReadProcedure, ListsTheSignalsThatThereAre) {
 TEST(ReadProcedure, OfAnUnknownLawNoSignalIsRefused) {
     const MarkedText marked(
         replaced(with_limit("signal: {id: warmth, at_most: 30 W}"), "force: drill_cutting", "force: «drill_cuting»"));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
-    expect_only(Code::unknown_force, marked, diagnostics);
+    expect_only(text::Code::unknown_force, marked, diagnostics);
 }
 
 TEST(ReadProcedure, ARehearsalNamesASignalByItsId) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::string text = with_limit("signal: {id: drive_power, at_most: 30 W}");
     const auto procedure = read(replaced(text, "{fail: canal}", "{fail: drive_power, step: drill}"), diagnostics);
     ASSERT_TRUE(procedure) << to_text(diagnostics);
@@ -573,34 +598,34 @@ TEST(ReadProcedure, ARehearsalNamesASignalByItsId) {
         replaced(with_limit("signal: {id: «drive_pwoer», at_most: 30 W}"), "{fail: canal}", "{fail: drive_pwoer}"));
     diagnostics.clear();
     EXPECT_FALSE(read(marked.text, diagnostics));
-    expect_only(Code::unknown_signal, marked, diagnostics);
+    expect_only(text::Code::unknown_signal, marked, diagnostics);
 }
 
 TEST(ReadProcedure, AGoalOnASignalMustNotBreakALimitOnIt) {
     const std::string limited = with_limit("signal: {id: drive_power, at_most: 30 W}");
     const MarkedText marked(replaced(limited, "{entry: {}},", "{signal: {id: drive_power, at_least: «31 W»}},"));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
-    expect_only(Code::contradiction, marked, diagnostics);
+    expect_only(text::Code::contradiction, marked, diagnostics);
     diagnostics.clear();
     EXPECT_TRUE(read(replaced(limited, "{entry: {}},", "{signal: {id: engagement, at_least: 31}},"), diagnostics))
         << "another signal: " << to_text(diagnostics);
 }
 
 TEST(ReadProcedure, ReportsALimitOnAnUnknownQuantityOnce) {
-    expect_refused(Code::unknown_key, "{depth: {at_most: 38 mm}, reason: Too deep.}",
+    expect_refused(text::Code::unknown_key, "{depth: {at_most: 38 mm}, reason: Too deep.}",
                    "{«warmth»: {at_most: 38 mm}, reason: Too deep.}");
     // The rehearsal that expects it says nothing new
     const MarkedText marked(replaced(replaced(faultless, "{depth: {at_most: 38 mm}, reason: Too deep.}",
                                               "{«warmth»: {at_most: 38 mm}, reason: Too deep.}"),
                                      "{fail: canal}", "{fail: warmth}"));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
-    expect_only(Code::unknown_key, marked, diagnostics);
+    expect_only(text::Code::unknown_key, marked, diagnostics);
 }
 
 TEST(ReadProcedure, NeverListsARefusedLimit) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     read(replaced(replaced(faultless, "zone: canal", "zone: aorta"), "{fail: canal}", "{fail: nerve}"), diagnostics);
     ASSERT_EQ(diagnostics.size(), 2u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, "E0307");
@@ -620,11 +645,11 @@ TEST(ReadProcedure, ReportsAMisspeltKeyOnce) {
                                    {"    path: [ {depth: -5 mm}, ", "    «pats»: [ {depth: -5 mm}, "},
                                    {"{zone: canal", "{«zoen»: canal"},
                                    {"{entry: {}}", "{«entyr»: {}}"}})
-        expect_refused(Code::unknown_key, from, to);
+        expect_refused(text::Code::unknown_key, from, to);
 }
 
 TEST(ReadProcedure, MissingNeedsAreOneError) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     read(replaced(faultless, "needs: {landmarks: [pedicle, midline], zones: [canal], tissues: [cortical]}\n", ""),
          diagnostics);
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
@@ -632,7 +657,7 @@ TEST(ReadProcedure, MissingNeedsAreOneError) {
 }
 
 TEST(ReadProcedure, NamesALookAlikeInAName) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     read(replaced(faultless, "id: hole", "id: pilot\u2011hole"), diagnostics);
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_NE(diagnostics[0].message.find("U+2011 (no-break hyphen)"), std::string::npos) << diagnostics[0].message;
@@ -641,22 +666,22 @@ TEST(ReadProcedure, NamesALookAlikeInAName) {
 
 TEST(ReadProcedure, RefusesAZoneThatIsNotDeclared) {
     const MarkedText marked(replaced(replaced(faultless, "[canal]", "[canals]"), "zone: canal", "zone: «canal»"));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
-    expect_only(Code::undeclared_zone, marked, diagnostics);
+    expect_only(text::Code::undeclared_zone, marked, diagnostics);
     EXPECT_EQ(diagnostics[0].write, "canals");
 }
 
 TEST(ReadProcedure, RefusesAnUnknownInstrumentOnce) {
     const MarkedText marked(replaced(faultless, "instrument: pilot", "instrument: «pilto»"));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
-    expect_only(Code::unknown_instrument, marked, diagnostics);
+    expect_only(text::Code::unknown_instrument, marked, diagnostics);
     EXPECT_EQ(diagnostics[0].write, "pilot");
 }
 
 TEST(ReadProcedure, AnUnusedInstrumentIsOnlyAWarning) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure = read(replaced(faultless, "steps:", R"(  spare:
     plugin: kerf.drilling
     tool: twist_drill
@@ -669,39 +694,42 @@ steps:)"),
     EXPECT_EQ(diagnostics[0].place.line, 16);
 }
 
-TEST(ReadProcedure, RefusesWordsForNumbers) { expect_refused(Code::not_a_number, "push: 50 N", "push: «hard»"); }
+TEST(ReadProcedure, RefusesWordsForNumbers) { expect_refused(text::Code::not_a_number, "push: 50 N", "push: «hard»"); }
 TEST(ReadProcedure, RefusesALengthWithoutUnit) {
-    expect_refused(Code::missing_unit, "diameter: 4 mm", "diameter: «4»");
+    expect_refused(text::Code::missing_unit, "diameter: 4 mm", "diameter: «4»");
 }
 TEST(ReadProcedure, RefusesAnUnknownUnit) {
-    expect_refused(Code::unknown_unit, "diameter: 4 mm", "diameter: «4 inch»");
+    expect_refused(text::Code::unknown_unit, "diameter: 4 mm", "diameter: «4 inch»");
 }
-TEST(ReadProcedure, RefusesAForceForASpeed) { expect_refused(Code::wrong_dimension, "feed: 2 mm/s", "feed: «2 N»"); }
+TEST(ReadProcedure, RefusesAForceForASpeed) {
+    expect_refused(text::Code::wrong_dimension, "feed: 2 mm/s", "feed: «2 N»");
+}
 TEST(ReadProcedure, RefusesABoundWithoutEnd) {
-    expect_refused(Code::empty_bound, "{depth: {at_least: 30 mm}}", "{«depth»: {}}");
+    expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}", "{«depth»: {}}");
 }
 TEST(ReadProcedure, RefusesABoundThatNothingFulfils) {
-    expect_refused(Code::empty_bound, "{depth: {at_least: 30 mm}}", "{«depth»: {at_least: 30 mm, at_most: 20 mm}}");
+    expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}",
+                   "{«depth»: {at_least: 30 mm, at_most: 20 mm}}");
 }
 
 TEST(ReadProcedure, RefusesAGoalToBeOutsideWhichADeepestDepthNeverIs) {
-    expect_refused(Code::empty_bound, "{depth: {at_least: 30 mm}}", "{depth: {at_most: «-5 mm»}}");
+    expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}", "{depth: {at_most: «-5 mm»}}");
 }
 
 TEST(ReadProcedure, RefusesAGoalThatALimitOfItsStepForbids) {
-    expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}}", "{depth: {at_least: «38.1 mm»}}");
+    expect_refused(text::Code::contradiction, "{depth: {at_least: 30 mm}}", "{depth: {at_least: «38.1 mm»}}");
     expect_refused(
-        Code::contradiction, "{depth: {at_least: 30 mm}} ]\n    limits:\n",
+        text::Code::contradiction, "{depth: {at_least: 30 mm}} ]\n    limits:\n",
         "{depth: {at_most: «5 mm»}} ]\n    limits:\n      - {depth: {at_least: 6 mm}, reason: Too shallow.}\n");
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}}", "{depth: {at_least: 38 mm}}"), diagnostics))
         << "it can be reached and kept";
 }
 
 TEST(ReadProcedure, RefusesAGoalThatIsLessDeepThanAnEarlierOne) {
-    expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}} ]",
+    expect_refused(text::Code::contradiction, "{depth: {at_least: 30 mm}} ]",
                    "{depth: {at_least: 30 mm}}, {depth: {at_most: «29 mm»}} ]");
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_TRUE(read(
         replaced(faultless, "{depth: {at_least: 30 mm}} ]", "{depth: {at_most: 29 mm}}, {depth: {at_least: 30 mm}} ]"),
         diagnostics))
@@ -713,15 +741,15 @@ TEST(ReadProcedure, RefusesAGoalThatIsLessDeepThanAnEarlierOne) {
 }
 
 TEST(ReadProcedure, RefusesLimitsThatNothingKeepsTogether) {
-    expect_refused(Code::contradiction, "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n",
+    expect_refused(text::Code::contradiction, "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n",
                    "      - {clearance: {zone: canal, at_most: 2 mm}, reason: Far.}\n      - {depth: {at_most: 38 mm}, "
                    "reason: Too deep.}\n"
                    "      - {depth: {at_least: «38.1 mm»}, reason: Too shallow.}\n");
 }
 
 TEST(ReadProcedure, RefusesAParameterOutOfRangeAndSaysWhatToWrite) {
-    expect_refused(Code::out_of_range, "diameter: 4 mm", "diameter: «65 mm»");
-    Diagnostics diagnostics;
+    expect_refused(text::Code::out_of_range, "diameter: 4 mm", "diameter: «65 mm»");
+    text::Diagnostics diagnostics;
     read(replaced(faultless, "diameter: 4 mm", "diameter: 65 mm"), diagnostics);
     EXPECT_EQ(
         to_text(diagnostics),
@@ -740,27 +768,27 @@ TEST(ReadProcedure, ReportsAllErrorsInOneGo) {
     text = replaced(text, "reason: Too deep.", "reasons: Too deep.");
     text = replaced(text, "feed: 2 mm/s", "feed: 2 m");
     text = replaced(text, "time_limit: 60 s", "time_limit: 60 s\ntime_limit: 61 s");
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(text, diagnostics));
 
     std::vector<std::string> codes;
-    for (const Diagnostic& d : diagnostics) codes.push_back(d.code);
+    for (const text::Diagnostic& d : diagnostics) codes.push_back(d.code);
     EXPECT_EQ(codes, (std::vector<std::string>{"E0108", "E0203", "E0207", "E0402", "E0305", "E0404"}))
         << to_text(diagnostics);
 }
 
 TEST(ReadProcedure, WithoutAnyPluginSaysSo) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read_procedure_text("hole.yaml", faultless, {}).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
-    EXPECT_EQ(diagnostics[0].code, code_text(Code::unknown_plugin));
+    EXPECT_EQ(diagnostics[0].code, text::code_text(text::Code::unknown_plugin));
 }
 
 TEST(ReadProcedure, AMissingFileIsOneError) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read_procedure("no/such/file.yaml", drilling_catalog()).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].code, code_text(Code::file_unreadable));
+    EXPECT_EQ(diagnostics[0].code, text::code_text(text::Code::file_unreadable));
 }
 
 // ---- what the procedure needs of the anatomy
@@ -774,9 +802,9 @@ struct Needs : ::testing::Test {
     }
 
     /// Expects one complaint at the mark that `to` carries; `to` without its marks must be what `faultless` says.
-    void expect_missing(Code code, std::string_view from, std::string_view to) {
+    void expect_missing(text::Code code, std::string_view from, std::string_view to) {
         const MarkedText marked(replaced(faultless, from, to));
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const std::optional<Procedure> procedure = read(marked.text, diagnostics);
         ASSERT_TRUE(procedure) << to_text(diagnostics);
         check_needs(*procedure, anatomy, diagnostics);
@@ -787,7 +815,7 @@ struct Needs : ::testing::Test {
 };
 
 TEST_F(Needs, AreMetByAnAnatomyThatHasThemAll) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Procedure> procedure = read(faultless, diagnostics);
     ASSERT_TRUE(procedure);
     check_needs(*procedure, anatomy, diagnostics);
@@ -796,30 +824,30 @@ TEST_F(Needs, AreMetByAnAnatomyThatHasThemAll) {
 
 TEST_F(Needs, AMissingLandmarkIsReported) {
     anatomy.axes[0].id = "pedicles";
-    expect_missing(Code::missing_landmark, "[pedicle,", "[«pedicle»,");
+    expect_missing(text::Code::missing_landmark, "[pedicle,", "[«pedicle»,");
 }
 
 TEST_F(Needs, AMissingZoneIsReported) {
     anatomy.zones.clear();
-    expect_missing(Code::missing_zone, "[canal]", "[«canal»]");
+    expect_missing(text::Code::missing_zone, "[canal]", "[«canal»]");
 }
 
 TEST_F(Needs, AMissingTissueIsReported) {
     anatomy.tissues[0].id = "enamel";
-    expect_missing(Code::missing_tissue, "[cortical]", "[«cortical»]");
+    expect_missing(text::Code::missing_tissue, "[cortical]", "[«cortical»]");
 }
 
 TEST_F(Needs, APointIsNoAxis) {
     anatomy.axes.clear();
     anatomy.points.push_back({"pedicle", {}, 0.0});
-    expect_missing(Code::axis_is_a_point, "axis: pedicle", "axis: «pedicle»");
+    expect_missing(text::Code::axis_is_a_point, "axis: pedicle", "axis: «pedicle»");
 }
 
 TEST_F(Needs, AShiftTowardsTheMidlineNeedsTheMidlineAsAPoint) {
     anatomy.points.clear();
     anatomy.axes.push_back({"midline", {}, {0, 0, 1}, 0.0});
-    expect_missing(Code::missing_midline, "[ {depth: -5 mm, medial", "[ «{»depth: -5 mm, medial");
+    expect_missing(text::Code::missing_midline, "[ {depth: -5 mm, medial", "[ «{»depth: -5 mm, medial");
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -19,7 +19,7 @@
 #include "tests/support/json_schema.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 using test::as_json;
@@ -44,11 +44,11 @@ struct KindOfDocument {
 std::vector<KindOfDocument> documents() {
     return {{shapes::procedure, procedure_schema(),
              [](const std::string& text) {
-                 Diagnostics found;
+                 text::Diagnostics found;
                  return read_procedure_text("p.yaml", text, example_catalog()).take(found).has_value();
              }},
             {shapes::anatomy, anatomy_schema(), [](const std::string& text) {
-                 Diagnostics found;
+                 text::Diagnostics found;
                  return read_anatomy_text("a.yaml", text).take(found).has_value();
              }}};
 }
@@ -216,25 +216,25 @@ TEST(Schema, RefusesAKeyThatIsNotThere) {
 }
 
 TEST(Schema, TakesWhateverUnitTheReaderTakes) {
-    const QuantityNeed speed{dimension::speed, "mm/s", 0.0, 1e9}, length{dimension::length, "mm", -1e9, 1e9},
+    const text::QuantityNeed speed{dimension::speed, "mm/s", 0.0, 1e9}, length{dimension::length, "mm", -1e9, 1e9},
         plain{dimension::none, "", -1e9, 1e9};
-    const QuantityNeed density{dimension::density, "g/cm3", 0.0, 1e9}, volume{dimension::volume, "ml", 0.0, 1e9},
+    const text::QuantityNeed density{dimension::density, "g/cm3", 0.0, 1e9}, volume{dimension::volume, "ml", 0.0, 1e9},
         share{dimension::none, "%", 0.0, 1.0};
-    for (const QuantityNeed& need : {speed, length, plain, density, volume, share}) {
-        const std::regex pattern(quantity_pattern(need)), row(vector_pattern(need));
+    for (const text::QuantityNeed& need : {speed, length, plain, density, volume, share}) {
+        const std::regex pattern(text::quantity_pattern(need)), row(text::vector_pattern(need));
         for (const char* text :
              {"1 mm", "1mm",      " 1.5e-3  m ", "1 µm",    "5.",      ".5 cm",    "1/50",    "1 / 50",
               "50 %", "1 mm/s",   "1 m/min",     "1 mm*Hz", "1 g/cm3", "1 g/cm^3", "1 kg/m³", "1 cm3",
               "1 ml", "2 mm^2*m", "1",           "1 1",     "-3",      "+3",       "1e999",   "0x10",
               "inf",  "1 mm/",    "N",           "1 /s",    "1 1/s*m"}) {
-            const QuantityNeed wide{need.dimension, need.unit, -HUGE_VAL, HUGE_VAL};
-            if (parse_quantity(text, "it", wide).value) {
+            const text::QuantityNeed wide{need.dimension, need.unit, -HUGE_VAL, HUGE_VAL};
+            if (text::parse_quantity(text, "it", wide).value) {
                 EXPECT_TRUE(std::regex_search(text, pattern)) << text << " as " << need.unit;
             }
         }
         for (const char* text : {"1 2 3 mm", "1 2 3mm", "1  2\t3  mm", "1 2 3", "-1 -2.5 .5 m", "1-2-3 mm", ".5.5.5 mm",
                                  "1 2 mm", "1 2 3 4 mm"})
-            if (parse_vector(text, "it", need).value) {
+            if (text::parse_vector(text, "it", need).value) {
                 EXPECT_TRUE(std::regex_search(text, row)) << text << " as " << need.unit;
             }
     }
@@ -247,7 +247,7 @@ TEST(Schema, NamesTheDefaultOfEveryKeyThatHasOne) {
     const Rehearsal rehearsal;
     const auto default_of = [](const Shape& shape, const char* key) {
         const KeyShape& k = *shape.find(key);
-        return parse_quantity(k.fallback, key, k.value.need).value;
+        return text::parse_quantity(k.fallback, key, k.value.need).value;
     };
     EXPECT_EQ(default_of(shapes::procedure, "time_limit"), procedure.time_limit);
     EXPECT_EQ(default_of(shapes::accuracy, "spacing"), procedure.spacing);
@@ -290,4 +290,4 @@ TEST(Schema, TellsOfEveryParameterWithItsRangeAndDefault) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::documents

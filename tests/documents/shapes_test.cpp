@@ -15,20 +15,20 @@
 #include "tests/documents/catalog.h"
 #include "tests/documents/every_key.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 struct Kind {
     const Shape& shape;
-    std::function<bool(const std::string&, Diagnostics&)> is_accepted;
+    std::function<bool(const std::string&, text::Diagnostics&)> is_accepted;
 };
 
 std::vector<Kind> kinds() {
     return {{shapes::procedure,
-             [](const std::string& text, Diagnostics& found) {
+             [](const std::string& text, text::Diagnostics& found) {
                  return read_procedure_text("p.yaml", text, example_catalog()).take(found).has_value();
              }},
-            {shapes::anatomy, [](const std::string& text, Diagnostics& found) {
+            {shapes::anatomy, [](const std::string& text, text::Diagnostics& found) {
                  return read_anatomy_text("a.yaml", text).take(found).has_value();
              }}};
 }
@@ -46,7 +46,7 @@ TEST(Shapes, EveryExampleIsAcceptedByTheReader) {
         for (std::size_t choice = 0; choice < EveryKey::choices; ++choice)
             for (const int depth : {0, 1, 2, 3, 9}) {
                 const std::string text = EveryKey{.choice = choice, .depth = depth}.document(kind.shape);
-                Diagnostics found;
+                text::Diagnostics found;
                 EXPECT_TRUE(kind.is_accepted(text, found)) << to_text(found) << text;
                 EXPECT_TRUE(found.empty()) << to_text(found) << text;
             }
@@ -65,7 +65,7 @@ TEST(Shapes, TheReaderNeedsWhatTheShapeRequiresAndNothingElse) {
             const std::string name = shape.id + "/" + key.name;
             bool is_ever_needed = false;
             for (std::size_t choice = 0; choice < EveryKey::choices; ++choice) {
-                Diagnostics found;
+                text::Diagnostics found;
                 is_ever_needed |=
                     !kind.is_accepted(EveryKey{.choice = choice, .dropped = name}.document(kind.shape), found);
             }
@@ -80,7 +80,7 @@ TEST(Shapes, WithoutAnyOfKeysThatExcludeEachOtherADocumentIsRefused) {
             if (key.presence != Presence::one_of) return;
             bool is_ever_refused = false;
             for (std::size_t choice = 0; choice < EveryKey::choices; ++choice) {
-                Diagnostics found;
+                text::Diagnostics found;
                 is_ever_refused |= !kind.is_accepted(
                     EveryKey{.choice = choice, .dropped = shape.id + "/" + key.name}.document(kind.shape), found);
             }
@@ -89,4 +89,4 @@ TEST(Shapes, WithoutAnyOfKeysThatExcludeEachOtherADocumentIsRefused) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -18,7 +18,7 @@
 #include "tests/documents/catalog.h"
 
 /// The procedures and anatomies that come with Kerf.
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 using namespace literals;
@@ -32,14 +32,14 @@ std::string text_of(const std::string& file) {
 }
 
 Procedure shipped_procedure() {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     std::optional<Procedure> procedure = read_procedure(procedure_file, spine_catalog()).take(diagnostics);
     EXPECT_TRUE(procedure && diagnostics.empty()) << to_text(diagnostics);
     return procedure.value_or(Procedure{});
 }
 
 Anatomy shipped_anatomy(const std::string& file = anatomy_file) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     std::optional<Anatomy> anatomy = read_anatomy(file).take(diagnostics);
     EXPECT_TRUE(anatomy && diagnostics.empty()) << to_text(diagnostics);
     return anatomy.value_or(Anatomy{});
@@ -116,7 +116,7 @@ double flank_clearance(const Anatomy& anatomy, const LandmarkAxis& axis, double 
 
 TEST(Shipped, ProcedureMeetsItsAnatomy) {
     const Procedure procedure = shipped_procedure();
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const std::optional<Anatomy> anatomy = read_anatomy(procedure.anatomy_file).take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     check_needs(procedure, *anatomy, diagnostics);
@@ -205,7 +205,7 @@ TEST_P(Phantom, CanalIsEmptyAndItsWallTowardsThePedicleIsBone) {
 }
 
 TEST_P(Phantom, HasAllThatTheProcedureNeeds) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     check_needs(shipped_procedure(), shipped_anatomy(GetParam().file), diagnostics);
     EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
 }
@@ -223,10 +223,10 @@ INSTANTIATE_TEST_SUITE_P(Shipped, Phantom,
 // ---- bad input: whatever happens to a file on its way, reading it ends in a value or in an error that has a place
 
 void expect_answer(const std::string& text, int& refused) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     std::optional<Procedure> procedure;
     ASSERT_NO_THROW(procedure = read_procedure_text("damaged.yaml", text, spine_catalog()).take(diagnostics));
-    ASSERT_EQ(procedure.has_value(), !has_error(diagnostics)) << to_text(diagnostics);
+    ASSERT_EQ(procedure.has_value(), !text::has_error(diagnostics)) << to_text(diagnostics);
     ASSERT_NO_THROW((void)to_text(diagnostics));
     refused += !procedure;
 }
@@ -254,10 +254,10 @@ TEST(DamagedProcedure, WithAnyByteChangedIsAnsweredWithoutAThrow) {
 TEST(DamagedAnatomy, CutOffAnywhereIsAnsweredWithoutAThrow) {
     const std::string whole = text_of(anatomy_file);
     for (std::size_t size = 0; size < whole.size(); ++size) {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         std::optional<Anatomy> anatomy;
         ASSERT_NO_THROW(anatomy = read_anatomy_text("damaged.yaml", whole.substr(0, size)).take(diagnostics));
-        ASSERT_EQ(anatomy.has_value(), !has_error(diagnostics));
+        ASSERT_EQ(anatomy.has_value(), !text::has_error(diagnostics));
     }
 }
 
@@ -274,4 +274,4 @@ TEST(HostileDocument, OfOneMegabyteIsAnsweredWithoutAThrow) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::documents

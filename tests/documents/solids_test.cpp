@@ -7,7 +7,7 @@
 
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 using namespace literals;
@@ -42,4 +42,4 @@ TEST(SphereSolid, HasTheVolumeOfASphere) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::documents

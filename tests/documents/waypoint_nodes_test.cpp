@@ -15,7 +15,7 @@
 #include "tests/documents/catalog.h"
 #include "tests/documents/marked_text.h"
 
-namespace kerf {
+namespace kerf::documents {
 namespace {
 
 using namespace literals;
@@ -48,7 +48,8 @@ variants:
   deep: {patch: {paths.drill: [{depth: -5 mm}, {depth: 50 mm}]}}
 )";
 
-std::optional<Procedure> read(const std::string& text, Diagnostics& diagnostics, const ProcedureChanges& changes = {}) {
+std::optional<Procedure> read(const std::string& text, text::Diagnostics& diagnostics,
+                              const ProcedureChanges& changes = {}) {
     return read_procedure_text("hole.yaml", text, drilling_catalog(), changes).take(diagnostics);
 }
 
@@ -58,16 +59,16 @@ std::vector<double> depths(const Rehearsal& rehearsal) {
     return all;
 }
 
-void expect_refused(Code code, const std::string& from, const std::string& to) {
+void expect_refused(text::Code code, const std::string& from, const std::string& to) {
     SCOPED_TRACE(to);
     const MarkedText marked(replaced(faultless, from, to));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
     expect_only(code, marked, diagnostics);
 }
 
 TEST(Paths, StandForTheirWaypointsWhereTheyAreFollowed) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure = read(faultless, diagnostics);
     ASSERT_TRUE(procedure) << to_text(diagnostics);
     EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
@@ -78,7 +79,7 @@ TEST(Paths, StandForTheirWaypointsWhereTheyAreFollowed) {
 }
 
 TEST(Paths, PassTheStepOnToTheWaypointsBehind) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure = read(faultless, diagnostics);
     ASSERT_TRUE(procedure) << to_text(diagnostics);
     std::vector<std::size_t> steps;
@@ -87,7 +88,7 @@ TEST(Paths, PassTheStepOnToTheWaypointsBehind) {
 }
 
 TEST(Paths, LeadEachWaypointToItsNode) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure = read(faultless, diagnostics);
     ASSERT_TRUE(procedure) << to_text(diagnostics);
     const std::vector<const Node*> nodes = waypoint_nodes(*procedure->document, std::size_t{0});
@@ -99,7 +100,7 @@ TEST(Paths, LeadEachWaypointToItsNode) {
 }
 
 TEST(Paths, AreChangedByAVariant) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure = read(faultless, diagnostics, {.variant = "deep", .settings = {}});
     ASSERT_TRUE(procedure) << to_text(diagnostics);
     EXPECT_EQ(procedure->rehearsals[0].path[1].depth, 50.0_mm);
@@ -107,16 +108,16 @@ TEST(Paths, AreChangedByAVariant) {
 }
 
 TEST(Paths, ReportAnErrorOnceAtTheirOwnLine) {
-    expect_refused(Code::missing_unit, "{depth: 32 mm, drives", "{depth: «32», drives");
-    expect_refused(Code::unknown_key, "{depth: 32 mm, drives", "{depth: 32 mm, «medail»: 1 mm, drives");
-    expect_refused(Code::unknown_drive, "{spindle_speed: 500 rpm}", "{«jaws»: 1}");
-    expect_refused(Code::unknown_step, "{step: second,", "{step: «secnd»,");
+    expect_refused(text::Code::missing_unit, "{depth: 32 mm, drives", "{depth: «32», drives");
+    expect_refused(text::Code::unknown_key, "{depth: 32 mm, drives", "{depth: 32 mm, «medail»: 1 mm, drives");
+    expect_refused(text::Code::unknown_drive, "{spindle_speed: 500 rpm}", "{«jaws»: 1}");
+    expect_refused(text::Code::unknown_step, "{step: second,", "{step: «secnd»,");
 }
 
 TEST(Paths, ReportAnErrorThatNoRehearsalFollows) {
     const MarkedText marked(replaced(replaced(faultless, "{follow: leave}, ", ""), "{step: second, depth: -20 mm}",
                                      "{step: second, depth: «-20 N»}"));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
     ASSERT_EQ(diagnostics.size(), 2u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, "E0404");
@@ -127,16 +128,16 @@ TEST(Paths, ReportAnErrorThatNoRehearsalFollows) {
 
 TEST(Paths, ListTheNamesThatThereAre) {
     const MarkedText marked(replaced(faultless, "{follow: leave}", "{follow: «leve»}"));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
-    expect_only(Code::unknown_path, marked, diagnostics);
+    expect_only(text::Code::unknown_path, marked, diagnostics);
     EXPECT_EQ(diagnostics[0].message, "The path `leve` is unknown: expected `drill` or `leave`.");
     EXPECT_EQ(diagnostics[0].write, "leave");
 }
 
 TEST(Paths, AreNamedInAWarningIfNothingFollowsThem) {
     const MarkedText marked(replaced(replaced(faultless, "{follow: leave}, ", ""), "  leave: [", "  «leave»: ["));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_TRUE(read(marked.text, diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, "W0316");
@@ -144,32 +145,32 @@ TEST(Paths, AreNamedInAWarningIfNothingFollowsThem) {
 }
 
 TEST(Paths, MayBeUnusedWithoutRehearsals) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_TRUE(read(faultless, diagnostics, {.variant = "", .settings = {"rehearsals=~"}}));
     EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
 }
 
 TEST(Paths, CannotFollowOneAnother) {
-    expect_refused(Code::unknown_key, "{depth: -30 mm}]", "{depth: -30 mm}, {«follow»: drill}]");
+    expect_refused(text::Code::unknown_key, "{depth: -30 mm}]", "{depth: -30 mm}, {«follow»: drill}]");
 }
 
 TEST(Paths, AFollowedPathHasNoOtherKeys) {
-    expect_refused(Code::unknown_key, "[{follow: drill}, {depth: 3 mm}",
+    expect_refused(text::Code::unknown_key, "[{follow: drill}, {depth: 3 mm}",
                    "[{follow: drill, «push»: 20 N}, {depth: 3 mm}");
 }
 
 TEST(Paths, AMisspeltFollowIsCorrected) {
     const MarkedText marked(replaced(faultless, "{follow: leave}", "{«folow»: leave}"));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
-    expect_only(Code::unknown_key, marked, diagnostics);
+    expect_only(text::Code::unknown_key, marked, diagnostics);
     EXPECT_EQ(diagnostics[0].write, "follow:");
 }
 
 TEST(Paths, AMapOfListsIsNeeded) {
-    expect_refused(Code::wrong_shape, "  leave: [{step: second, depth: -20 mm}, {depth: -30 mm}]",
+    expect_refused(text::Code::wrong_shape, "  leave: [{step: second, depth: -20 mm}, {depth: -30 mm}]",
                    "  leave: «{»step: second, depth: -20 mm}");
-    expect_refused(Code::malformed_word, "  leave: [", "  leave: [{depth: 1 mm}]\n  «to leave»: [");
+    expect_refused(text::Code::malformed_word, "  leave: [", "  leave: [{depth: 1 mm}]\n  «to leave»: [");
 }
 
 // A document of a few hundred lines must not become millions of waypoints.
@@ -183,7 +184,7 @@ TEST(Paths, RefuseToBecomeAHugeRehearsal) {
         replaced(replaced(faultless, "    - {depth: -5 mm}\n    - {depth: 32 mm, drives: {spindle_speed: 500 rpm}}\n",
                           "    [" + waypoints + "{depth: 2 mm}]\n"),
                  "    path: [{follow: drill}, {follow: drill}]", "    path: [" + follows + "{depth: 2 mm}]");
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read(text, diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, "E0412");
@@ -193,15 +194,15 @@ TEST(Paths, RefuseToBecomeAHugeRehearsal) {
 TEST(Paths, AnUnmetNeedIsReportedInThePath) {
     // `aside` needs the plane of a step; the anatomy has no midline
     const MarkedText marked(replaced(faultless, "{depth: -30 mm}]", "{depth: -30 mm, «aside»: 2 mm}]"));
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto procedure = read(marked.text, diagnostics);
     ASSERT_TRUE(procedure) << to_text(diagnostics);
     Anatomy anatomy;
     anatomy.axes = {{"pedicle", {}, {0, 0, 1}, 0.0}};
     anatomy.points = {{"midline", {}, 0.0}};
     check_needs(*procedure, anatomy, diagnostics);
-    expect_only(Code::needs_plane, marked, diagnostics);
+    expect_only(text::Code::needs_plane, marked, diagnostics);
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::documents

@@ -36,18 +36,18 @@ bool kerf::fuzz::reads(std::string_view input) {
     if (input.empty()) return false;
     const std::string file = folder.hold(name_of(input[0]), input.substr(1));
 
-    Diagnostics diagnostics;
-    const auto header = check_image_file(file).take(diagnostics);
+    text::Diagnostics diagnostics;
+    const auto header = bone::check_image_file(file).take(diagnostics);
     require_reason(header.has_value(), diagnostics);
     if (!header) return false;
     for (const double number : header->lps_from_index) require(std::isfinite(number), "the voxels lie somewhere");
     constexpr std::uint64_t few = 64 * 1024;
     if (header->voxels() * static_cast<std::uint64_t>(header->layers) > few) return true;
 
-    const auto scan = open_scan(file, {}, {}).take(diagnostics);
+    const auto scan = bone::open_scan(file, {}, {}).take(diagnostics);
     require_reason(scan.has_value(), diagnostics);
     if (!scan || scan->grid().all().voxels() > few) return scan.has_value();
-    const auto image = scan->read(scan->grid().all(), 0, {}, diagnostics);
+    const auto image = scan->read(scan->grid().all(), 0, {}).take(diagnostics);
     require_reason(image.has_value(), diagnostics);
     if (!image) return false;
     require(image->values.size() == scan->grid().all().voxels(), "all voxels are there, and no others");

@@ -46,10 +46,11 @@ void put(std::string& out, Number value) {
 // ---- documents
 // -------------------------------------------------------------------------------------------------------
 
-void write_documents(const std::string& target, const Shape& shape) {
-    for (std::size_t choice = 0; choice < EveryKey::choices; choice += 2)
-        write(target, "good-every-key-" + std::to_string(choice) + ".yaml", EveryKey{.choice = choice}.document(shape));
-    write(target, "good-examples.yaml", EveryKey{.choice = 1, .depth = 0}.document(shape));
+void write_documents(const std::string& target, const documents::Shape& shape) {
+    for (std::size_t choice = 0; choice < documents::EveryKey::choices; choice += 2)
+        write(target, "good-every-key-" + std::to_string(choice) + ".yaml",
+              documents::EveryKey{.choice = choice}.document(shape));
+    write(target, "good-examples.yaml", documents::EveryKey{.choice = 1, .depth = 0}.document(shape));
     write(target, "bad-alias.yaml", "kind: &a Procedure\nid: *a\n");
     write(target, "bad-nested.yaml", "id: " + std::string(80, '[') + std::string(80, ']') + "\n");
     write(target, "bad-bytes.yaml", "id: \xff\xfe\nid: !!int \"1\"\n--- {\n");
@@ -59,8 +60,8 @@ void write_documents(const std::string& target, const Shape& shape) {
 void write_words() {
     std::set<std::string> words{"3.2 mm", "1000 rpm", "-1e308 m", "0.25 g/cm3", "~", "null", "- ",
                                 ": ",     "{",        "}",        "[",          "]", "&a",   "*a"};
-    for (const Shape* shape : {&shapes::procedure, &shapes::anatomy})
-        for_every_key(*shape, [&](const Shape&, const KeyShape& key) {
+    for (const documents::Shape* shape : {&documents::shapes::procedure, &documents::shapes::anatomy})
+        for_every_key(*shape, [&](const documents::Shape&, const documents::KeyShape& key) {
             words.insert(key.name + ": ");
             for (const std::string& word : key.value.words) words.insert(word);
         });
@@ -375,8 +376,9 @@ std::string database(const std::string& sql) {
     const std::string path = folder / "session.db";
     sqlite3* open = nullptr;
     sqlite3_open(path.c_str(), &open);
-    const std::string all = "PRAGMA page_size=512; PRAGMA application_id=" + std::to_string(session_application_id) +
-                            "; PRAGMA user_version=" + std::to_string(first_schema_with_blocks - 1) + ";" + sql;
+    const std::string all =
+        "PRAGMA page_size=512; PRAGMA application_id=" + std::to_string(session::session_application_id) +
+        "; PRAGMA user_version=" + std::to_string(session::first_schema_with_blocks - 1) + ";" + sql;
     char* error = nullptr;
     if (sqlite3_exec(open, all.c_str(), nullptr, nullptr, &error) != SQLITE_OK) {
         std::fprintf(stderr, "%s\n", error);
@@ -425,19 +427,19 @@ std::string endless(std::string database) {
 std::string recorded_session(const std::string& sql, bool is_plain = false) {
     const test::TemporaryFolder folder;
     const std::string path = folder / "session.db";
-    SessionHeader header;
+    session::SessionHeader header;
     header.procedure = "hole";
     header.signals = {{"chip", "uncut chip", "um", 1e-6}};
     header.tissues = {"bone"};
-    auto recorder = Recorder::create(path, header).recorder;
+    auto recorder = session::Recorder::create(path, header).recorder;
     for (std::uint64_t tick = 0; tick < 2; ++tick) {
-        TickRow row;
+        session::TickRow row;
         row.tick = tick;
         row.thrust = 1.5;
         recorder->push(row);
     }
     recorder->push_event({1, 0.001, "entry", "first bone met"});
-    RunSummary summary;
+    session::RunSummary summary;
     summary.reasons = {"too deep"};
     summary.steps = {{"hole", "A hole", true, 0.0, 0.001, {"depth"}}};
     summary.metrics = {{"hole.depth", 1, "hole", 1, 1, 0.01, "mm", 1e-3, 1e-4, "ok", "depth"}};
@@ -445,7 +447,7 @@ std::string recorded_session(const std::string& sql, bool is_plain = false) {
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}};
     mesh.triangles = {{0, 1, 2}};
-    if (!recorder->finish(summary, drawn_surface(mesh)).empty()) std::abort();
+    if (!recorder->finish(summary, session::drawn_surface(mesh)).empty()) std::abort();
     if (is_plain && !test::make_rows_plain(path).empty()) std::abort();
     sqlite3* open = nullptr;
     sqlite3_open(path.c_str(), &open);
@@ -454,8 +456,9 @@ std::string recorded_session(const std::string& sql, bool is_plain = false) {
         if (sqlite3_exec(open, statements.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) std::abort();
     };
     carry_out("DELETE FROM columns;" + sql);
-    if (const auto sum = record_checksum(open))
-        carry_out("UPDATE session SET value = '" + hex16(*sum) + "' WHERE key = '" + record_checksum_key + "'");
+    if (const auto sum = session::record_checksum(open))
+        carry_out("UPDATE session SET value = '" + session::hex16(*sum) + "' WHERE key = '" +
+                  session::record_checksum_key + "'");
     carry_out("PRAGMA page_size=512; VACUUM");
     sqlite3_close(open);
     return test::contents_of(path);
@@ -525,8 +528,8 @@ int main(int count, char** words) {
         return 2;
     }
     kerf::root = words[1];
-    kerf::write_documents("yaml_procedure", kerf::shapes::procedure);
-    kerf::write_documents("yaml_anatomy", kerf::shapes::anatomy);
+    kerf::write_documents("yaml_procedure", kerf::documents::shapes::procedure);
+    kerf::write_documents("yaml_anatomy", kerf::documents::shapes::anatomy);
     std::filesystem::create_directories(kerf::root);
     kerf::write_words();
     kerf::write_surfaces();

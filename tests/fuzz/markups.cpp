@@ -15,16 +15,17 @@ bool kerf::fuzz::reads(std::string_view input) {
     const std::string name = input[0] == 'c' ? "a.fcsv" : "a.mrk.json";
     folder.hold(name, input.substr(1));
 
-    Anatomy anatomy;
+    documents::Anatomy anatomy;
     anatomy.file = folder / "bone.yaml";
     anatomy.markups = {{name, 1e-3, {{"F-1", "entry"}}}};
-    Diagnostics diagnostics;
-    add_markups(anatomy, diagnostics);
-    require_reason(!has_error(diagnostics), diagnostics);
-    for (const LandmarkPoint& point : anatomy.points)
+    text::Diagnostics diagnostics;
+    bone::add_markups(anatomy, diagnostics);
+    require_reason(!text::has_error(diagnostics), diagnostics);
+    for (const documents::LandmarkPoint& point : anatomy.points)
         require(!point.id.empty() && is_finite(point.at), "a point has a name and a place");
-    for (const LandmarkAxis& axis : anatomy.axes) require(length(axis.to - axis.from) > 0.0, "an axis has a direction");
-    for (const LandmarkPlane& plane : anatomy.planes)
+    for (const documents::LandmarkAxis& axis : anatomy.axes)
+        require(length(axis.to - axis.from) > 0.0, "an axis has a direction");
+    for (const documents::LandmarkPlane& plane : anatomy.planes)
         require(std::abs(length(plane.normal) - 1.0) < 1e-9, "a normal is a unit vector");
-    return !has_error(diagnostics);
+    return !text::has_error(diagnostics);
 }

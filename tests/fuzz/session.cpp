@@ -11,10 +11,10 @@ bool kerf::fuzz::reads(std::string_view input) {
     static const ScratchFolder folder;
     std::string error;
     const std::string path = folder.hold("session.db", input);
-    const auto run = read_run(path, error);
+    const auto run = session::read_run(path, error);
     require(run.has_value() == error.empty(), "a run comes, or else an error");
-    if (run) require(!report_html(run->summary, run->drawn).empty(), "a run has a page");
-    const auto inputs = read_session(path, error);
+    if (run) require(!session::report_html(run->summary, run->drawn).empty(), "a run has a page");
+    const auto inputs = session::read_session(path, error);
     require(inputs.has_value() == error.empty(), "inputs come, or else an error");
     if (!inputs) return run.has_value();
     require(!inputs->device_from_handle.empty(), "a session has ticks");

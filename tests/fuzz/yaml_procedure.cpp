@@ -8,10 +8,10 @@
 #include "tests/fuzz/diagnosed.h"
 
 bool kerf::fuzz::reads(std::string_view input) {
-    static const ComponentCatalog catalog = example_catalog();
-    Diagnostics diagnostics;
-    const auto procedure = read_procedure_text("p.yaml", std::string(input), catalog).take(diagnostics);
+    static const ComponentCatalog catalog = documents::example_catalog();
+    text::Diagnostics diagnostics;
+    const auto procedure = documents::read_procedure_text("p.yaml", std::string(input), catalog).take(diagnostics);
     require_reason(procedure.has_value(), diagnostics);
-    if (procedure) check_needs(*procedure, Anatomy{}, diagnostics);
+    if (procedure) documents::check_needs(*procedure, documents::Anatomy{}, diagnostics);
     return procedure.has_value();
 }

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 const fs::path golden = KERF_SOURCE_DIR "/tests/golden";
 
-std::string name_of(int number) { return explanation_of(*find_code(std::to_string(number))).substr(0, 5); }
+std::string name_of(int number) { return text::explanation_of(*text::find_code(std::to_string(number))).substr(0, 5); }
 
 /// A copy of the golden folder in which data files may be made; the program is in it meanwhile, and knows of no other
 /// data.
@@ -52,22 +52,22 @@ private:
     fs::path before_;
 };
 
-Diagnostics check(const std::string& file) {
+text::Diagnostics check(const std::string& file) {
     const std::string text = test::contents_of(file);
     const bool is_anatomy = text.find("\nkind: Anatomy\n") != std::string::npos;
-    DocumentRequest request{.procedure = is_anatomy ? "hole.yaml" : file, .anatomy = is_anatomy ? file : ""};
+    run::DocumentRequest request{.procedure = is_anatomy ? "hole.yaml" : file, .anatomy = is_anatomy ? file : ""};
     constexpr std::string_view with = "# with: --variant ";
     if (text.starts_with(with)) request.changes.variant = text.substr(with.size(), text.find('\n') - with.size());
-    Diagnostics found;
-    auto documents = check_documents(request, test::plugins()).take(found);
+    text::Diagnostics found;
+    auto documents = run::check_documents(request, test::plugins()).take(found);
     if (request.changes.variant.empty())
-        for (Diagnostic& d : check_variants(request, found, test::plugins())) found.push_back(std::move(d));
+        for (text::Diagnostic& d : run::check_variants(request, found, test::plugins())) found.push_back(std::move(d));
     if (!documents) return found;
     (void)make_scene(std::move(*documents)).take(found);
     return found;
 }
 
-Diagnostics found_by(int number) {
+text::Diagnostics found_by(int number) {
     if (const auto direct = test::direct_causes().find(number); direct != test::direct_causes().end())
         return direct->second();
     const GoldenFolder folder;
@@ -79,8 +79,8 @@ Diagnostics found_by(int number) {
 }
 
 /// What is found where the mistake with this code was made; each mistake is made once.
-const Diagnostics& cause(int number) {
-    static std::map<int, Diagnostics> known;
+const text::Diagnostics& cause(int number) {
+    static std::map<int, text::Diagnostics> known;
     const auto at = known.find(number);
     return at != known.end() ? at->second : known.emplace(number, found_by(number)).first->second;
 }
@@ -89,14 +89,15 @@ class Golden : public testing::TestWithParam<int> {};
 
 TEST_P(Golden, TextMatchesTheFile) {
     const int number = GetParam();
-    const Diagnostics& found = cause(number);
+    const text::Diagnostics& found = cause(number);
     const std::string text = to_text(found);
     const fs::path file = golden / (name_of(number) + ".txt");
     if (std::getenv("KERF_UPDATE_GOLDEN") != nullptr) std::ofstream(file, std::ios::binary) << text;
 
     EXPECT_EQ(text, test::contents_of(file.string()));
-    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Diagnostic& d) { return d.code == name_of(number); }))
-        << text;
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const text::Diagnostic& d) {
+        return d.code == name_of(number);
+    })) << text;
     EXPECT_EQ(text.find("/tmp/"), std::string::npos) << text;
 }
 
@@ -106,9 +107,9 @@ TEST_P(Golden, SaysWhatToDo) {
                             "Begin|Take|Repeat|Point|Export|Crop|Copy|Run|Install|"
                             "Use|Try|Replace|End|Correct|Lower|Allow|Indent|Start|See|Free|Change|Rename|Resample|Swap|"
                             "Say|Join|Close|Place|Make|write|allow|let|export)( |$)");
-    for (const Diagnostic& d : cause(GetParam())) {
-        if (d.level == Diagnostic::Level::warning) continue;
-        EXPECT_TRUE(!d.write.empty() || std::regex_search(d.message, advice)) << to_text({d});
+    for (const text::Diagnostic& d : cause(GetParam())) {
+        if (d.level == text::Diagnostic::Level::warning) continue;
+        EXPECT_TRUE(!d.write.empty() || std::regex_search(d.message, advice)) << text::to_text({d});
     }
 }
 
@@ -143,9 +144,9 @@ TEST(TwentyMistakes, AreReportedInOnePass) {
 
     // When it is checked
     const GoldenFolder folder;
-    const Diagnostics found = check("twenty-mistakes.yaml");
-    for (const Diagnostic& d : found)
-        if (d.level == Diagnostic::Level::error) reported.emplace(d.place.line, d.code);
+    const text::Diagnostics found = check("twenty-mistakes.yaml");
+    for (const text::Diagnostic& d : found)
+        if (d.level == text::Diagnostic::Level::error) reported.emplace(d.place.line, d.code);
 
     // Then each mistake is reported once, and nothing else
     EXPECT_GE(expected.size(), 20u);
@@ -154,7 +155,7 @@ TEST(TwentyMistakes, AreReportedInOnePass) {
 
 std::vector<int> all_numbers() {
     std::vector<int> numbers;
-    for (const CodeEntry& entry : all_codes()) numbers.push_back(entry.number);
+    for (const text::CodeEntry& entry : text::all_codes()) numbers.push_back(entry.number);
     return numbers;
 }
 INSTANTIATE_TEST_SUITE_P(Codes, Golden, testing::ValuesIn(all_numbers()),
@@ -163,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(Codes, Golden, testing::ValuesIn(all_numbers()),
 TEST(Codes, SourceUsesEachCodeOfTheTable) {
     // Given every code that the source reports, as text or by its enumerator
     std::map<std::string, int> number_of;
-    for (const CodeEntry& entry : all_codes()) number_of[entry.id] = entry.number;
+    for (const text::CodeEntry& entry : text::all_codes()) number_of[entry.id] = entry.number;
     std::set<int> written;
     for (const char* folder : {"/core", "/text", "/documents", "/session", "/bone", "/run", "/app"})
         for (const auto& entry : fs::recursive_directory_iterator(std::string(KERF_SOURCE_DIR) + folder)) {
@@ -181,23 +182,23 @@ TEST(Codes, SourceUsesEachCodeOfTheTable) {
 
     // Then the table has them, and has no other
     std::set<int> explained;
-    for (const CodeEntry& entry : all_codes()) explained.insert(entry.number);
+    for (const text::CodeEntry& entry : text::all_codes()) explained.insert(entry.number);
     EXPECT_EQ(written, explained) << "add a row to text/codes_*.def, and tests/golden/E….yaml";
-    EXPECT_EQ(explained.size(), all_codes().size()) << "a number occurs twice";
-    EXPECT_TRUE(std::is_sorted(all_codes().begin(), all_codes().end(),
+    EXPECT_EQ(explained.size(), text::all_codes().size()) << "a number occurs twice";
+    EXPECT_TRUE(std::is_sorted(text::all_codes().begin(), text::all_codes().end(),
                                [](const auto& a, const auto& b) { return a.number < b.number; }));
 }
 
 TEST(Codes, PageOfTheDocsIsTheTable) {
     const std::string file = KERF_SOURCE_DIR "/docs/codes.md";
     const std::string page = test::contents_of(file);
-    const std::string expected = page.substr(0, page.find("| code |")) + table_of_codes();
+    const std::string expected = page.substr(0, page.find("| code |")) + text::table_of_codes();
     if (std::getenv("KERF_UPDATE_GOLDEN") != nullptr) std::ofstream(file) << expected;
     EXPECT_EQ(page, expected) << "run golden_test with KERF_UPDATE_GOLDEN=1, and check what it wrote";
 }
 
 TEST(Codes, AreExplainedInSentences) {
-    for (const CodeEntry& entry : all_codes())
+    for (const text::CodeEntry& entry : text::all_codes())
         for (const std::string part : {entry.meaning, entry.why, entry.write}) {
             EXPECT_TRUE(part.ends_with('.')) << entry.number << ": " << part;
             EXPECT_TRUE(part[0] != ' ' && !(part[0] >= 'a' && part[0] <= 'z')) << entry.number << ": " << part;
@@ -205,12 +206,12 @@ TEST(Codes, AreExplainedInSentences) {
 }
 
 TEST(Codes, AreFoundAsTheyStandBeforeAMessage) {
-    ASSERT_NE(find_code("E0412"), nullptr);
-    EXPECT_EQ(find_code("E0412")->number, 412);
-    EXPECT_EQ(find_code("412"), find_code("e0412"));
-    EXPECT_TRUE(explanation_of(*find_code("W0310")).starts_with("W0310  "));
+    ASSERT_NE(text::find_code("E0412"), nullptr);
+    EXPECT_EQ(text::find_code("E0412")->number, 412);
+    EXPECT_EQ(text::find_code("412"), text::find_code("e0412"));
+    EXPECT_TRUE(text::explanation_of(*text::find_code("W0310")).starts_with("W0310  "));
     for (const char* nothing : {"", "E", "E9999", "E0412x", "-412", "E 412", "99999999999999999999"})
-        EXPECT_EQ(find_code(nothing), nullptr) << nothing;
+        EXPECT_EQ(text::find_code(nothing), nullptr) << nothing;
 }
 
 }  // namespace

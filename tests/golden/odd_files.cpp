@@ -220,12 +220,12 @@ std::function<void(const std::string&)> markups(int code, const std::string& tex
     };
 }
 
-Anatomy block_of(double size) {
-    Anatomy anatomy;
+documents::Anatomy block_of(double size) {
+    documents::Anatomy anatomy;
     anatomy.file = "block.yaml";
-    PhantomPart part;
+    documents::PhantomPart part;
     part.id = "block";
-    part.solid = BoxSolid{{}, {size, size, size}};
+    part.solid = documents::BoxSolid{{}, {size, size, size}};
     anatomy.phantom.parts.push_back(part);
     anatomy.tissues.push_back({.id = "bone", .source = ""});
     return anatomy;
@@ -396,49 +396,49 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
     return makers;
 }
 
-const std::map<int, std::function<Diagnostics()>>& direct_causes() {
-    static const std::map<int, std::function<Diagnostics()>> causes{
+const std::map<int, std::function<text::Diagnostics()>>& direct_causes() {
+    static const std::map<int, std::function<text::Diagnostics()>> causes{
         {601,
          [] {
-             Diagnostics found;
-             Anatomy anatomy = block_of(0.02);
+             text::Diagnostics found;
+             documents::Anatomy anatomy = block_of(0.02);
              anatomy.phantom.parts[0].subtract = true;
-             (void)make_body(anatomy, 1e-3).take(found);
+             (void)bone::make_body(anatomy, 1e-3).take(found);
              return found;
          }},
         {602,
          [] {
-             Diagnostics found;
-             (void)make_body(block_of(2.0), 0.05e-3).take(found);
+             text::Diagnostics found;
+             (void)bone::make_body(block_of(2.0), 0.05e-3).take(found);
              return found;
          }},
         {628,
          [] {
-             Diagnostics found;
+             text::Diagnostics found;
              const TemporaryFolder folder;
              const std::filesystem::path before = std::filesystem::current_path();
              std::filesystem::current_path(folder.path());
              Scan scan;
              scan.write_to("scan.mha");
-             const auto header = check_image_file("scan.mha").take(found);
+             const auto header = bone::check_image_file("scan.mha").take(found);
              scan.missing = 1000;
              scan.write_to("scan.mha");
-             if (header) (void)read_image("scan.mha", *header, {{0, 0, 0}, header->size}, 0).take(found);
+             if (header) (void)bone::read_image("scan.mha", *header, {{0, 0, 0}, header->size}, 0).take(found);
              std::filesystem::current_path(before);
              return found;
          }},
         {718,
          [] {
-             Diagnostics found;
+             text::Diagnostics found;
              const std::filesystem::path before = std::filesystem::current_path();
              std::filesystem::current_path(KERF_SOURCE_DIR "/tests/golden");
              ComponentCatalog without;  // the plugin with the strategies
              std::copy_if(plugins().catalog().begin(), plugins().catalog().end(), std::back_inserter(without),
                           [](const ComponentInfo& c) { return c.plugin != "kerf.remesh_cgal"; });
-             ExactStrategies strategies({"libexec/kerf/kerf-remesh", &without});
-             if (const auto procedure = read_procedure("E0718.yaml", without).take(found)) {
+             run::ExactStrategies strategies({"libexec/kerf/kerf-remesh", &without});
+             if (const auto procedure = documents::read_procedure("E0718.yaml", without).take(found)) {
                  const std::string why = strategies.start(*procedure);
-                 report_strategy(*procedure, strategies.instrument_without(), why, found);
+                 run::report_strategy(*procedure, strategies.instrument_without(), why, found);
              }
              std::filesystem::current_path(before);
              return found;

@@ -15,6 +15,6 @@ namespace kerf::test {
 
 /// Codes that no document leads to, since other checks come before: what the function says when it is asked all the
 /// same.
-[[nodiscard]] const std::map<int, std::function<Diagnostics()>>& direct_causes();
+[[nodiscard]] const std::map<int, std::function<text::Diagnostics()>>& direct_causes();
 
 }  // namespace kerf::test

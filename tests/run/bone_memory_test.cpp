@@ -12,40 +12,41 @@
 #include "documents/read_anatomy.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using namespace literals;
 
-Anatomy vertebra() {
-    Diagnostics diagnostics;
-    auto anatomy = read_anatomy(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml").take(diagnostics);
+documents::Anatomy vertebra() {
+    text::Diagnostics diagnostics;
+    auto anatomy =
+        documents::read_anatomy(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml").take(diagnostics);
     if (!anatomy) throw std::runtime_error(to_text(diagnostics));
     return std::move(*anatomy);
 }
 
 /// A block of bone under three shells.
-Anatomy block(double edge) {
-    Anatomy anatomy;
-    anatomy.phantom.parts.push_back({"block", BoxSolid{{0, 0, 0}, {edge, edge, edge}}, false, ""});
+documents::Anatomy block(double edge) {
+    documents::Anatomy anatomy;
+    anatomy.phantom.parts.push_back({"block", documents::BoxSolid{{0, 0, 0}, {edge, edge, edge}}, false, ""});
     for (const char* id : {"a", "b", "c", "core"}) anatomy.tissues.push_back({id, 1000.0, 5.0_mm, ""});
     return anatomy;
 }
 
-Diagnostics checked(const Anatomy& anatomy, double spacing) {
-    Procedure procedure;
+text::Diagnostics checked(const documents::Anatomy& anatomy, double spacing) {
+    documents::Procedure procedure;
     procedure.file = "p.yaml";
     procedure.text = "apiVersion: kerf/v1\naccuracy: {spacing: 0.05 mm}\n";
     procedure.spacing = spacing;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     check_bone_memory(procedure, anatomy, diagnostics);
     return diagnostics;
 }
 
 TEST(BoneMemory, IsWhatTheFieldsTake) {
-    const Anatomy anatomy = vertebra();
-    Diagnostics diagnostics;
-    const auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
+    const documents::Anatomy anatomy = vertebra();
+    text::Diagnostics diagnostics;
+    const auto body = bone::make_body(anatomy, 0.5_mm).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
     double bytes = static_cast<double>(body->surface.memory_bytes());
     for (const Material& material : body->materials) bytes += static_cast<double>(material.border.memory_bytes());
@@ -55,8 +56,8 @@ TEST(BoneMemory, IsWhatTheFieldsTake) {
 TEST(BoneMemory, TheShippedBoneIsAllowedAtTheFinestSpacing) { EXPECT_TRUE(checked(vertebra(), 0.05_mm).empty()); }
 
 TEST(BoneMemory, TooMuchIsRefusedBeforeItIsTakenAndTheSpacingToWriteWouldDo) {
-    const Anatomy anatomy = block(200.0_mm);
-    const Diagnostics diagnostics = checked(anatomy, 0.05_mm);
+    const documents::Anatomy anatomy = block(200.0_mm);
+    const text::Diagnostics diagnostics = checked(anatomy, 0.05_mm);
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0413");
     EXPECT_EQ(diagnostics[0].place.line, 2);
@@ -72,4 +73,4 @@ TEST(BoneMemory, TooMuchIsRefusedBeforeItIsTakenAndTheSpacingToWriteWouldDo) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

@@ -17,7 +17,7 @@
 #include "tests/support/operation.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 /// How a tool is used in the block.
@@ -27,7 +27,7 @@ struct Use {
     std::string path;        ///< of its step
     bool needs_hole = false;
     bool removes_bone = true;  ///< not a thread: its grooves are counted apart
-    Verdict verdict = Verdict::pass;
+    session::Verdict verdict = session::Verdict::pass;
 };
 void PrintTo(const Use& use, std::ostream* out) { *out << use.plugin << "/" << use.tool; }
 
@@ -54,7 +54,7 @@ std::vector<Use> uses() {
         {"kerf.implant", "dental_implant", "screw_insertion", thread, released, true, false},
         {"kerf.core", "forceps", "grasp", "drives: {jaws: 0}",
          "{step: work, depth: -1 mm}, {depth: 0.3 mm, drives: {jaws: 1}}, {depth: 0.2 mm, drives: {jaws: 0}}", false,
-         false, Verdict::incomplete},
+         false, session::Verdict::incomplete},
     };
 }
 
@@ -103,17 +103,17 @@ TEST_P(EachTool, WorksIsSavedAndReplays) {
     const test::WatchedRun run = test::watched_run(scene, test::plugins(), request);
     ASSERT_EQ(run.error, "");
     std::string error;
-    const auto recorded = read_session(request.out + "/session.db", error);
+    const auto recorded = session::read_session(request.out + "/session.db", error);
     ASSERT_TRUE(recorded) << error;
     RunRequest again;
-    ASSERT_EQ(repeat(*recorded, "session.db", again), "");
+    ASSERT_EQ(app::repeat(*recorded, "session.db", again), "");
     const test::WatchedRun replayed = test::watched_run(scene, test::plugins(), again);
 
     // Then it met bone, the record is whole, and the replay ends in the same bits
     EXPECT_EQ(run.summary.verdict, use.verdict) << test::reasons_of(run);
     double force = 0.0, torque = 0.0, removed_before = 0.0;
     const std::int32_t work = use.needs_hole ? 1 : 0;  // the step
-    for (const TickRow& row : run.ticks) {
+    for (const session::TickRow& row : run.ticks) {
         if (use.needs_hole && row.step == 0) removed_before = row.removed;
         if (row.step != work) continue;
         force = std::max(force, length(linear(row.modelled)));
@@ -121,8 +121,8 @@ TEST_P(EachTool, WorksIsSavedAndReplays) {
     }
     EXPECT_TRUE(force > 0.1 || torque > 1e-4) << force << " N, " << torque << " N m";
     EXPECT_EQ(run.summary.removed > removed_before, use.removes_bone);
-    EXPECT_EQ(recorded->rows, RecordCheck::same);
-    EXPECT_EQ(recorded->hash, hex16(run.summary.hash));
+    EXPECT_EQ(recorded->rows, session::RecordCheck::same);
+    EXPECT_EQ(recorded->hash, session::hex16(run.summary.hash));
     EXPECT_EQ(recorded->device_from_handle.size(), run.ticks.size());
     EXPECT_EQ(replayed.summary.hash, run.summary.hash);
 }
@@ -141,4 +141,4 @@ TEST(EachToolOfThePlugins, IsTriedHere) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

@@ -21,7 +21,7 @@
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using namespace std::chrono_literals;
@@ -50,7 +50,7 @@ std::string full_id(const std::string& word) {
 
 const Scene& leg() {
     static const Scene scene = [] {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         auto documents = check_documents({KERF_SOURCE_DIR "/procedures/amputation.yaml",
                                           "",
                                           {"reciprocating", {"accuracy.spacing=0.6 mm"}},
@@ -65,7 +65,7 @@ const Scene& leg() {
 }
 Scene leg_with(const std::string& strategy, const std::string& instrument = "saw") {
     Scene scene = leg();
-    for (Instrument& one : scene.procedure.instruments)
+    for (documents::Instrument& one : scene.procedure.instruments)
         if (one.id == instrument) one.remeshing = full_id(strategy);
     return scene;
 }
@@ -73,18 +73,18 @@ Scene leg_with(const std::string& strategy, const std::string& instrument = "saw
 /// The surface as it is made afterwards, by the strategy of the run.
 struct Afterwards final : RunObserver {
     Afterwards(const Scene& of, const ExactStrategies& with) : scene(&of), strategies(&with) {}
-    std::string on_result(const RunSummary& /*summary*/, const Simulation& simulation) override {
-        made = exact_surface(simulation, strategies->tools(*scene));
+    std::string on_result(const session::RunSummary& /*summary*/, const Simulation& simulation) override {
+        made = bone::exact_surface(simulation, strategies->tools(*scene));
         return {};
     }
     const Scene* scene;
     const ExactStrategies* strategies;
-    ExactSurface made;
+    bone::ExactSurface made;
 };
 
 struct Ended {
-    RunSummary summary;
-    ExactSurface afterwards;
+    session::RunSummary summary;
+    bone::ExactSurface afterwards;
 };
 Ended run_with(const Scene& scene) {
     ExactStrategies strategies(host());
@@ -104,12 +104,13 @@ const Ended& plain_run(const std::string& strategy) {
     return runs.at(strategy);
 }
 /// The expert's way, with inputs once the last cut is out of the bone.
-Scene leg_with_inputs(const std::string& strategy, const std::vector<HandInput::Kind>& kinds) {
+Scene leg_with_inputs(const std::string& strategy, const std::vector<documents::HandInput::Kind>& kinds) {
     Scene scene = leg_with(strategy);
-    std::vector<Waypoint>& path = scene.procedure.rehearsals[0].path;
-    const auto away = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.depth < -50e-3; });
+    std::vector<documents::Waypoint>& path = scene.procedure.rehearsals[0].path;
+    const auto away =
+        std::find_if(path.begin(), path.end(), [](const documents::Waypoint& w) { return w.depth < -50e-3; });
     if (away == path.end()) throw std::runtime_error("the path never leaves the bone");
-    for (const HandInput::Kind kind : kinds) away->inputs.push_back({kind});
+    for (const documents::HandInput::Kind kind : kinds) away->inputs.push_back({kind});
     return scene;
 }
 
@@ -123,10 +124,10 @@ TEST_P(ExactFollowing, EndsWithTheSurfaceThatIsMadeAfterwards) {
     EXPECT_EQ(run.summary.exact->digest, run.afterwards.digest);
     ASSERT_EQ(run.summary.exact->pieces.size(), 2u);
     EXPECT_LT(std::abs(run.summary.exact->removed - run.summary.exact->field_removed), run.summary.exact->allowed);
-    for (const ExactPiece& piece : run.afterwards.pieces) {
-        RemeshRequest itself;
+    for (const bone::ExactPiece& piece : run.afterwards.pieces) {
+        bone::RemeshRequest itself;
         itself.base = piece.mesh;
-        EXPECT_EQ(flaw_of_result(itself, piece.mesh), "") << "body " << piece.body;
+        EXPECT_EQ(bone::flaw_of_result(itself, piece.mesh), "") << "body " << piece.body;
     }
 }
 
@@ -139,14 +140,15 @@ TEST_P(ExactFollowing, LeavesTheRunAsItIs) {
 }
 
 TEST_P(ExactFollowing, ACutTakenBackAndDoneAgainGivesTheSameSurface) {
-    const Ended run = run_with(leg_with_inputs(GetParam(), {HandInput::Kind::undo, HandInput::Kind::redo}));
+    const Ended run =
+        run_with(leg_with_inputs(GetParam(), {documents::HandInput::Kind::undo, documents::HandInput::Kind::redo}));
     ASSERT_TRUE(run.summary.exact.has_value());
     EXPECT_EQ(run.summary.exact->why_not, "");
     EXPECT_EQ(run.summary.exact->digest, plain_run(GetParam()).summary.exact->digest);
 }
 
 TEST_P(ExactFollowing, ACutTakenBackLeavesTheUncutSurface) {
-    const Ended run = run_with(leg_with_inputs(GetParam(), {HandInput::Kind::undo}));
+    const Ended run = run_with(leg_with_inputs(GetParam(), {documents::HandInput::Kind::undo}));
     ASSERT_TRUE(run.summary.exact.has_value());
     EXPECT_EQ(run.summary.exact->why_not, "");
     ASSERT_EQ(run.summary.exact->pieces.size(), 1u);
@@ -157,10 +159,10 @@ TEST_P(ExactFollowing, ACutTakenBackLeavesTheUncutSurface) {
 TEST_P(ExactFollowing, ABodyTakenAwayIsCutAndLeftOut) {
     // Given the expert's way, with the piece removed from the scene while it is held
     Scene scene = leg_with(GetParam());
-    std::vector<Waypoint>& path = scene.procedure.rehearsals[0].path;
-    Waypoint lifted = path[path.size() - 3];  // where the forceps close
+    std::vector<documents::Waypoint>& path = scene.procedure.rehearsals[0].path;
+    documents::Waypoint lifted = path[path.size() - 3];  // where the forceps close
     lifted.depth = -30e-3;
-    lifted.inputs.push_back({HandInput::Kind::remove});
+    lifted.inputs.push_back({documents::HandInput::Kind::remove});
     path.insert(path.end() - 2, lifted);
     const Ended run = run_with(scene);
     ASSERT_TRUE(run.summary.exact.has_value());
@@ -190,7 +192,7 @@ TEST(ExactFollower, BothStrategiesFindTheSameWalls) {
 
 TEST(ExactFollower, AnInstrumentWithoutAStrategyLeavesNoSurfaceAndSaysSo) {
     Scene scene = leg_with("local", "forceps");
-    for (Instrument& one : scene.procedure.instruments)
+    for (documents::Instrument& one : scene.procedure.instruments)
         if (one.id == "saw") one.remeshing.clear();
     const Ended run = run_with(scene);
     ASSERT_TRUE(run.summary.exact.has_value());
@@ -235,14 +237,14 @@ protected:
     }
     [[nodiscard]] StrategyHost own() const { return {program, &without_}; }
     /// What a run with this strategy says of its exact surface; its verdict and its hash are those of any run.
-    [[nodiscard]] static ExactRow run_with(const Scene& scene, const ExactStrategies& strategies) {
+    [[nodiscard]] static session::ExactRow run_with(const Scene& scene, const ExactStrategies& strategies) {
         RunRequest request;
         request.rehearsal = "expert";
         request.strategies = &strategies;
         const RunOutcome outcome = run_procedure(scene, test::plugins(), request);
         EXPECT_EQ(outcome.error, "");
         EXPECT_EQ(outcome.summary.hash, plain_run("local").summary.hash);
-        return outcome.summary.exact.value_or(ExactRow{});
+        return outcome.summary.exact.value_or(session::ExactRow{});
     }
 
 private:
@@ -280,15 +282,16 @@ TEST(ExactFollower, AMissingStrategyIsReplacedByTheNextThatSuitsTheTool) {
 
 /// The surface of the leg by some of its strategies.
 /// @param tolerance   [m] of the first; 0: its default
-ExactSurface leg_cut_by(const std::vector<std::string>& words, double tolerance = 0.0) {
+bone::ExactSurface leg_cut_by(const std::vector<std::string>& words, double tolerance = 0.0) {
     Scene scene = leg_with(words.front());
     if (tolerance > 0.0)
-        for (Instrument& one : scene.procedure.instruments) one.remeshing_parameters = {{"tolerance", tolerance}};
+        for (documents::Instrument& one : scene.procedure.instruments)
+            one.remeshing_parameters = {{"tolerance", tolerance}};
     ExactStrategies strategies(host());
     EXPECT_EQ(strategies.start(scene.procedure), "");
-    ExactTools tools = strategies.tools(scene);
+    bone::ExactTools tools = strategies.tools(scene);
     for (auto& of_solid : tools.strategies)
-        std::erase_if(of_solid, [&](const ExactStrategy& one) {
+        std::erase_if(of_solid, [&](const bone::ExactStrategy& one) {
             return std::none_of(words.begin(), words.end(),
                                 [&](const std::string& word) { return one.id == full_id(word); });
         });
@@ -299,11 +302,11 @@ ExactSurface leg_cut_by(const std::vector<std::string>& words, double tolerance 
     if (run == nullptr) throw std::runtime_error(outcome.error);
     while (run->step()) {
     }
-    return exact_surface(run->simulation(), std::move(tools));
+    return bone::exact_surface(run->simulation(), std::move(tools));
 }
 
 TEST(ExactFollower, AStrategyForWholeMeshesCutsWhatOneForPatchesDeclines) {
-    const ExactSurface made = leg_cut_by({"displace", "exact"}), exact = plain_run("exact").afterwards;
+    const bone::ExactSurface made = leg_cut_by({"displace", "exact"}), exact = plain_run("exact").afterwards;
     EXPECT_EQ(made.error, "");
     EXPECT_GE(made.handed_over, 1);
     EXPECT_NEAR(made.removed, exact.removed, 1e-3 * exact.removed);
@@ -312,15 +315,15 @@ TEST(ExactFollower, AStrategyForWholeMeshesCutsWhatOneForPatchesDeclines) {
 }
 
 TEST(ExactFollower, OneForPatchesCutsWhatOneForWholeMeshesDoesNot) {
-    const ExactSurface made = leg_cut_by({"stays_as_it_was", "local"}), exact = plain_run("exact").afterwards;
+    const bone::ExactSurface made = leg_cut_by({"stays_as_it_was", "local"}), exact = plain_run("exact").afterwards;
     EXPECT_EQ(made.error, "");
     EXPECT_NEAR(made.removed, exact.removed, 1e-3 * exact.removed);
 }
 
 TEST(ExactFollower, ALargeToleranceHidesNoBoneThatIsLeft) {
-    const ExactSurface fine = plain_run("local").afterwards, coarse = leg_cut_by({"local"}, 0.1e-3);
+    const bone::ExactSurface fine = plain_run("local").afterwards, coarse = leg_cut_by({"local"}, 0.1e-3);
     double walls = 0.0;
-    for (const ExactPiece& piece : coarse.pieces)
+    for (const bone::ExactPiece& piece : coarse.pieces)
         for (const auto& [tissue, area] : piece.wall_areas) walls += area;
     const double accuracy = leg().procedure.accuracy.volume * coarse.field_removed;
     EXPECT_GT(0.08e-3 * walls, 2.0 * accuracy) << "on all walls it would hide more than the procedure bears";
@@ -331,29 +334,29 @@ TEST(ExactFollower, ALargeToleranceHidesNoBoneThatIsLeft) {
 class ExactAnimals : public testing::TestWithParam<const char*> {
 protected:
     /// Cuts the leg by an animal, and perhaps by what replaces it.
-    static ExactSurface cut_by(const std::string& animal, bool is_replaced) {
+    static bone::ExactSurface cut_by(const std::string& animal, bool is_replaced) {
         const Scene scene = leg_with(animal);
         ExactStrategies strategies(host());
         EXPECT_EQ(strategies.start(scene.procedure), "");
-        ExactTools tools = strategies.tools(scene);
+        bone::ExactTools tools = strategies.tools(scene);
         for (auto& of_solid : tools.strategies)
             if (!is_replaced && of_solid.size() > 1) of_solid.resize(1);
         if (!is_replaced) tools.limit = 100ms;
-        ExactFollower follower(std::move(tools));
+        bone::ExactFollower follower(std::move(tools));
         RunRequest request;
         request.rehearsal = "expert";
         RunOutcome outcome;
         const auto run = Run::create(scene, test::plugins(), request, outcome);
         if (run == nullptr) throw std::runtime_error(outcome.error);
         while (run->step()) follower.follow(run->simulation());
-        ExactSurface made = follower.finish(run->simulation(), {}, {});
+        bone::ExactSurface made = follower.finish(run->simulation(), {}, {});
         EXPECT_EQ(run->finish().summary.hash, plain_run("local").summary.hash);
         return made;
     }
 };
 
 TEST_P(ExactAnimals, CostTheSurfaceAndNotTheRun) {
-    const ExactSurface made = cut_by(GetParam(), false);
+    const bone::ExactSurface made = cut_by(GetParam(), false);
     EXPECT_NE(made.error.find("no exact surface could be made"), std::string::npos) << made.error;
 }
 
@@ -365,7 +368,7 @@ INSTANTIATE_TEST_SUITE_P(Zoo, ExactAnimals,
 using ExactReplacement = ExactAnimals;
 
 TEST_F(ExactReplacement, CutsWhatAnAnimalLeavesAndNamesIt) {
-    const ExactSurface made = cut_by("stays_as_it_was", true);
+    const bone::ExactSurface made = cut_by("stays_as_it_was", true);
     EXPECT_EQ(made.error, "");
     EXPECT_EQ(made.digest, plain_run("exact").afterwards.digest);
     EXPECT_GE(made.handed_over, 1);
@@ -388,7 +391,7 @@ TEST(ExactFollower, ShowsTheSurfaceWhileItIsCut) {
     ASSERT_NE(run, nullptr) << outcome.error;
     ASSERT_NE(run->exact(), nullptr);
     run->exact()->watch();
-    std::shared_ptr<const ExactView> first, last;
+    std::shared_ptr<const bone::ExactView> first, last;
     while (run->step()) {
         if (const auto view = run->exact()->view(); view != nullptr && !view->pieces.empty()) {
             if (first == nullptr) first = view;
@@ -400,10 +403,10 @@ TEST(ExactFollower, ShowsTheSurfaceWhileItIsCut) {
     ASSERT_NE(first, nullptr);
     // A view never changes: its pages are whole while the surface goes on.
     for (const auto& view : {first, last})
-        for (const ExactView::Piece& piece : view->pieces) {
+        for (const bone::ExactView::Piece& piece : view->pieces) {
             std::size_t faces = 0;
             for (std::size_t f = 0; f < piece.surface.faces.size(); ++f) {
-                const GrowingSurface::Face& face = piece.surface.faces[f];
+                const bone::GrowingSurface::Face& face = piece.surface.faces[f];
                 if (face.is_there == 0) continue;
                 ++faces;
                 for (const std::uint32_t corner : face.corners) ASSERT_LT(corner, piece.surface.vertices.size());
@@ -417,4 +420,4 @@ TEST(ExactFollower, ShowsTheSurfaceWhileItIsCut) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

@@ -11,7 +11,7 @@
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using namespace literals;
@@ -44,7 +44,7 @@ steps:
   - {id: saw, title: Saw, instrument: saw, axis: way, plane: level, goals: [{depth: {at_least: 10 mm}}]}
 )";
 
-std::optional<Scene> scene_with(const std::string& normal, Diagnostics& diagnostics) {
+std::optional<Scene> scene_with(const std::string& normal, text::Diagnostics& diagnostics) {
     const test::TemporaryFolder folder;
     std::string anatomy = rod;
     anatomy.replace(anatomy.find("NORMAL"), 6, normal);
@@ -54,7 +54,7 @@ std::optional<Scene> scene_with(const std::string& normal, Diagnostics& diagnost
 }
 
 TEST(FittedLandmarks, GiveStepsTheirAxes) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto scene = scene_with("0 1 0", diagnostics);
     ASSERT_TRUE(scene) << to_text(diagnostics);
     EXPECT_LT(length(scene->frames.at(0).along - Vec3{0, 0, -1.0}), 1e-6);
@@ -64,7 +64,7 @@ TEST(FittedLandmarks, GiveStepsTheirAxes) {
 
 TEST(FittedLandmarks, AreHeldInTheirPlane) {
     // Given a plane that the guess lies in, and the rod does not: it leans by 7°
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto scene = scene_with("0 0.9932 -0.1168", diagnostics);
     EXPECT_FALSE(scene);
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
@@ -72,4 +72,4 @@ TEST(FittedLandmarks, AreHeldInTheirPlane) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

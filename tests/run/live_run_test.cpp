@@ -16,7 +16,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using test::short_scene;
@@ -58,13 +58,14 @@ TEST(LiveRun, ReplaysMissedPeriodsToTheBit) {
     EXPECT_NE(live.summary.hash, on_clock({}, {}).summary.hash);
 
     std::string error;
-    auto inputs = read_session(request.out + "/session.db", error);
+    auto inputs = session::read_session(request.out + "/session.db", error);
     ASSERT_TRUE(inputs) << error;
     ASSERT_EQ(inputs->missed.size(), missed.size());
     RunRequest again;
     again.replay = std::move(inputs->device_from_handle);
     again.adoptions = std::move(inputs->adoptions);
-    for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, hand_input(text).value());
+    for (const auto& [tick, text] : inputs->hand_inputs)
+        again.hand_inputs.emplace_back(tick, documents::hand_input(text).value());
     again.missed = std::move(inputs->missed);
     EXPECT_EQ(run_procedure(short_scene(), test::plugins(), again).summary.hash, live.summary.hash);
 }
@@ -75,7 +76,7 @@ double travel_after(std::uint64_t ticks, std::map<std::uint64_t, std::uint32_t> 
         std::uint64_t last_tick = 0;
         Vec3 first{}, last{};
         std::optional<RunEnd> ended;
-        void on_tick(const TickRow& row) override {
+        void on_tick(const session::TickRow& row) override {
             if (row.tick == 0) first = row.device_from_handle.position;
             last = row.device_from_handle.position;
             if (row.tick == last_tick) ended = RunEnd::interrupted;
@@ -124,4 +125,4 @@ TEST(WallClock, SkipsThePeriodsOfAStall) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

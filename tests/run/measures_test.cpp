@@ -15,7 +15,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using namespace literals;
@@ -78,7 +78,7 @@ steps:
 
 struct MeasuredRun {
     test::TemporaryFolder folder;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     std::optional<Scene> scene;
     test::WatchedRun run;
 
@@ -89,9 +89,10 @@ struct MeasuredRun {
         EXPECT_TRUE(scene) << to_text(diagnostics);
         if (scene) run = test::watched_run(*scene, test::plugins(), {});
     }
-    [[nodiscard]] const MetricRow* metric(const std::string& id) const {
+    [[nodiscard]] const session::MetricRow* metric(const std::string& id) const {
         const auto& all = run.summary.metrics;
-        const auto found = std::find_if(all.begin(), all.end(), [&](const MetricRow& row) { return row.id == id; });
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const session::MetricRow& row) { return row.id == id; });
         return found != all.end() ? &*found : nullptr;
     }
     [[nodiscard]] std::string reasons() const {
@@ -104,17 +105,17 @@ struct MeasuredRun {
 TEST(Measures, AreReadBeforeTheFirstCutAndAtTheEndOfAStep) {
     const MeasuredRun hole("{depth: {at_least: 5 mm}}");
     for (const char* id : {"measure.wall.before", "drill.measure.wall"}) ASSERT_NE(hole.metric(id), nullptr) << id;
-    const MetricRow &before = *hole.metric("measure.wall.before"), &after = *hole.metric("drill.measure.wall");
+    const session::MetricRow &before = *hole.metric("measure.wall.before"), &after = *hole.metric("drill.measure.wall");
     EXPECT_NEAR(before.value, 20.0_mm, 2.0 * before.uncertainty);
     EXPECT_NEAR(after.value, 8.0_mm, 0.2_mm /* the drill wanders a little */);
     EXPECT_EQ(after.unit, "mm");
     EXPECT_GT(after.uncertainty, 0.0);
     EXPECT_EQ(after.status, "info");
-    const MetricRow* tilt = hole.metric("drill.measure.tilt");
+    const session::MetricRow* tilt = hole.metric("drill.measure.tilt");
     ASSERT_NE(tilt, nullptr);
     EXPECT_EQ(tilt->unit, "deg");
     EXPECT_NEAR(tilt->value, 0.0, 0.5_deg);
-    const std::string json = summary_json(hole.run.summary);
+    const std::string json = session::summary_json(hole.run.summary);
     EXPECT_NE(json.find("\"drill.measure.wall\""), std::string::npos);
     EXPECT_NE(json.find("\"measure.wall.before\""), std::string::npos);
     ASSERT_NE(hole.metric("measure.wall.after"), nullptr);
@@ -124,7 +125,7 @@ TEST(Measures, AreReadBeforeTheFirstCutAndAtTheEndOfAStep) {
 TEST(Measures, BreakALimit) {
     const MeasuredRun thin("{depth: {at_least: 5 mm}}",
                            "{measure: {of: wall, at_least: 9 mm}, reason: The wall is thin.}");
-    EXPECT_EQ(thin.run.summary.verdict, Verdict::fail);
+    EXPECT_EQ(thin.run.summary.verdict, session::Verdict::fail);
     ASSERT_EQ(thin.run.summary.steps.size(), 1U);
     EXPECT_EQ(thin.run.summary.steps[0].broken_limits, std::vector<std::string>{"wall"});
     EXPECT_NE(thin.reasons().find("The wall is thin. `wall`: "), std::string::npos) << thin.reasons();
@@ -132,21 +133,21 @@ TEST(Measures, BreakALimit) {
 
     const MeasuredRun thick("{depth: {at_least: 5 mm}}",
                             "{measure: {of: wall, at_least: 7 mm}, reason: The wall is thin.}");
-    EXPECT_EQ(thick.run.summary.verdict, Verdict::pass) << thick.reasons();
+    EXPECT_EQ(thick.run.summary.verdict, session::Verdict::pass) << thick.reasons();
     EXPECT_EQ(thick.metric("drill.measure.wall")->status, "ok");
 }
 
 TEST(Measures, AreReachedAsAGoalWhenTheToolIsOut) {
     // The first time the tool comes out, 14 mm of floor are left, and the second time 8 mm.
     const MeasuredRun deep("{measure: {of: floor, at_most: 10 mm}}");
-    EXPECT_EQ(deep.run.summary.verdict, Verdict::pass) << deep.reasons();
+    EXPECT_EQ(deep.run.summary.verdict, session::Verdict::pass) << deep.reasons();
     EXPECT_GT(deep.metric("drill.depth")->value, 9.0_mm);
     const auto reached = std::count_if(deep.run.events.begin(), deep.run.events.end(),
-                                       [](const EventRow& event) { return event.id == "goal_reached"; });
+                                       [](const session::EventRow& event) { return event.id == "goal_reached"; });
     EXPECT_EQ(reached, 1);
 
     const MeasuredRun deeper("{measure: {of: floor, at_most: 4 mm}}");
-    EXPECT_EQ(deeper.run.summary.verdict, Verdict::incomplete);
+    EXPECT_EQ(deeper.run.summary.verdict, session::Verdict::incomplete);
     EXPECT_NE(deeper.reasons().find("`floor` "), std::string::npos) << deeper.reasons();
     EXPECT_NE(deeper.reasons().find("must be at most 4 mm"), std::string::npos) << deeper.reasons();
 }
@@ -205,11 +206,11 @@ TEST(Measures, GiveTheAnglesOfAJaw) {
     const test::TemporaryFolder folder;
     std::ofstream(folder.path() + "/jaw.yaml") << jaw_text;
     std::ofstream(folder.path() + "/procedure.yaml") << jaw_procedure_text;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto scene = make_scene(folder.path() + "/procedure.yaml", "", test::plugins()).take(diagnostics);
     ASSERT_TRUE(scene) << to_text(diagnostics);
     ASSERT_EQ(scene->measured_before.size(), 2U);
-    const MeasureReading &gonial = scene->measured_before[0], &plane = scene->measured_before[1];
+    const documents::MeasureReading &gonial = scene->measured_before[0], &plane = scene->measured_before[1];
     ASSERT_TRUE(gonial.value && plane.value) << gonial.why_not << plane.why_not;
     EXPECT_NEAR(*gonial.value, 120.0_deg, gonial.uncertainty);
     EXPECT_NEAR(*plane.value, 25.0_deg, plane.uncertainty);
@@ -218,4 +219,4 @@ TEST(Measures, GiveTheAnglesOfAJaw) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

@@ -26,7 +26,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using namespace literals;
@@ -103,17 +103,17 @@ public:
         std::ofstream(folder_ / "block.yaml") << bone;
         std::ofstream(folder_ / "plating.yaml") << text;
     }
-    [[nodiscard]] std::optional<Scene> scene(Diagnostics& found) const {
+    [[nodiscard]] std::optional<Scene> scene(text::Diagnostics& found) const {
         return make_scene(folder_ / "plating.yaml", "", test::plugins()).take(found);
     }
     [[nodiscard]] Scene scene() const {
-        Diagnostics found;
+        text::Diagnostics found;
         auto made = scene(found);
         if (!made) throw std::runtime_error(to_text(found));
         return std::move(*made);
     }
     [[nodiscard]] std::string refusal() const {
-        Diagnostics found;
+        text::Diagnostics found;
         EXPECT_FALSE(scene(found));
         return to_text(found);
     }
@@ -129,13 +129,13 @@ void expect_near(Vec3 a, Vec3 b, double tolerance) {
 
 std::vector<std::string> details_of(const test::WatchedRun& run, const std::string& id) {
     std::vector<std::string> details;
-    for (const EventRow& event : run.events)
+    for (const session::EventRow& event : run.events)
         if (event.id == id) details.push_back(event.detail);
     return details;
 }
 
-double metric_of(const RunSummary& summary, const std::string& id) {
-    for (const MetricRow& row : summary.metrics)
+double metric_of(const session::RunSummary& summary, const std::string& id) {
+    for (const session::MetricRow& row : summary.metrics)
         if (row.id == id) return row.value;
     return HUGE_VAL;
 }
@@ -174,7 +174,7 @@ TEST(PlannedPose, LiesWhereItsAxisMeetsBone) {
 TEST(PlannedPose, TurnsXTowardsUpAcrossAnyAxis) {
     const Vec3 along = normalized(Vec3{1.0, -2.0, 0.5});
     for (const Vec3 up : {Vec3{0, 0, 1}, Vec3{0, 0, -1}, Vec3{1, 0, 0}, Vec3{-1, 0.2, 0}}) {
-        const Pose pose = planned_pose({0.1, 0.2, 0.3}, along, up);
+        const Pose pose = documents::planned_pose({0.1, 0.2, 0.3}, along, up);
         expect_near(rotate(pose.rotation, {0, 0, 1}), along, 1e-12);
         expect_near(rotate(pose.rotation, {1, 0, 0}), normalized(up - dot(up, along) * along), 1e-12);
     }
@@ -314,21 +314,22 @@ TEST(PlateRun, DrillsAndScrewsThroughItsHole) {
     // Then nothing touched the metal, and the screw is in the middle of the hole
     EXPECT_EQ(details_of(run, "hand.refused"), std::vector<std::string>{});
     EXPECT_EQ(details_of(run, "haptics.met_metal"), std::vector<std::string>{});
-    EXPECT_EQ(run.summary.verdict, Verdict::pass) << run.summary.reasons.at(0);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::pass) << run.summary.reasons.at(0);
     EXPECT_LT(metric_of(run.summary, "fix.hole-offset"), 0.3_mm);
     EXPECT_LT(metric_of(run.summary, "fix.hole-axis-angle"), 3.0_deg);
 
     // And a replay ends in the same hash
     std::string error;
-    auto inputs = read_session(request.out + "/session.db", error);
+    auto inputs = session::read_session(request.out + "/session.db", error);
     ASSERT_TRUE(inputs) << error;
     RunRequest again;
     again.replay = std::move(inputs->device_from_handle);
     again.adoptions = std::move(inputs->adoptions);
     again.missed = std::move(inputs->missed);
-    for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, hand_input(text).value());
+    for (const auto& [tick, text] : inputs->hand_inputs)
+        again.hand_inputs.emplace_back(tick, documents::hand_input(text).value());
     ASSERT_FALSE(again.hand_inputs.empty());
-    EXPECT_EQ(again.hand_inputs.front().second.kind, HandInput::Kind::place);
+    EXPECT_EQ(again.hand_inputs.front().second.kind, documents::HandInput::Kind::place);
     EXPECT_EQ(test::watched_run(scene, test::plugins(), again).summary.hash, run.summary.hash);
 }
 
@@ -384,4 +385,4 @@ TEST(PlateRun, LeadsStepsAlongThePlateThatIsThere) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

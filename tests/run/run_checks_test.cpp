@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 constexpr const char* text = "haptics: {device: tuoch}\n"
@@ -18,8 +18,8 @@ constexpr const char* text = "haptics: {device: tuoch}\n"
                              "  - {id: short, path: [{depth: -5 mm}]}\n"
                              "  - {id: deep, path: [{depth: 1 mm}, {depth: 5 mm}]}\n";
 
-Procedure procedure() {
-    Procedure p;
+documents::Procedure procedure() {
+    documents::Procedure p;
     p.file = "hole.yaml";
     p.text = text;
     p.device = "touch";
@@ -27,7 +27,7 @@ Procedure procedure() {
     return p;
 }
 
-void expect_one(const Diagnostics& found, const char* code, int line, int column) {
+void expect_one(const text::Diagnostics& found, const char* code, int line, int column) {
     ASSERT_EQ(found.size(), 1u) << to_text(found);
     EXPECT_EQ(found[0].code, code);
     EXPECT_EQ(found[0].place.line, line);
@@ -35,13 +35,13 @@ void expect_one(const Diagnostics& found, const char* code, int line, int column
 }
 
 TEST(RunChecks, HasNothingAgainstARunThatCanBe) {
-    Diagnostics found;
+    text::Diagnostics found;
     check_run(procedure(), found);
     EXPECT_TRUE(found.empty()) << to_text(found);
 }
 
 TEST(RunChecks, ReportsAShallowWaypointOnceInItsPath) {
-    Procedure p = procedure();
+    documents::Procedure p = procedure();
     p.text = "paths:\n"
              "  shallow: [{depth: -5 mm}, {depth: 5 mm}]\n"
              "rehearsals:\n"
@@ -52,23 +52,23 @@ TEST(RunChecks, ReportsAShallowWaypointOnceInItsPath) {
     p.rehearsals[0].expect = "pass";
     for (const double depth : {-5e-3, 5e-3, -5e-3}) p.rehearsals[0].path.push_back({.depth = depth});
     p.rehearsals.push_back(p.rehearsals[0]);
-    Diagnostics found;
+    text::Diagnostics found;
     check_run(p, found);
     expect_one(found, "W0712", 2, 37);
 }
 
 TEST(RunChecks, NamesTheDeviceThatWasMeantWhereItStands) {
-    Procedure p = procedure();
+    documents::Procedure p = procedure();
     p.device = "tuoch";
-    Diagnostics found;
+    text::Diagnostics found;
     check_run(p, found);
     expect_one(found, "E0701", 1, 19);
     EXPECT_NE(to_text(found).find("Write `touch`"), std::string::npos) << to_text(found);
 }
 
 TEST(RunChecks, TheNinthInstrumentIsOneTooMany) {
-    Procedure p = procedure();
-    Diagnostics found;
+    documents::Procedure p = procedure();
+    text::Diagnostics found;
     for (int n = 1; n < 8; ++n) {
         p.steps.push_back(p.steps[0]);
         p.steps.back().instrument = "saw-" + std::to_string(n);
@@ -83,11 +83,11 @@ TEST(RunChecks, TheNinthInstrumentIsOneTooMany) {
 }
 
 TEST(RunChecks, PointsAtRehearsalsThatCannotBeCarriedOut) {
-    Procedure p = procedure();
+    documents::Procedure p = procedure();
     p.rehearsals.resize(2);
     p.rehearsals[0].path = {{.depth = -5e-3, .medial = 0.0}};
     p.rehearsals[1].path = {{.depth = 1e-3, .medial = 0.0}, {.depth = 5e-3, .medial = 0.0}};
-    Diagnostics found;
+    text::Diagnostics found;
     check_run(p, found);
     ASSERT_EQ(found.size(), 2u) << to_text(found);
     EXPECT_EQ(found[0].code, "E0704");
@@ -98,7 +98,7 @@ TEST(RunChecks, PointsAtRehearsalsThatCannotBeCarriedOut) {
 
 TEST(RunChecks, ABladeThickerThanTheRegionIsRefused) {
     const auto told = [](double kerf, double thickness_of_region) {
-        Diagnostics found;
+        text::Diagnostics found;
         const ToolSolid blade = ToolSolid::prism({{0.0, 5e-3}, {-1e-3, 5e-3}}, kerf);
         check_blade_fits(procedure(), "pilot", blade, {{0, 0, 0}, {30e-3, thickness_of_region, 54e-3}}, found);
         return found.empty() ? "" : found[0].code + " " + found[0].message;
@@ -110,15 +110,15 @@ TEST(RunChecks, ABladeThickerThanTheRegionIsRefused) {
 }
 
 TEST(RunChecks, AToolThatIsRefusedIsShownWithTheReason) {
-    Diagnostics found;
+    text::Diagnostics found;
     refuse_tool(procedure(), "pilot", "it cannot be made.", found);
     expect_one(found, "E0703", 3, 10);
 }
 
 TEST(RunChecks, AHoleIsAsWideAsItsNarrowestBore) {
-    Procedure p = procedure();
+    documents::Procedure p = procedure();
     p.spacing = 0.8e-3;
-    Diagnostics found;
+    text::Diagnostics found;
     const ToolSolid drill({{0.0, 0.0}, {-1e-3, 1.6e-3}, {-50e-3, 1.6e-3}});
     check_width_of_cut(p, "pilot", drill, found);
     EXPECT_TRUE(found.empty()) << to_text(found);
@@ -133,4 +133,4 @@ TEST(RunChecks, AHoleIsAsWideAsItsNarrowestBore) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

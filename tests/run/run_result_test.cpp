@@ -7,18 +7,18 @@
 #include <utility>
 #include <vector>
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 /// A procedure of one step with these goals and limits, judged after what was shown.
 struct Judged {
-    Procedure procedure;
-    Anatomy anatomy;
+    documents::Procedure procedure;
+    documents::Anatomy anatomy;
     ToolSolid drill{{{0.0, 0.0}, {-1e-3, 1.5e-3}, {-2e-3, 1.5e-3}}};
     std::vector<Observation> shown;
 
-    Judged(std::vector<Goal> goals, std::vector<Limit> limits) {
-        Step step;
+    Judged(std::vector<documents::Goal> goals, std::vector<documents::Limit> limits) {
+        documents::Step step;
         step.id = "insert";
         step.goals = std::move(goals);
         step.limits = std::move(limits);
@@ -30,12 +30,12 @@ struct Judged {
         for (const Observation& one : shown) monitor.observe(one, drill);
         return monitor;
     }
-    [[nodiscard]] RunSummary summary(RunEnd end = RunEnd::path_ended) const {
-        RunSummary summary;
+    [[nodiscard]] session::RunSummary summary(RunEnd end = RunEnd::path_ended) const {
+        session::RunSummary summary;
         judge(monitor(), end, 1.0, 120.0, summary);
         return summary;
     }
-    [[nodiscard]] bool is_as(const Rehearsal& rehearsal) const {
+    [[nodiscard]] bool is_as(const documents::Rehearsal& rehearsal) const {
         return ended_as_expected(rehearsal, monitor(), summary().verdict);
     }
 };
@@ -45,8 +45,9 @@ Observation in_bone(double depth) {
 }
 Observation in_air() { return {.time = 0.5, .world_from_tool = {{0, 0, -1e-3}, {1, 0, 0, 0}}}; }
 
-Rehearsal expecting(const char* verdict, const char* limit = "", const char* step = "", bool others = false) {
-    Rehearsal rehearsal;
+documents::Rehearsal expecting(const char* verdict, const char* limit = "", const char* step = "",
+                               bool others = false) {
+    documents::Rehearsal rehearsal;
     rehearsal.expect = verdict;
     rehearsal.expect_limit = limit;
     rehearsal.expect_step = step;
@@ -54,11 +55,11 @@ Rehearsal expecting(const char* verdict, const char* limit = "", const char* ste
     return rehearsal;
 }
 
-const Goal entry{"entry", {}, {}};
+const documents::Goal entry{"entry", {}, {}};
 
 // ---- what a trainee reads
 
-std::string only_reason(const RunSummary& summary) {
+std::string only_reason(const session::RunSummary& summary) {
     EXPECT_EQ(summary.reasons.size(), 1u);
     return summary.reasons.empty() ? "" : summary.reasons.front();
 }
@@ -71,7 +72,7 @@ TEST(RunResult, NamesTheValueThatBrokeALimit) {
     const auto reason = [&](const char* quantity, double at_most) {
         Judged judged({entry}, {{.quantity = quantity, .bound = {{}, at_most}, .reason = "Careful."}});
         judged.shown = {now, in_air()};
-        EXPECT_EQ(judged.summary().verdict, Verdict::fail);
+        EXPECT_EQ(judged.summary().verdict, session::Verdict::fail);
         EXPECT_EQ(judged.summary().steps.at(0).broken_limits, std::vector<std::string>{quantity});
         return only_reason(judged.summary());
     };
@@ -104,12 +105,12 @@ TEST(RunResult, PassesWithinEveryLimit) {
                                             {"duration", 1.0}})
         judged.procedure.steps[0].limits.push_back({.quantity = quantity, .bound = {{}, at_most}});
     judged.shown = {now, in_air()};
-    EXPECT_EQ(judged.summary().verdict, Verdict::pass);
+    EXPECT_EQ(judged.summary().verdict, session::Verdict::pass);
     EXPECT_EQ(judged.summary().score, 100.0);
 }
 
 TEST(RunResult, NamesASignalByItsId) {
-    const NamedSignal clamp{"clamp", 0, "N"};
+    const documents::NamedSignal clamp{"clamp", 0, "N"};
     const std::vector<double> signals{105.25};
     Observation now = in_bone(1e-3);
     now.signals = signals;
@@ -127,10 +128,10 @@ TEST(RunResult, DescribesAMissedGoal) {
     first.signals = low;
     then.signals = high;
     then.removed = 3e-7;
-    const auto reason = [&](const Goal& goal) {
+    const auto reason = [&](const documents::Goal& goal) {
         Judged judged({goal}, {});
         judged.shown = {first, then};
-        EXPECT_EQ(judged.summary().verdict, Verdict::incomplete);
+        EXPECT_EQ(judged.summary().verdict, session::Verdict::incomplete);
         return only_reason(judged.summary());
     };
     EXPECT_EQ(reason({.quantity = "signal", .bound = {100.0, {}}, .signal = {"clamp", 0, "N"}}),
@@ -199,4 +200,4 @@ TEST(RunResult, ALimitIsExpectedToBreakInTheNamedStep) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

@@ -20,7 +20,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using namespace literals;
@@ -44,7 +44,7 @@ TEST(Run, StepByStepItIsTheSameRunToTheBit) {
     const RunOutcome outcome = run->finish();
     EXPECT_EQ(ticks, whole.ticks.size());
     EXPECT_EQ(outcome.summary.hash, whole.summary.hash);
-    EXPECT_EQ(outcome.summary.verdict, Verdict::incomplete) << "the time was over";
+    EXPECT_EQ(outcome.summary.verdict, session::Verdict::incomplete) << "the time was over";
     EXPECT_GT(outcome.summary.removed, 0.0);
 }
 
@@ -53,7 +53,7 @@ TEST(Run, ADeviceThatReportsTheSamePosesFeelsTheSame) {
     const test::WatchedRun whole = test::watched_run(short_scene(), test::plugins(), {});
     const auto run = new_run();
     ASSERT_NE(run, nullptr);
-    for (const TickRow& row : whole.ticks) {
+    for (const session::TickRow& row : whole.ticks) {
         const bool goes_on = run->step({row.device_from_handle});
         ASSERT_EQ(run->last().command.wrench, row.commanded) << row.tick;
         ASSERT_EQ(goes_on, &row != &whole.ticks.back()) << row.tick;
@@ -63,8 +63,8 @@ TEST(Run, ADeviceThatReportsTheSamePosesFeelsTheSame) {
 
 // ---- what a step may ask of each tick
 
-const MetricRow* metric_of(const RunSummary& summary, const std::string& id) {
-    for (const MetricRow& row : summary.metrics)
+const session::MetricRow* metric_of(const session::RunSummary& summary, const std::string& id) {
+    for (const session::MetricRow& row : summary.metrics)
         if (row.id == id) return &row;
     return nullptr;
 }
@@ -89,16 +89,16 @@ TEST(Run, MeasuresWhatLimitsOfAStepAreOn) {
     // Then each metric is the greatest of what the session has of it, in newtons of the bone
     double torque = 0.0, across = 0.0, power = 0.0;
     const auto column = std::find_if(run.summary.signals.begin(), run.summary.signals.end(),
-                                     [](const SignalColumn& c) { return c.id == "drive_power"; });
+                                     [](const session::SignalColumn& c) { return c.id == "drive_power"; });
     ASSERT_NE(column, run.summary.signals.end());
-    for (const TickRow& row : run.ticks) {
+    for (const session::TickRow& row : run.ticks) {
         const Vec3 shaft = rotate(row.world_from_tool.rotation, {0, 0, 1});
         torque = std::max(torque, std::abs(row.torque));
         across = std::max(across, length(linear(row.modelled) - dot(linear(row.modelled), shaft) * shaft));
         power = std::max(power, row.signals[static_cast<std::size_t>(column - run.summary.signals.begin())]);
     }
     const auto value_of = [&](const char* id) {
-        const MetricRow* row = metric_of(run.summary, std::string("pilot-hole.") + id);
+        const session::MetricRow* row = metric_of(run.summary, std::string("pilot-hole.") + id);
         return row != nullptr ? row->value : -1.0;
     };
     EXPECT_GT(torque, 1e-3);
@@ -112,7 +112,7 @@ TEST(Run, MeasuresWhatLimitsOfAStepAreOn) {
     EXPECT_NEAR(value_of("removed-volume"), run.summary.removed, 0.05 * run.summary.removed /* of the last count */);
 
     // And the two limits are broken, each with its sentence and its value
-    EXPECT_EQ(run.summary.verdict, Verdict::fail);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::fail);
     EXPECT_EQ(run.summary.steps.at(0).broken_limits, (std::vector<std::string>{"lateral_force", "duration"}));
     EXPECT_TRUE(run.summary.reasons.at(0).starts_with("Step `pilot-hole`: Levered. Across the shaft: "));
     EXPECT_EQ(run.summary.reasons.at(1), "Step `pilot-hole`: Slow. Duration: 15 s.");
@@ -126,12 +126,12 @@ TEST(Run, ReachesGoalsOnSignalsAndRemovedBone) {
                                     "{signal: {id: spindle_speed, at_least: 2000 rpm}}]"});
     const test::WatchedRun run = test::watched_run(scene, test::plugins(), pushed_hard());
     std::vector<std::string> reached;
-    for (const EventRow& event : run.events)
+    for (const session::EventRow& event : run.events)
         if (event.id == "goal_reached") reached.push_back(event.detail);
     EXPECT_EQ(reached,
               (std::vector<std::string>{"pilot-hole: entry", "pilot-hole: drive_power", "pilot-hole: removed_volume"}));
     ASSERT_FALSE(run.summary.reasons.empty());
-    EXPECT_EQ(run.summary.verdict, Verdict::incomplete);
+    EXPECT_EQ(run.summary.verdict, session::Verdict::incomplete);
     EXPECT_TRUE(run.summary.reasons.at(0).ends_with("must be at least 2000 rpm.")) << run.summary.reasons.at(0);
     EXPECT_NE(metric_of(run.summary, "pilot-hole.signal.spindle_speed"), nullptr);
 }
@@ -154,18 +154,18 @@ TEST(Run, RecordsMissedTicksAndReplaysThemToTheBit) {
     const test::TemporaryFolder folder;
     const auto ended = [&](bool misses, RunRequest request) {
         const auto run = new_run(request);
-        for (const TickRow& row : whole.ticks)
+        for (const session::TickRow& row : whole.ticks)
             if (!run->step({row.device_from_handle, misses && (row.tick == 4000 || row.tick == 9000) ? 2u : 0u})) break;
         return run->finish().summary;
     };
     RunRequest request;
     request.out = folder.path() + "/missed";
-    const RunSummary with = ended(true, request), without = ended(false, {});
+    const session::RunSummary with = ended(true, request), without = ended(false, {});
     EXPECT_EQ(without.hash, whole.summary.hash);
     EXPECT_NE(with.hash, without.hash);
 
     std::string error;
-    auto inputs = read_session(request.out + "/session.db", error);
+    auto inputs = session::read_session(request.out + "/session.db", error);
     ASSERT_TRUE(inputs) << error;
     ASSERT_EQ(inputs->missed, (std::vector<std::pair<std::uint64_t, std::uint32_t>>{{4000, 2}, {9000, 2}}));
     RunRequest again;
@@ -181,12 +181,12 @@ TEST(Run, CallsItsObserversInOrderAndEndsWhenOneSaysSo) {
     struct Witness final : RunObserver {
         std::vector<std::string> calls;
         std::size_t ticks = 0;
-        void on_tick(const TickRow& row) override { EXPECT_EQ(row.tick, ticks++); }
+        void on_tick(const session::TickRow& row) override { EXPECT_EQ(row.tick, ticks++); }
         void on_progress(double, const std::string&) override { calls.emplace_back("progress"); }
         std::optional<RunEnd> end() override {
             return ticks == 300 ? std::optional(RunEnd::interrupted) : std::nullopt;
         }
-        std::string on_result(const RunSummary& summary, const Simulation&) override {
+        std::string on_result(const session::RunSummary& summary, const Simulation&) override {
             calls.emplace_back(to_text(summary.verdict));
             return "the disk is full";
         }
@@ -211,4 +211,4 @@ TEST(Run, IsRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

@@ -13,7 +13,7 @@
 #include "kerf/units.hpp"
 #include "tests/support/mesh_checks.h"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using namespace literals;
@@ -51,18 +51,18 @@ constexpr double width = 10.3_mm, height = 14.9_mm, half_length = 20.0_mm, radiu
 
 /// An elliptic bone along z, from z = half_length down.
 Body pedicle() {
-    Anatomy anatomy;
+    documents::Anatomy anatomy;
     anatomy.id = "pedicle";
     anatomy.phantom.parts.push_back({"pedicle",
-                                     EllipticTubeSolid{.from = {0, 0, half_length},
-                                                       .to = {0, 0, -half_length},
-                                                       .width = width,
-                                                       .height = height,
-                                                       .up = {0, 1, 0}},
+                                     documents::EllipticTubeSolid{.from = {0, 0, half_length},
+                                                                  .to = {0, 0, -half_length},
+                                                                  .width = width,
+                                                                  .height = height,
+                                                                  .up = {0, 1, 0}},
                                      false, ""});
     anatomy.tissues.push_back({"bone", 1000.0, 0.0, ""});
-    Diagnostics diagnostics;
-    auto body = make_body(anatomy, 0.25_mm).take(diagnostics);
+    text::Diagnostics diagnostics;
+    auto body = bone::make_body(anatomy, 0.25_mm).take(diagnostics);
     EXPECT_TRUE(body) << to_text(diagnostics);
     return std::move(*body);
 }
@@ -95,10 +95,10 @@ double exact_breach(Vec3 tip, Vec3 direction) {
 TEST(ScrewGrade, OfAThousandScrewsIsThatOfTheirExactGeometryOrNamesTwo) {
     const Body body = pedicle();
     test::Random random(34);
-    const HolePlan plan{.entry = {0, 0, half_length},
-                        .along = {0, 0, -1},
-                        .depth = 30.0_mm,
-                        .cutting = ToolSolid({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-40.0_mm, 2.0_mm}})};
+    const bone::HolePlan plan{.entry = {0, 0, half_length},
+                              .along = {0, 0, -1},
+                              .depth = 30.0_mm,
+                              .cutting = ToolSolid({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-40.0_mm, 2.0_mm}})};
     const double unsure = 0.5 * body.grid().spacing;
     int undecided = 0;
     std::string seen;
@@ -108,10 +108,10 @@ TEST(ScrewGrade, OfAThousandScrewsIsThatOfTheirExactGeometryOrNamesTwo) {
         const Vec3 direction{std::sin(tilt) * std::cos(way), std::sin(tilt) * std::sin(way), -std::cos(tilt)};
         const Vec3 middle{aside * std::cos(where), aside * std::sin(where), 5.0_mm};
         const Vec3 tip = middle + 15.0_mm * direction;
-        const auto hole = hole_along(body, plan, tip, direction);
+        const auto hole = bone::hole_along(body, plan, tip, direction);
         ASSERT_TRUE(hole);
         const auto breach = [&](double by) {
-            return breach_of(body, plan, *hole, radius + by, {1, 0, 0}, {0, 1, 0}).worst();
+            return bone::breach_of(body, plan, *hole, radius + by, {1, 0, 0}, {0, 1, 0}).worst();
         };
         const std::string grade = gertzbein_robbins(breach(-unsure), breach(unsure)),
                           exact = gertzbein_robbins(exact_breach(tip, direction), exact_breach(tip, direction));
@@ -129,4 +129,4 @@ TEST(ScrewGrade, OfAThousandScrewsIsThatOfTheirExactGeometryOrNamesTwo) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

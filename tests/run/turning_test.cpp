@@ -20,7 +20,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using namespace literals;
@@ -74,7 +74,7 @@ std::optional<Scene> seat_with(const std::string& turn, const std::string& devic
     text.replace(text.find("touch-driver"), 12, device);
     std::ofstream(folder / "bored.yaml") << bored_block;
     std::ofstream(folder / "seat.yaml") << text;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     auto scene = make_scene(folder / "seat.yaml", "", test::plugins()).take(diagnostics);
     if (!scene) ADD_FAILURE() << to_text(diagnostics);
     return scene;
@@ -85,22 +85,22 @@ test::WatchedRun run_of(const Scene& scene, RunRequest request = {}) {
 }
 
 /// How far a pose turned about its own z over the rows [rad], many turns.
-double turned_by(const std::vector<TickRow>& ticks, Pose TickRow::*pose) {
+double turned_by(const std::vector<session::TickRow>& ticks, Pose session::TickRow::*pose) {
     double sum = 0.0;
     for (std::size_t i = 1; i < ticks.size(); ++i)
         sum += small_rotation_vector(conjugate((ticks[i - 1].*pose).rotation) * (ticks[i].*pose).rotation).z;
     return sum;
 }
 
-double max_torque(const std::vector<TickRow>& ticks) {
+double max_torque(const std::vector<session::TickRow>& ticks) {
     double most = 0.0;
-    for (const TickRow& row : ticks) most = std::max(most, row.torque);
+    for (const session::TickRow& row : ticks) most = std::max(most, row.torque);
     return most;
 }
 
 std::vector<std::uint64_t> ticks_of(const test::WatchedRun& run, const std::string& id, const std::string& detail) {
     std::vector<std::uint64_t> ticks;
-    for (const EventRow& event : run.events)
+    for (const session::EventRow& event : run.events)
         if (event.id == id && (detail.empty() || event.detail == detail)) ticks.push_back(event.tick);
     return ticks;
 }
@@ -113,9 +113,9 @@ TEST(Turning, SendsTheBonesTorqueTimesTheForceScale) {
     const auto scene = seat_with("by: 5 turns, speed: 60 rpm");
     ASSERT_TRUE(scene);
     const test::WatchedRun run = run_of(*scene);
-    const TickRow& last = run.ticks.back();
+    const session::TickRow& last = run.ticks.back();
     EXPECT_GT(last.torque, 0.4);
-    EXPECT_NEAR(sent_torque(last), -0.1 * last.torque, 1e-6);
+    EXPECT_NEAR(session::sent_torque(last), -0.1 * last.torque, 1e-6);
     const Vec3 shaft = rotate(last.device_from_handle.rotation, {0, 0, 1}), sent = angular(last.commanded);
     EXPECT_LT(length(sent - dot(sent, shaft) * shaft), 1e-12) << "none across";
 }
@@ -125,7 +125,8 @@ TEST(Turning, FeelsTheSameOnADeviceWithoutAMotor) {
                without = seat_with("by: 7 turns, speed: 60 rpm, until: {torque: 0.5 N*m}", "touch");
     ASSERT_TRUE(with && without);
     const test::WatchedRun a = run_of(*with), b = run_of(*without);
-    EXPECT_NEAR(turned_by(a.ticks, &TickRow::world_from_tool), turned_by(b.ticks, &TickRow::world_from_tool), 0.02)
+    EXPECT_NEAR(turned_by(a.ticks, &session::TickRow::world_from_tool),
+                turned_by(b.ticks, &session::TickRow::world_from_tool), 0.02)
         << "counts of 0.09 degrees";
 }
 
@@ -139,7 +140,7 @@ TEST(Turning, StallsAtTheHandsTorque) {
     EXPECT_GT(max_torque(strong.ticks), 1.0);
     // In one reaction the wrist turns by 0.15 of a turn, in which this bone asks for 0.04 N·m more; its flutes add some
     EXPECT_LT(max_torque(stalled.ticks), 0.75);
-    EXPECT_LT(turned_by(stalled.ticks, &TickRow::device_from_handle), 6.5 * 2.0 * pi);
+    EXPECT_LT(turned_by(stalled.ticks, &session::TickRow::device_from_handle), 6.5 * 2.0 * pi);
     EXPECT_EQ(stalled.ticks.size(), 60000u) << "until the time is over";
 }
 
@@ -147,11 +148,12 @@ TEST(Turning, EndsAtItsTorqueAndThenReleases) {
     const auto scene = seat_with("by: 7 turns, speed: 60 rpm, until: {torque: 0.5 N*m}");
     ASSERT_TRUE(scene);
     const test::WatchedRun run = run_of(*scene);
-    const auto released = ticks_of(run, hand_input_event, "release");
+    const auto released = ticks_of(run, session::hand_input_event, "release");
     ASSERT_EQ(released.size(), 1u);
-    const std::size_t reached = static_cast<std::size_t>(
-        std::find_if(run.ticks.begin(), run.ticks.end(), [](const TickRow& row) { return row.torque >= 0.5; }) -
-        run.ticks.begin());
+    const std::size_t reached =
+        static_cast<std::size_t>(std::find_if(run.ticks.begin(), run.ticks.end(),
+                                              [](const session::TickRow& row) { return row.torque >= 0.5; }) -
+                                 run.ticks.begin());
     EXPECT_NEAR(static_cast<double>(released.front()), static_cast<double>(reached) + 151.0, 1.0) << "one reaction";
 }
 
@@ -160,11 +162,11 @@ TEST(Turning, EndsWhenItFeelsTheHeadSeat) {
     ASSERT_TRUE(scene);
     const test::WatchedRun run = run_of(*scene);
     const auto seated = ticks_of(run, "implant.head_contact", ""),
-               released = ticks_of(run, hand_input_event, "release");
+               released = ticks_of(run, session::hand_input_event, "release");
     ASSERT_EQ(seated.size(), 1u);
     ASSERT_EQ(released.size(), 1u);
     EXPECT_NEAR(static_cast<double>(released.front()), static_cast<double>(seated.front()) + 151.0, 1.0);
-    EXPECT_LT(turned_by(run.ticks, &TickRow::device_from_handle), 8.0 * 2.0 * pi) << "`by` is the most";
+    EXPECT_LT(turned_by(run.ticks, &session::TickRow::device_from_handle), 8.0 * 2.0 * pi) << "`by` is the most";
 }
 
 // ---- regripping --------------------------------------------------------------------------------------------------
@@ -174,19 +176,20 @@ TEST(Turning, RegrippingEndsAtTheSameAngle) {
                gripped = seat_with("by: 7 turns, speed: 60 rpm, regrip: 180 deg");
     ASSERT_TRUE(whole && gripped);
     const test::WatchedRun a = run_of(*whole), b = run_of(*gripped);
-    const double driver = turned_by(a.ticks, &TickRow::world_from_tool);
-    EXPECT_NEAR(turned_by(b.ticks, &TickRow::world_from_tool), driver, max_torque(a.ticks) / wrist);
+    const double driver = turned_by(a.ticks, &session::TickRow::world_from_tool);
+    EXPECT_NEAR(turned_by(b.ticks, &session::TickRow::world_from_tool), driver, max_torque(a.ticks) / wrist);
     EXPECT_NEAR(driver, 7.0 * 2.0 * pi - a.ticks.back().torque / wrist, 5e-3);
-    const auto release_fraction = ticks_of(b, hand_input_event, "regrip:1"),
-               hold = ticks_of(b, hand_input_event, "regrip:0");
+    const auto release_fraction = ticks_of(b, session::hand_input_event, "regrip:1"),
+               hold = ticks_of(b, session::hand_input_event, "regrip:0");
     EXPECT_GE(release_fraction.size(), 13u);
     ASSERT_EQ(release_fraction.size(), hold.size());
-    for (const EventRow& event : b.events)
+    for (const session::EventRow& event : b.events)
         EXPECT_FALSE(event.id == "hand.refused" && event.detail.starts_with("regrip"));
     for (std::size_t i = 0; i < release_fraction.size(); ++i)
         for (std::uint64_t tick = release_fraction[i]; tick < hold[i]; ++tick) {
-            ASSERT_LT(std::abs(sent_torque(b.ticks[tick])), 1e-4) << tick << ": the hand makes no torque";
-            ASSERT_NEAR(turned_by({b.ticks[release_fraction[i]], b.ticks[tick]}, &TickRow::world_from_tool), 0.0, 1e-3)
+            ASSERT_LT(std::abs(session::sent_torque(b.ticks[tick])), 1e-4) << tick << ": the hand makes no torque";
+            ASSERT_NEAR(turned_by({b.ticks[release_fraction[i]], b.ticks[tick]}, &session::TickRow::world_from_tool),
+                        0.0, 1e-3)
                 << tick;
         }
 }
@@ -200,12 +203,13 @@ TEST(Turning, RegripsReplayToTheBit) {
     const test::WatchedRun first = run_of(*scene, request);
     ASSERT_EQ(first.error, "");
     std::string error;
-    auto inputs = read_session(request.out + "/session.db", error);
+    auto inputs = session::read_session(request.out + "/session.db", error);
     ASSERT_TRUE(inputs) << error;
     EXPECT_GE(inputs->hand_inputs.size(), 10u);
     RunRequest again;
     again.replay = inputs->device_from_handle;
-    for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, *hand_input(text));
+    for (const auto& [tick, text] : inputs->hand_inputs)
+        again.hand_inputs.emplace_back(tick, *documents::hand_input(text));
     EXPECT_EQ(run_of(*scene, again).summary.hash, first.summary.hash);
     again.hand_inputs.clear();
     EXPECT_NE(run_of(*scene, again).summary.hash, first.summary.hash) << "without them it turns back and forth";
@@ -219,9 +223,9 @@ TEST(Turning, ALiveDeviceHasAClutch) {
     RunOutcome refusal;
     const auto run = Run::create(*scene, test::plugins(), {}, refusal);
     ASSERT_NE(run, nullptr) << refusal.error;
-    for (const TickRow& row : led.ticks) (void)run->step({row.device_from_handle});
+    for (const session::TickRow& row : led.ticks) (void)run->step({row.device_from_handle});
     const Pose before = run->simulation().world_from_tool();
-    run->request({HandInput::Kind::regrip, {}, 1.0});
+    run->request({documents::HandInput::Kind::regrip, {}, 1.0});
     Pose handle = led.ticks.back().device_from_handle;
     for (int i = 0; i < 1000; ++i) {
         handle.rotation = normalized(handle.rotation * quat_from_rotation_vector({0, 0, -1e-3}));
@@ -231,7 +235,7 @@ TEST(Turning, ALiveDeviceHasAClutch) {
         return small_rotation_vector(conjugate(from.rotation) * run->simulation().world_from_tool().rotation).z;
     };
     EXPECT_NEAR(turned_since(before), 0.0, 5e-3);
-    run->request({HandInput::Kind::regrip, {}, 0.0});
+    run->request({documents::HandInput::Kind::regrip, {}, 0.0});
     for (int i = 0; i < 500; ++i) {
         handle.rotation = normalized(handle.rotation * quat_from_rotation_vector({0, 0, 1e-3}));
         (void)run->step({handle});
@@ -240,4 +244,4 @@ TEST(Turning, ALiveDeviceHasAClutch) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 std::uint64_t hash_of(const TickRow& row) {
@@ -177,4 +177,4 @@ TEST(ContentHash, TakesEachTypeByItsOwnWidth) {
 TEST(ContentHash, IsWrittenAsSixteenDigits) { EXPECT_EQ(hex16(0x0123456789abcdefu), "0123456789abcdef"); }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

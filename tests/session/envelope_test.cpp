@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 TEST(Envelope, AUuidIsRandomAndSaysSo) {
@@ -34,4 +34,4 @@ TEST(Envelope, TheTimeIsUtcWhateverTheMachineSays) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

@@ -16,7 +16,7 @@
 #include "session/session_file.h"
 #include "session/summary.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 const std::string folder = KERF_SOURCE_DIR "/tests/sessions/";
@@ -81,4 +81,4 @@ INSTANTIATE_TEST_SUITE_P(OfSchema, KeptSession,
                          testing::Range(oldest_readable_schema_version, session_schema_version + 1));
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

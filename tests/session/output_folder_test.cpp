@@ -14,7 +14,7 @@
 #include "session/recorder.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,8 +23,8 @@ using test::TemporaryFolder;
 
 /// As a run does it, except that nothing follows.
 std::string prepared(const std::string& folder) {
-    OutputLock lock;
-    MadeFolders made;
+    text::OutputLock lock;
+    text::MadeFolders made;
     std::string error = prepare_output(folder, lock, made);
     made.keep();
     return error;
@@ -44,7 +44,7 @@ TEST(PrepareOutput, TakesAnEmptyFolder) {
 TEST(PrepareOutput, EmptiesAFolderThatHoldsASession) {
     const TemporaryFolder folder;
     Recorder::create(folder / "session.db", {}).recorder.reset();
-    ASSERT_EQ(write_file(folder / "report.html", "old"), "");
+    ASSERT_EQ(text::write_file(folder / "report.html", "old"), "");
 
     EXPECT_EQ(prepared(folder.path()), "");
     EXPECT_TRUE(fs::is_empty(folder.path()));
@@ -59,7 +59,7 @@ TEST(PrepareOutput, KnowsASessionThatWasKilledAtOnce) {
 
 TEST(PrepareOutput, LeavesAnotherFolderAlone) {
     const TemporaryFolder folder;
-    ASSERT_EQ(write_file(folder / "thesis.txt", "years of work"), "");
+    ASSERT_EQ(text::write_file(folder / "thesis.txt", "years of work"), "");
 
     EXPECT_NE(prepared(folder.path()), "");
     EXPECT_EQ(contents_of(folder / "thesis.txt"), "years of work");
@@ -68,7 +68,7 @@ TEST(PrepareOutput, LeavesAnotherFolderAlone) {
 TEST(PrepareOutput, LeavesSomebodysFilesBesideASessionAlone) {
     const TemporaryFolder folder;
     Recorder::create(folder / "session.db", {}).recorder.reset();
-    ASSERT_EQ(write_file(folder / "thesis.txt", "years of work"), "");
+    ASSERT_EQ(text::write_file(folder / "thesis.txt", "years of work"), "");
 
     EXPECT_NE(prepared(folder.path()).find("thesis.txt"), std::string::npos);
     EXPECT_EQ(contents_of(folder / "thesis.txt"), "years of work");
@@ -77,7 +77,7 @@ TEST(PrepareOutput, LeavesSomebodysFilesBesideASessionAlone) {
 
 TEST(PrepareOutput, IsNotFooledByTheNameOfASession) {
     const TemporaryFolder folder;
-    ASSERT_EQ(write_file(folder / "session.db", std::string(4096, 'x')), "");
+    ASSERT_EQ(text::write_file(folder / "session.db", std::string(4096, 'x')), "");
     EXPECT_NE(prepared(folder.path()), "");
     EXPECT_TRUE(fs::exists(folder / "session.db"));
 }
@@ -86,7 +86,7 @@ TEST(PrepareOutput, TakesAwayWhatAKilledRunLeftHalfWritten) {
     const TemporaryFolder folder;
     Recorder::create(folder / "session.db", {}).recorder.reset();
     for (const char* name : {"session.db-wal", "session.db-journal", "bone.stl.part"})
-        ASSERT_EQ(write_file(folder / name, "half"), "");
+        ASSERT_EQ(text::write_file(folder / name, "half"), "");
     EXPECT_EQ(prepared(folder.path()), "");
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }
@@ -98,24 +98,24 @@ TEST(PrepareOutput, TakesAwayTheTracesOfARunThatHardlyBegan) {
                                                {"session.db-journal"},
                                                {"session.db-wal", "session.db-shm"}}) {
         const TemporaryFolder folder;
-        for (const std::string& name : left) ASSERT_EQ(write_file(folder / name, "half"), "");
+        for (const std::string& name : left) ASSERT_EQ(text::write_file(folder / name, "half"), "");
         EXPECT_EQ(prepared(folder.path()), "") << left.front();
         EXPECT_TRUE(fs::is_empty(folder.path())) << left.front();
     }
     const TemporaryFolder folder;
-    for (const char* name : {"session.db", "session.db-journal"}) ASSERT_EQ(write_file(folder / name, ""), "");
+    for (const char* name : {"session.db", "session.db-journal"}) ASSERT_EQ(text::write_file(folder / name, ""), "");
     EXPECT_EQ(prepared(folder.path()), "");
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 TEST(PrepareOutput, LeavesWhatOnlyLooksLikeATraceAlone) {
     const TemporaryFolder folder, another;
-    ASSERT_EQ(write_file(another / "mine.txt", ""), "");
+    ASSERT_EQ(text::write_file(another / "mine.txt", ""), "");
     fs::create_symlink(another / "mine.txt", folder / "session.db");
     EXPECT_NE(prepared(folder.path()), "");
     fs::remove(folder / "session.db");
-    ASSERT_EQ(write_file(folder / "session.db", ""), "");
-    ASSERT_EQ(write_file(folder / "thesis.txt", "years of work"), "");
+    ASSERT_EQ(text::write_file(folder / "session.db", ""), "");
+    ASSERT_EQ(text::write_file(folder / "thesis.txt", "years of work"), "");
     EXPECT_NE(prepared(folder.path()), "");
     EXPECT_EQ(contents_of(folder / "thesis.txt"), "years of work");
 }
@@ -132,8 +132,8 @@ TEST(PrepareOutput, RefusesAFolderThatAnotherRunWrites) {
     const TemporaryFolder folder;
     Recorder::create(folder / "session.db", {}).recorder.reset();
     {
-        OutputLock first, second;
-        MadeFolders made;
+        text::OutputLock first, second;
+        text::MadeFolders made;
         ASSERT_EQ(prepare_output(folder / "run", first, made), "");
         EXPECT_NE(prepare_output(folder / "run", second, made).find("is being written by another run"),
                   std::string::npos);
@@ -149,8 +149,8 @@ TEST(PrepareOutput, ALockOfAKilledRunBlocksNobody) {
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-        OutputLock lock;
-        MadeFolders made;
+        text::OutputLock lock;
+        text::MadeFolders made;
         const char is_ours = prepare_output(folder.path(), lock, made).empty() ? 'y' : 'n';
         if (write(ends[1], &is_ours, 1) == 1) pause();
         _exit(1);
@@ -170,9 +170,9 @@ TEST(PrepareOutput, ALockOfAKilledRunBlocksNobody) {
 
 TEST(PrepareOutput, RefusesAFile) {
     const TemporaryFolder folder;
-    ASSERT_EQ(write_file(folder / "run", "text"), "");
+    ASSERT_EQ(text::write_file(folder / "run", "text"), "");
     EXPECT_NE(prepared(folder / "run"), "");
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

@@ -14,7 +14,7 @@
 
 #include "tests/support/loop_guard.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 using Cells = std::vector<std::uint64_t>;
@@ -208,4 +208,4 @@ TEST(PackedColumn, UnpacksWithoutAllocating) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

@@ -18,7 +18,7 @@
 #include "synthetic_run.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 using test::TemporaryFolder;
@@ -147,4 +147,4 @@ TEST(PythonReader, NeedsNothingButTheStandardLibrary) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

@@ -27,7 +27,7 @@
 #include "tests/support/temporary_folder.h"
 #include "text/write_file.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -374,7 +374,7 @@ TEST(ReadRun, ASessionThatIsBeingWrittenIsLeftAlone) {
     const std::string path = session_after(folder, "");
     std::string error;
     {
-        OutputLock lock;
+        text::OutputLock lock;
         ASSERT_EQ(lock.take(folder.path()), "");
         EXPECT_FALSE(read_run(path, error));
         EXPECT_NE(error.find("a run is writing it. Wait"), std::string::npos) << error;
@@ -485,4 +485,4 @@ TEST(ReadingASession, ANameWithSignsThatMeanSomethingElsewhereIsAName) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

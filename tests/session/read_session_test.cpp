@@ -14,7 +14,7 @@
 #include "tests/support/plain_session.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 enum class Rows { compressed, plain };
@@ -113,4 +113,4 @@ TEST(ReadSession, ADamagedOrCutFileIsRefused) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

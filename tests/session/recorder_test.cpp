@@ -41,7 +41,7 @@
 #include "tests/support/plain_session.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 using test::contents_of;
@@ -601,8 +601,8 @@ TEST(Recorder, ThatIsKilledWhileItIsMadeLeavesAFolderForTheNext) {
         const pid_t child = fork();
         if (child == 0)
             for (;;) {
-                OutputLock lock;
-                MadeFolders made;
+                text::OutputLock lock;
+                text::MadeFolders made;
                 if (!prepare_output(folder.path(), lock, made).empty()) _exit(1);
                 auto recorder = Recorder::create(folder / "session.db", header()).recorder;
             }
@@ -615,8 +615,8 @@ TEST(Recorder, ThatIsKilledWhileItIsMadeLeavesAFolderForTheNext) {
         // Then the next run takes the folder, and what is there is a session or nothing
         EXPECT_TRUE(!std::filesystem::exists(folder / "session.db") ||
                     ask(folder / "session.db", "PRAGMA application_id") == std::to_string(session_application_id));
-        OutputLock lock;
-        MadeFolders made;
+        text::OutputLock lock;
+        text::MadeFolders made;
         EXPECT_EQ(prepare_output(folder.path(), lock, made), "");
     }
 }
@@ -822,4 +822,4 @@ TEST_P(KilledRecorder, LosesAtMostAQuarterOfASecond) {
 INSTANTIATE_TEST_SUITE_P(AtTick, KilledRecorder, testing::Values(333u, 1250u, 5000u, 4150u));
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

@@ -24,7 +24,7 @@
 #include "tests/support/temporary_folder.h"
 #include "text/printable_lines.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -433,7 +433,7 @@ TEST(Report, ShowsControlCharactersAsCodePoints) {
     RunSummary summary = test::synthetic_summary();
     summary.procedure = summary.reasons[0] = "a\033]0;b\a\u009b2J\u202ec";
     const std::string html = report_html(summary, test::drawn_run({}, {{1, 0.0, "x", "\u202ed\x7f"}}));
-    EXPECT_EQ(printable_lines(html), html);
+    EXPECT_EQ(text::printable_lines(html), html);
     EXPECT_TRUE(holds(html, "a\\x1b]0;b\\x07\\x9b2J\\u202ec")) << html.substr(0, 2000);
     EXPECT_TRUE(holds(html, "\"\\u202ed\\u007f\""));
 }
@@ -491,4 +491,4 @@ TEST(Report, ThrustOverDepthIsDrawnForThoseWithoutScripts) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

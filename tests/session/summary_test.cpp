@@ -10,7 +10,7 @@
 
 #include "synthetic_run.h"
 
-namespace kerf {
+namespace kerf::session {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -76,4 +76,4 @@ TEST(Summary, EveryVerdictHasItsWord) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::session

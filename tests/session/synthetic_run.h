@@ -14,15 +14,15 @@
 /// A made-up run, with the shape of a real one: through cortex into spongy bone and out again.
 namespace kerf::test {
 
-inline RunSummary synthetic_summary() {
-    RunSummary summary;
+inline session::RunSummary synthetic_summary() {
+    session::RunSummary summary;
     summary.procedure = "Pilot hole in a lumbar pedicle";
     summary.procedure_version = "0.3";
     summary.anatomy = "Lumbar vertebra, phantom";
     summary.rehearsal = "too-deep";
     summary.hand = "simulated hand";
     summary.device = "Touch, simulated";
-    summary.verdict = Verdict::fail;
+    summary.verdict = session::Verdict::fail;
     summary.reasons = {"The bit came within 0.4 mm of the spinal canal; the limit is 1 mm. Aim further to the side.",
                        "The hole is 31.2 mm deep; at most 30 mm were asked for."};
     summary.score = 61.7;
@@ -50,11 +50,11 @@ inline RunSummary synthetic_summary() {
     return summary;
 }
 
-inline std::vector<TickRow> synthetic_ticks(std::size_t count = 14000) {
-    std::vector<TickRow> rows(count);
+inline std::vector<session::TickRow> synthetic_ticks(std::size_t count = 14000) {
+    std::vector<session::TickRow> rows(count);
     double removed = 0.0, load = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        TickRow& row = rows[i];
+        session::TickRow& row = rows[i];
         row.tick = i;
         row.time = 1e-3 * static_cast<double>(i);
         row.step = row.time < 12.1 ? 0 : 1;
@@ -80,16 +80,16 @@ inline std::vector<TickRow> synthetic_ticks(std::size_t count = 14000) {
 }
 
 /// What a page shows of rows that are in memory.
-inline DrawnRun drawn_run(const std::vector<TickRow>& rows, const std::vector<EventRow>& events = {},
-                          DrawnSurface bone = {}) {
-    DrawnRun run(rows.size());
-    for (const TickRow& row : rows) run.add(row);
-    for (const EventRow& event : events) run.add(event);
+inline session::DrawnRun drawn_run(const std::vector<session::TickRow>& rows,
+                                   const std::vector<session::EventRow>& events = {}, session::DrawnSurface bone = {}) {
+    session::DrawnRun run(rows.size());
+    for (const session::TickRow& row : rows) run.add(row);
+    for (const session::EventRow& event : events) run.add(event);
     run.set_bone(std::move(bone));
     return run;
 }
 
-inline std::vector<EventRow> synthetic_events() {
+inline std::vector<session::EventRow> synthetic_events() {
     return {{1380, 1.38, "entry", "first bone met"},
             {2414, 2.414, "kerf.drilling.breakthrough", "cortical to cancellous"},
             {11400, 11.4, "limit_broken", "clearance to <spinal-canal>"},

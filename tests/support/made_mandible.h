@@ -77,8 +77,8 @@ struct MadeMandible {
     }
 
     /// Closed; anticlockwise seen from outside. The prisms overlap.
-    [[nodiscard]] SurfaceMesh mesh() const {
-        SurfaceMesh made;
+    [[nodiscard]] bone::SurfaceMesh mesh() const {
+        bone::SurfaceMesh made;
         for (const Prism& prism : prisms()) {
             const auto first = static_cast<std::uint32_t>(made.vertices.size());
             const auto n = static_cast<std::uint32_t>(prism.outline.size());
@@ -161,14 +161,14 @@ private:
 };
 
 /// A surface turned about the origin.
-inline SurfaceMesh turned(SurfaceMesh mesh, Quat by) {
+inline bone::SurfaceMesh turned(bone::SurfaceMesh mesh, Quat by) {
     for (Vec3& v : mesh.vertices) v = rotate(by, v);
     return mesh;
 }
 /// The other side: left becomes right.
-inline SurfaceMesh mirrored(SurfaceMesh mesh) {
+inline bone::SurfaceMesh mirrored(bone::SurfaceMesh mesh) {
     for (Vec3& v : mesh.vertices) v.x = -v.x;
-    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+    for (bone::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
     return mesh;
 }
 

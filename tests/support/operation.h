@@ -16,23 +16,23 @@
 namespace kerf::test {
 
 /// Returns the scene of a request. Throws what is wrong with it, and the test fails with that.
-inline Scene scene_of(const DocumentRequest& request) {
-    Diagnostics diagnostics;
-    auto documents = check_documents(request, plugins()).take(diagnostics);
+inline run::Scene scene_of(const run::DocumentRequest& request) {
+    text::Diagnostics diagnostics;
+    auto documents = run::check_documents(request, plugins()).take(diagnostics);
     auto made = documents ? make_scene(std::move(*documents)).take(diagnostics) : std::nullopt;
     if (!made) throw std::runtime_error(to_text(diagnostics));
     return std::move(*made);
 }
-inline Scene scene_of(const std::string& procedure, const std::string& variant = "",
-                      const std::vector<std::string>& settings = {}, const std::string& anatomy = "") {
-    DocumentRequest request{.procedure = procedure, .anatomy = anatomy};
+inline run::Scene scene_of(const std::string& procedure, const std::string& variant = "",
+                           const std::vector<std::string>& settings = {}, const std::string& anatomy = "") {
+    run::DocumentRequest request{.procedure = procedure, .anatomy = anatomy};
     request.changes = {variant, settings};
     return scene_of(request);
 }
 
 /// The first rehearsal where none is named.
-inline WatchedRun rehearsed(const Scene& scene, const std::string& rehearsal = "") {
-    RunRequest request;
+inline WatchedRun rehearsed(const run::Scene& scene, const std::string& rehearsal = "") {
+    run::RunRequest request;
     request.rehearsal = rehearsal;
     return watched_run(scene, plugins(), request);
 }
@@ -42,7 +42,7 @@ inline WatchedRun rehearsed(const Scene& scene, const std::string& rehearsal = "
 class Rehearsals {
 public:
     /// @param operation  procedure of kerf_add_operation(), "amputation"
-    Rehearsals(const Scene& (*scene)(), std::string operation) : scene_(scene), operation_(std::move(operation)) {}
+    Rehearsals(const run::Scene& (*scene)(), std::string operation) : scene_(scene), operation_(std::move(operation)) {}
 
     /// Returns the run without its ticks, which take seconds to read.
     const WatchedRun& operator[](const std::string& rehearsal) {
@@ -62,30 +62,32 @@ private:
     [[nodiscard]] WatchedRun made(const std::string& id) const {
         const std::string folder = folder_of(id);
         if (folder.empty()) return rehearsed(scene_(), id);
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto procedure =
-            read_procedure(KERF_SOURCE_DIR "/procedures/" + operation_ + ".yaml", plugins().catalog())
+            documents::read_procedure(KERF_SOURCE_DIR "/procedures/" + operation_ + ".yaml", plugins().catalog())
                 .take(diagnostics);
         if (!procedure) throw std::runtime_error(to_text(diagnostics));
-        for (const Rehearsal& rehearsal : procedure->rehearsals)
+        for (const documents::Rehearsal& rehearsal : procedure->rehearsals)
             if (rehearsal.id == id) return recorded_run(folder, rehearsal);
         throw std::runtime_error("no rehearsal " + id);
     }
 
-    const Scene& (*scene_)();
+    const run::Scene& (*scene_)();
     std::string operation_;
     std::map<std::string, WatchedRun> runs_;
 };
 
-inline const MetricRow& metric_row(const RunSummary& summary, const std::string& id) {
-    for (const MetricRow& row : summary.metrics)
+inline const session::MetricRow& metric_row(const session::RunSummary& summary, const std::string& id) {
+    for (const session::MetricRow& row : summary.metrics)
         if (row.id == id) return row;
     throw std::runtime_error("no metric " + id);
 }
-inline double metric(const RunSummary& summary, const std::string& id) { return metric_row(summary, id).value; }
+inline double metric(const session::RunSummary& summary, const std::string& id) {
+    return metric_row(summary, id).value;
+}
 
 /// A line for each reason of the verdict, after the error if there is one.
-inline std::string reasons_of(const RunOutcome& run) {
+inline std::string reasons_of(const run::RunOutcome& run) {
     std::string reasons = run.error;
     for (const std::string& reason : run.summary.reasons) reasons += reason + "\n";
     return reasons;

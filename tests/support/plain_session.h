@@ -29,19 +29,19 @@ inline std::string run_sql(const std::string& path, const std::string& sql) {
 inline long long row_count(const std::string& path, const std::string& table) {
     sqlite3* database = nullptr;
     sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READONLY, nullptr);
-    const auto count = recorded_row_count(database, table);
+    const auto count = session::recorded_row_count(database, table);
     sqlite3_close(database);
     return count ? static_cast<long long>(*count) : -1;
 }
 
 namespace detail {
 
-inline std::string make_plain(sqlite3* database, const Table& table, std::size_t blocks_left) {
+inline std::string make_plain(sqlite3* database, const session::Table& table, std::size_t blocks_left) {
     std::vector<std::string> names;
-    for (const TableColumn& column : table.columns) names.push_back(column.name);
+    for (const session::TableColumn& column : table.columns) names.push_back(column.name);
     std::vector<std::vector<double>> all;
-    RecordedRows rows(database, table, names);
-    for (std::size_t left = blocks_left * max_block_rows; rows.next();) {
+    session::RecordedRows rows(database, table, names);
+    for (std::size_t left = blocks_left * session::max_block_rows; rows.next();) {
         if (left > 0 && left-- > 0) continue;
         std::vector<double>& row = all.emplace_back();
         for (std::size_t column = 0; column < names.size(); ++column) row.push_back(rows.number(column));
@@ -51,7 +51,7 @@ inline std::string make_plain(sqlite3* database, const Table& table, std::size_t
                                "' AND block >= " + std::to_string(blocks_left) + "; DELETE FROM " + table.name;
     sqlite3_exec(database, remove.c_str(), nullptr, nullptr, nullptr);
     sqlite3_stmt* insert = nullptr;
-    if (sqlite3_prepare_v2(database, insert_sql(table).c_str(), -1, &insert, nullptr) != SQLITE_OK)
+    if (sqlite3_prepare_v2(database, session::insert_sql(table).c_str(), -1, &insert, nullptr) != SQLITE_OK)
         return sqlite3_errmsg(database);
     for (const auto& row : all) {
         for (std::size_t column = 0; column < row.size(); ++column)
@@ -71,14 +71,16 @@ inline std::string make_rows_plain(const std::string& path, std::size_t blocks_l
     sqlite3* database = nullptr;
     if (sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr) != SQLITE_OK) return "not opened";
     sqlite3_exec(database, "BEGIN", nullptr, nullptr, nullptr);
-    const auto tables = recorded_tables(database);
+    const auto tables = session::recorded_tables(database);
     std::string error;
-    for (const char* name : {ticks_table, cuts_table})
-        if (error.empty()) error = detail::make_plain(database, find_table(tables, name), blocks_left);
-    if (const auto sum = record_checksum(database); sum && error.empty())
-        sqlite3_exec(database,
-                     ("UPDATE session SET value='" + hex16(*sum) + "' WHERE key='" + record_checksum_key + "'").c_str(),
-                     nullptr, nullptr, nullptr);
+    for (const char* name : {session::ticks_table, session::cuts_table})
+        if (error.empty()) error = detail::make_plain(database, session::find_table(tables, name), blocks_left);
+    if (const auto sum = session::record_checksum(database); sum && error.empty())
+        sqlite3_exec(
+            database,
+            ("UPDATE session SET value='" + session::hex16(*sum) + "' WHERE key='" + session::record_checksum_key + "'")
+                .c_str(),
+            nullptr, nullptr, nullptr);
     sqlite3_exec(database, "COMMIT", nullptr, nullptr, nullptr);
     sqlite3_close(database);
     return error;

@@ -20,18 +20,18 @@
 namespace kerf::test {
 
 /// Returns the ticks of the session in a folder, all of their columns. Throws if they cannot be read.
-inline std::vector<TickRow> recorded_ticks(const std::string& folder) {
-    SessionFile file;
+inline std::vector<session::TickRow> recorded_ticks(const std::string& folder) {
+    session::SessionFile file;
     if (const std::string error = file.open(folder + "/session.db", {}); !error.empty())
         throw std::runtime_error(error);
-    const std::vector<Table> tables = recorded_tables(file.handle());
-    const Table& table = find_table(tables, ticks_table);
+    const std::vector<session::Table> tables = session::recorded_tables(file.handle());
+    const session::Table& table = session::find_table(tables, session::ticks_table);
     const auto signal_count = static_cast<std::size_t>(std::ranges::count_if(
-        table.columns, [](const TableColumn& column) { return column.name.starts_with("signal_"); }));
+        table.columns, [](const session::TableColumn& column) { return column.name.starts_with("signal_"); }));
     std::vector<std::string> all;
-    for (const TableColumn& column : table.columns) all.push_back(column.name);
-    RecordedRows rows(file.handle(), table, all);
-    std::vector<TickRow> ticks;
+    for (const session::TableColumn& column : table.columns) all.push_back(column.name);
+    session::RecordedRows rows(file.handle(), table, all);
+    std::vector<session::TickRow> ticks;
     while (rows.next()) {
         std::size_t column = 0;
         const auto integer = [&] { return static_cast<std::int32_t>(rows.integer(column++)); };
@@ -41,7 +41,7 @@ inline std::vector<TickRow> recorded_ticks(const std::string& folder) {
             for (double& one : part) one = number();
             return Pose{{part[0], part[1], part[2]}, {part[3], part[4], part[5], part[6]}};
         };
-        TickRow& row = ticks.emplace_back();
+        session::TickRow& row = ticks.emplace_back();
         row.tick = static_cast<std::uint64_t>(rows.integer(column++));
         row.time = number();
         row.step = integer();
@@ -60,11 +60,11 @@ inline std::vector<TickRow> recorded_ticks(const std::string& folder) {
 }
 
 /// Returns whether a run ended as its rehearsal expects, judged from the recorded steps.
-inline bool ended_as_expected(const Rehearsal& rehearsal, const RunSummary& summary) {
+inline bool ended_as_expected(const documents::Rehearsal& rehearsal, const session::RunSummary& summary) {
     if (rehearsal.expect != to_text(summary.verdict)) return false;
-    if (summary.verdict != Verdict::fail) return true;
+    if (summary.verdict != session::Verdict::fail) return true;
     bool is_named = false, is_alone = true;
-    for (const StepRow& step : summary.steps) {
+    for (const session::StepRow& step : summary.steps) {
         is_alone = is_alone && step.done;
         for (const std::string& limit : step.broken_limits) {
             const bool is_the_one =
@@ -77,9 +77,9 @@ inline bool ended_as_expected(const Rehearsal& rehearsal, const RunSummary& summ
 }
 
 /// Returns the pieces that a session's summary lists; no table has them.
-inline std::vector<PieceRow> recorded_pieces(SessionFile& file) {
-    SessionQuery query(file.handle(), "SELECT value FROM session WHERE key = 'summary'");
-    std::vector<PieceRow> pieces;
+inline std::vector<session::PieceRow> recorded_pieces(session::SessionFile& file) {
+    session::SessionQuery query(file.handle(), "SELECT value FROM session WHERE key = 'summary'");
+    std::vector<session::PieceRow> pieces;
     if (!query.next()) return pieces;
     const auto summary = nlohmann::json::parse(query.text(0));
     for (const auto& piece : summary.at("pieces"))
@@ -89,19 +89,19 @@ inline std::vector<PieceRow> recorded_pieces(SessionFile& file) {
 }
 
 /// Returns the run whose session is in a folder, without its ticks. Throws what is wrong with it.
-inline WatchedRun recorded_run(const std::string& folder, const Rehearsal& rehearsal) {
+inline WatchedRun recorded_run(const std::string& folder, const documents::Rehearsal& rehearsal) {
     const std::string path = folder + "/session.db";
     std::string error;
-    auto recorded = read_run(path, error);
+    auto recorded = session::read_run(path, error);
     if (!recorded) throw std::runtime_error(error);
     WatchedRun run;
     run.summary = std::move(recorded->summary);
     run.is_as_expected = ended_as_expected(rehearsal, run.summary);
 
-    SessionFile file;
+    session::SessionFile file;
     if (error = file.open(path, {}); !error.empty()) throw std::runtime_error(error);
     run.summary.pieces = recorded_pieces(file);
-    SessionQuery events(file.handle(), "SELECT tick, time, id, detail FROM events ORDER BY rowid");
+    session::SessionQuery events(file.handle(), "SELECT tick, time, id, detail FROM events ORDER BY rowid");
     while (events.next())
         run.events.push_back(
             {static_cast<std::uint64_t>(events.integer(0)), events.number(1), events.text(2), events.text(3)});

@@ -16,13 +16,13 @@
 namespace kerf::test {
 
 /// A closed bent tube like a jaw, about 100 mm long and 18 mm thick, with bumps; about `triangles` faces.
-inline SurfaceMesh bent_bone(double triangles) {
+inline bone::SurfaceMesh bent_bone(double triangles) {
     using namespace literals;
     // As many rings as make square quads: 100 mm along, 57 mm around.
     const auto around =
         static_cast<std::uint32_t>(std::max(8.0, std::round(std::sqrt(triangles / 2.0 * 57.0 / 100.0))));
     const auto along = static_cast<std::uint32_t>(std::max(8.0, std::round(triangles / 2.0 / around)));
-    SurfaceMesh mesh;
+    bone::SurfaceMesh mesh;
     for (std::uint32_t j = 0; j <= along; ++j)
         for (std::uint32_t i = 0; i < around; ++i) {
             const double turn = 2.0 * std::numbers::pi * (i + 0.37 * j) / around, way = static_cast<double>(j) / along;
@@ -33,16 +33,16 @@ inline SurfaceMesh bent_bone(double triangles) {
     const auto at = [&](std::uint32_t i, std::uint32_t j) { return j * around + i % around; };
     for (std::uint32_t j = 0; j < along; ++j)
         for (std::uint32_t i = 0; i < around; ++i)
-            mesh.triangles.insert(mesh.triangles.end(), {Triangle{at(i, j), at(i + 1, j + 1), at(i + 1, j)},
+            mesh.triangles.insert(mesh.triangles.end(), {bone::Triangle{at(i, j), at(i + 1, j + 1), at(i + 1, j)},
                                                          {at(i, j), at(i, j + 1), at(i + 1, j + 1)}});
     const auto low = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.push_back({-50.0_mm, 6.25_mm, 0});
     mesh.vertices.push_back({50.0_mm, 6.25_mm, 0});
     for (std::uint32_t i = 0; i < around; ++i)
         mesh.triangles.insert(mesh.triangles.end(),
-                              {Triangle{low, at(i, 0), at(i + 1, 0)}, {low + 1, at(i + 1, along), at(i, along)}});
-    if (signed_volume_of(mesh) < 0.0)
-        for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+                              {bone::Triangle{low, at(i, 0), at(i + 1, 0)}, {low + 1, at(i + 1, along), at(i, along)}});
+    if (bone::signed_volume_of(mesh) < 0.0)
+        for (bone::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
     return mesh;
 }
 
@@ -69,8 +69,8 @@ inline Pose blade_at(double x, double depth, double stroke = 0.0, Vec3 off = {})
 }
 
 /// A cut from above the bone to below it in steps of `feed`, to and fro by `stroke`.
-inline std::vector<CutStretch> cut_across(double x, double from, double to, double feed, double stroke) {
-    std::vector<CutStretch> cuts;
+inline std::vector<bone::CutStretch> cut_across(double x, double from, double to, double feed, double stroke) {
+    std::vector<bone::CutStretch> cuts;
     const int steps = static_cast<int>(std::round((to - from) / feed));
     for (int i = 0; i < steps; ++i)
         cuts.push_back({blade_at(x, from + i * feed, i % 2 == 0 ? 0.0 : stroke),

@@ -14,19 +14,19 @@ namespace kerf::test {
 
 /// Returns the shipped pedicle screw with changes, on a coarse grid and over after fifteen seconds: the drill has met
 /// bone.
-inline Scene scene_with(const std::vector<std::string>& settings) {
-    Diagnostics diagnostics;
-    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
+inline run::Scene scene_with(const std::vector<std::string>& settings) {
+    text::Diagnostics diagnostics;
+    run::DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
     request.changes.settings = {"accuracy.spacing=0.5 mm", "time_limit=15 s"};
     request.changes.settings.insert(request.changes.settings.end(), settings.begin(), settings.end());
-    auto documents = check_documents(request, test::plugins()).take(diagnostics);
+    auto documents = run::check_documents(request, test::plugins()).take(diagnostics);
     auto made = documents ? make_scene(std::move(*documents)).take(diagnostics) : std::nullopt;
     if (!made) throw std::runtime_error(to_text(diagnostics));
     return std::move(*made);
 }
 
-inline const Scene& short_scene() {
-    static const Scene scene = scene_with({});
+inline const run::Scene& short_scene() {
+    static const run::Scene scene = scene_with({});
     return scene;
 }
 

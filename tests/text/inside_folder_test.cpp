@@ -9,7 +9,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,4 +39,4 @@ TEST(InsideFolder, TakesTheWorkingFolderForAnEmptyOne) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::text

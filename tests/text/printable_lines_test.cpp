@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 TEST(PrintableLines, KeepsLineBreaksAndTabsOnly) {
@@ -24,4 +24,4 @@ TEST(PrintableJson, ReadsBackToTheSameText) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::text

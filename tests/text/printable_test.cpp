@@ -9,7 +9,7 @@
 
 #include "documents/yaml/document.h"
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 TEST(Printable, KeepsLettersOfEveryScript) {
@@ -54,7 +54,8 @@ TEST(YamlQuoted, ReadsBackAsTheSameText) {
          {"entry \"left\" \\ back", "a: b # c", "line, middle", "tab\there", "", " blanks ", "true", "12", "- 3"}) {
         Diagnostics diagnostics;
         const auto document =
-            parse_document("a.yaml", "[" + yaml_quoted(text) + ", " + yaml_word(text) + "]\n").take(diagnostics);
+            documents::parse_document("a.yaml", "[" + yaml_quoted(text) + ", " + yaml_word(text) + "]\n")
+                .take(diagnostics);
         ASSERT_TRUE(document) << to_text(diagnostics);
         EXPECT_EQ(document->root.children.at(0).text, text);
         EXPECT_EQ(document->root.children.at(1).text, text);
@@ -68,4 +69,4 @@ TEST(YamlWord, QuotesOnlyWhatNeedsIt) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::text

@@ -14,7 +14,7 @@
 
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 using namespace literals;
@@ -438,4 +438,4 @@ TEST(QuantityText, IsShort) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::text

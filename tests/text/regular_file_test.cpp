@@ -10,7 +10,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 TEST(RegularFile, IsOpenedAlsoThroughALink) {
@@ -44,4 +44,4 @@ TEST(RegularFile, IsNoFifoDeviceFolderOrDeadLink) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::text

@@ -15,7 +15,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::text {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ TEST(MadeFolders, GoAgainUnlessTheyAreKept) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::text

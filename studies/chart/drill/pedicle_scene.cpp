@@ -25,8 +25,8 @@ struct Way {
 };
 
 Scene scene_on(const Way& way) {
-    Diagnostics diagnostics;
-    const auto anatomy = read_anatomy_text("vertebra-l4-phantom.yaml", vertebra_phantom).take(diagnostics);
+    text::Diagnostics diagnostics;
+    const auto anatomy = documents::read_anatomy_text("vertebra-l4-phantom.yaml", vertebra_phantom).take(diagnostics);
     KERF_ASSERT(anatomy && anatomy->tissues.size() == 2 && !anatomy->axes.empty(),
                 "the anatomy in procedures/ reads without error");
     Scene scene;
@@ -39,7 +39,7 @@ Scene scene_on(const Way& way) {
                            [surface = scene.bone.surface, shell](Vec3 p) { return surface(p) + shell; }},
                           {anatomy->tissues[0].id, way.aim.bone * anatomy->tissues[0].density, {}}};
     const auto axis = std::find_if(anatomy->axes.begin(), anatomy->axes.end(),
-                                   [](const LandmarkAxis& one) { return one.id == "right_pedicle"; });
+                                   [](const documents::LandmarkAxis& one) { return one.id == "right_pedicle"; });
     KERF_ASSERT(axis != anatomy->axes.end(), "the anatomy names the right pedicle");
     scene.along = normalized(axis->to - axis->from);
     const Vec3 to_the_left{1, 0, 0};  // the canal lies to the left of the right pedicle

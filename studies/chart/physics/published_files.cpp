@@ -151,12 +151,12 @@ std::string published_svg(const CuttingLaw& law, std::span<const AwlWay> awl) {
     content += drawing::text_at(
         12, height - 24, "Filled: within 1 SD of the measured mean; hollow: not, or no SD was reported. Bars: +- 1 SD.",
         "class=\"kp-note\"");
-    content += drawing::text_at(12, height - 8, std::string(notice_line) + ".", "class=\"kp-note\"");
+    content += drawing::text_at(12, height - 8, std::string(session::notice_line) + ".", "class=\"kp-note\"");
     return drawing::picture(width, height, "Physics: laws against published drilling tests", content);
 }
 
 std::string published_csv(const CuttingLaw& law, std::span<const Check> checks) {
-    std::string text = std::string("# ") + notice_line + ".\n# " + calibrated_on +
+    std::string text = std::string("# ") + session::notice_line + ".\n# " + calibrated_on +
                        "\nsource,tissue,quantity,speed_rpm,law,predicted,measured,sd,unit,off_in_sd,off_percent\n";
     for (const Prediction& p : predictions(law)) {
         const double unit = p.quantity == "torque" ? 1.0_Nmm : 1.0;
@@ -176,16 +176,17 @@ std::string published_csv(const CuttingLaw& law, std::span<const Check> checks) 
 
 std::string published_html(const CuttingLaw& law, std::span<const AwlWay> awl, std::span<const Check> checks) {
     std::string html = "<section><figure>" + published_svg(law, awl) + "</figure><p class=\"soft small\">" +
-                       html_escaped(calibrated_on) +
+                       session::html_escaped(calibrated_on) +
                        "</p><div "
                        "class=\"wide\"><table><thead><tr><th>Check</th><th>What</th><th>Found</th><th>Wanted</"
                        "th><th>Outcome</th></tr></thead><tbody>";
     for (const Check& check : checks)
-        html +=
-            "<tr><td>" + html_escaped(check.id) + "</td><td>" + html_escaped(check.what) +
-            (check.remark.empty() ? "" : "<br><span class=\"soft small\">" + html_escaped(check.remark) + "</span>") +
-            "</td><td>" + html_escaped(check.found) + "</td><td>" + html_escaped(check.wanted) + "</td><td class=\"" +
-            (check.passes ? "ok\">pass" : "broken\">fail") + "</td></tr>";
+        html += "<tr><td>" + session::html_escaped(check.id) + "</td><td>" + session::html_escaped(check.what) +
+                (check.remark.empty()
+                     ? ""
+                     : "<br><span class=\"soft small\">" + session::html_escaped(check.remark) + "</span>") +
+                "</td><td>" + session::html_escaped(check.found) + "</td><td>" + session::html_escaped(check.wanted) +
+                "</td><td class=\"" + (check.passes ? "ok\">pass" : "broken\">fail") + "</td></tr>";
     return html + "</tbody></table></div></section>\n";
 }
 

@@ -29,10 +29,10 @@ inline ToolSolid ball_burr(double radius, int pieces = 128) {
 
 /// A box with its top in the plane z = 0 and its middle under the origin, of squares `square` wide or a little less,
 /// each in two triangles.
-inline SurfaceMesh slab(double along, double across, double height, double square) {
+inline bone::SurfaceMesh slab(double along, double across, double height, double square) {
     const auto steps = [square](double size) { return std::max(1, static_cast<int>(std::ceil(size / square))); };
     const int nx = steps(along), ny = steps(across), nz = steps(height);
-    SurfaceMesh mesh;
+    bone::SurfaceMesh mesh;
     std::vector<std::int64_t> numbers(static_cast<std::size_t>((nx + 1) * (ny + 1) * (nz + 1)), -1);
     const auto at = [&](int i, int j, int k) {
         std::int64_t& number = numbers[static_cast<std::size_t>((k * (ny + 1) + j) * (nx + 1) + i)];
@@ -70,13 +70,13 @@ inline SurfaceMesh slab(double along, double across, double height, double squar
 inline Pose burr_at(Vec3 tip) { return {tip, quat_between({0, 0, 1}, {0, 0, -1})}; }
 
 /// A burr's tips one after the other as straight stretches.
-inline std::vector<CutStretch> stretches_along(const std::vector<Vec3>& tips) {
-    std::vector<CutStretch> cuts;
+inline std::vector<bone::CutStretch> stretches_along(const std::vector<Vec3>& tips) {
+    std::vector<bone::CutStretch> cuts;
     for (std::size_t i = 1; i < tips.size(); ++i) cuts.push_back({burr_at(tips[i - 1]), burr_at(tips[i]), 0});
     return cuts;
 }
 /// From one tip to another in steps of about `feed`.
-inline std::vector<CutStretch> in_steps(Vec3 from, Vec3 to, double feed) {
+inline std::vector<bone::CutStretch> in_steps(Vec3 from, Vec3 to, double feed) {
     const int count = std::max(1, static_cast<int>(std::round(length(to - from) / feed)));
     std::vector<Vec3> tips;
     for (int i = 0; i <= count; ++i) tips.push_back(from + (static_cast<double>(i) / count) * (to - from));
@@ -84,7 +84,7 @@ inline std::vector<CutStretch> in_steps(Vec3 from, Vec3 to, double feed) {
 }
 
 /// The least angle of each face of a wall [rad], ascending.
-inline std::vector<double> min_angles_of_walls(const TaggedMesh& mesh) {
+inline std::vector<double> min_angles_of_walls(const bone::TaggedMesh& mesh) {
     std::vector<double> angles;
     for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
         if (mesh.tags[f] != KERF_FACE_WALL) continue;

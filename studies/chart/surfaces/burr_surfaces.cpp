@@ -70,8 +70,8 @@ std::vector<SurfaceRow> burr_surfaces(const std::string& scene, const FindStrate
     std::vector<SurfaceRow> rows;
     const auto grooves = grooves_of(scene);
     if (grooves.empty()) return rows;
-    const StrategyCall displace = find(surface_strategies[0]), local = find(surface_strategies[1]),
-                       exact = find(surface_strategies[2]);
+    const bone::StrategyCall displace = find(surface_strategies[0]), local = find(surface_strategies[1]),
+                             exact = find(surface_strategies[2]);
     if (!exact || !displace || !local) return rows;
     const Clock by_the_clock = [](const auto& work) { return time_of(work); };
     for (const auto& [name, groove] : grooves) {
@@ -90,7 +90,7 @@ std::vector<SurfaceRow> burr_surfaces(const std::string& scene, const FindStrate
 
 std::string surfaces_csv(const std::vector<SurfaceRow>& rows) {
     std::string text =
-        std::string("# ") + notice_line +
+        std::string("# ") + session::notice_line +
         ".\n# a groove by a ball burr of 4 mm in steps of 0.1 mm; times by the clock\n"
         "scene,groove,surface,knob,volume_mm3,closed_form_mm3,volume_error,walls_rms_um,walls_farthest_um,"
         "ms_per_step,faces,faces_of_walls,min_angle_5_percent_deg,min_angle_median_deg,"
@@ -128,7 +128,7 @@ std::string surfaces_svg(const std::vector<SurfaceRow>& rows) {
     content += drawing::text_at(12, height - 28,
                                 "Steps of 0.1 mm. `exact` cuts all at once: all of its time. Filled: closed, no "
                                 "crossings. Values beyond an axis stand on its end.");
-    content += drawing::text_at(12, height - 10, std::string(notice_line) + ".", "class=\"kp-note\"");
+    content += drawing::text_at(12, height - 10, std::string(session::notice_line) + ".", "class=\"kp-note\"");
     return drawing::picture(width, height, title, content);
 }
 

@@ -25,7 +25,7 @@ inline constexpr const char* surface_strategies[] = {"kerf.burring.displace", "k
                                                      "kerf.remesh_cgal.exact"};
 
 /// A strategy by its full id; empty where there is none.
-using FindStrategy = std::function<StrategyCall(const std::string& id)>;
+using FindStrategy = std::function<bone::StrategyCall(const std::string& id)>;
 
 /// Field, the burr's strategy with the second for what it declines, and the reference, on the grooves of a scene; none
 /// where the scene has no groove, or a strategy is missing.   [main]

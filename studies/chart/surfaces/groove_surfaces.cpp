@@ -23,10 +23,10 @@ namespace {
 constexpr Vec3 slab_size{24.0_mm, 10.0_mm, 6.0_mm};
 constexpr double square = 0.5_mm, beside = 0.1_mm;  // [m] the groove lies a little beside the edges of the squares
 
-TaggedMesh slab_of_bone() { return tagged(slab(slab_size.x, slab_size.y, slab_size.z, square)); }
+bone::TaggedMesh slab_of_bone() { return bone::tagged(slab(slab_size.x, slab_size.y, slab_size.z, square)); }
 
 /// How far the walls are from the capsule that the burr sweeps: at corners, middles of sides and of faces.
-void measure_walls(const Groove& groove, const TaggedMesh& mesh, GrooveSurface& made) {
+void measure_walls(const Groove& groove, const bone::TaggedMesh& mesh, GrooveSurface& made) {
     const Vec3 begin = groove.from + Vec3{0, 0, groove.radius}, way = groove.to - groove.from;
     double squares = 0.0, area = 0.0;
     for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
@@ -67,14 +67,14 @@ Groove groove_from_the_end(double depth) {
     return groove;
 }
 
-GrooveSurface surface_by_steps(const Groove& groove, const StrategyCall& ask, const StrategyCall& otherwise,
+GrooveSurface surface_by_steps(const Groove& groove, const bone::StrategyCall& ask, const bone::StrategyCall& otherwise,
                                double tolerance, double feed, const Clock& clock) {
     const ToolSolid burr = ball_burr(groove.radius);
-    const TaggedMesh bone = slab_of_bone();
+    const bone::TaggedMesh bone = slab_of_bone();
     const auto steps = in_steps(groove.from, groove.to, feed);
-    LocalCutting cut(bone, {&burr}, tolerance, ask, otherwise);
+    bone::LocalCutting cut(bone, {&burr}, tolerance, ask, otherwise);
     const double time = clock([&] {
-        for (const CutStretch& step : steps) cut.cut(step);
+        for (const bone::CutStretch& step : steps) cut.cut(step);
     });
     GrooveSurface made;
     made.removed = cut.removed();
@@ -83,27 +83,27 @@ GrooveSurface surface_by_steps(const Groove& groove, const StrategyCall& ask, co
     if (!cut.stale().empty()) {
         made.flaw = cut.stale().front().why;
     } else {
-        RemeshRequest request;
+        bone::RemeshRequest request;
         request.base = bone;
-        made.flaw = flaw_of_result(request, cut.surface().mesh());
+        made.flaw = bone::flaw_of_result(request, cut.surface().mesh());
     }
     measure_walls(groove, cut.surface().mesh(), made);
     return made;
 }
 
-GrooveSurface surface_at_once(const Groove& groove, const StrategyCall& exact, const Clock& clock) {
+GrooveSurface surface_at_once(const Groove& groove, const bone::StrategyCall& exact, const Clock& clock) {
     const ToolSolid burr = ball_burr(groove.radius);
-    RemeshRequest request;
+    bone::RemeshRequest request;
     request.base = slab_of_bone();
     request.solids = {&burr};
     request.cuts = stretches_along({groove.from, groove.to});
     request.tolerance = 1e-6;
-    RemeshResult result;
+    bone::RemeshResult result;
     GrooveSurface made;
     made.step_ms = 1e-3 * clock([&] { result = exact(request); });
-    made.flaw = result.status == KERF_OK ? flaw_of_result(request, result.mesh) : result.message;
+    made.flaw = result.status == KERF_OK ? bone::flaw_of_result(request, result.mesh) : result.message;
     if (result.status != KERF_OK) return made;
-    made.removed = signed_volume_of(request.base.mesh) - signed_volume_of(result.mesh.mesh);
+    made.removed = bone::signed_volume_of(request.base.mesh) - bone::signed_volume_of(result.mesh.mesh);
     measure_walls(groove, result.mesh, made);
     return made;
 }
@@ -123,7 +123,7 @@ GrooveSurface surface_by_field(const Groove& groove, double spacing, double feed
     CutField cut(body, 0);
     Mesh surface;
     const double time = clock([&] {
-        for (const CutStretch& step : steps) {
+        for (const bone::CutStretch& step : steps) {
             CutRecord record;
             record.from = step.from;
             record.to = step.to;
@@ -134,11 +134,11 @@ GrooveSurface surface_by_field(const Groove& groove, double spacing, double feed
     GrooveSurface made;
     made.removed = bone_volume(body, CutField(body, 0)) - bone_volume(body, cut);
     made.step_ms = 1e-3 * time / static_cast<double>(steps.size());
-    TaggedMesh mesh;
+    bone::TaggedMesh mesh;
     mesh.mesh.vertices = surface.vertices;
     mesh.mesh.triangles.assign(surface.triangles.begin(), surface.triangles.end());
     const double deep = -0.5 * groove.depth();
-    for (const Triangle& t : mesh.mesh.triangles) {
+    for (const bone::Triangle& t : mesh.mesh.triangles) {
         const auto corners = mesh.mesh.corners(t);
         const bool is_wall = std::all_of(corners.begin(), corners.end(), [&](Vec3 p) {
             return p.z < deep && p.z > -2.0 * groove.depth() && std::abs(p.y - groove.to.y) < groove.radius &&

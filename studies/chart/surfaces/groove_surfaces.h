@@ -39,11 +39,11 @@ struct GrooveSurface {
 using Clock = std::function<double(const std::function<void()>&)>;
 
 /// Step by step through a strategy; what it declines goes to another one, if there is one.   [main]
-[[nodiscard]] GrooveSurface surface_by_steps(const Groove& groove, const StrategyCall& ask,
-                                             const StrategyCall& otherwise, double tolerance, double feed,
+[[nodiscard]] GrooveSurface surface_by_steps(const Groove& groove, const bone::StrategyCall& ask,
+                                             const bone::StrategyCall& otherwise, double tolerance, double feed,
                                              const Clock& clock);
 /// All of it in one request, the burr's outline in chords to 1 µm.   [main]
-[[nodiscard]] GrooveSurface surface_at_once(const Groove& groove, const StrategyCall& exact, const Clock& clock);
+[[nodiscard]] GrooveSurface surface_at_once(const Groove& groove, const bone::StrategyCall& exact, const Clock& clock);
 /// By the field: stamped step by step, its surface made once in the end. Its walls are the faces at least half of the
 /// depth below the face of the slab.   [main]
 [[nodiscard]] GrooveSurface surface_by_field(const Groove& groove, double spacing, double feed, const Clock& clock);

@@ -9,7 +9,7 @@
 #include "tests/support/dicom_writer.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using test::DicomWriter;
@@ -76,4 +76,4 @@ TEST(DicomIdentity, IsEmptyForOtherFiles) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

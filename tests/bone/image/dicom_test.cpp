@@ -24,7 +24,7 @@
 #include "tests/support/dicom_writer.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -59,7 +59,7 @@ struct Series {
 
 struct Dicom : testing::Test {
     test::TemporaryFolder folder;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
 
     void write(const Series& series, const std::vector<std::size_t>& order = {}) {
         for (std::size_t n = 0; n < series.files.size(); ++n) {
@@ -69,7 +69,7 @@ struct Dicom : testing::Test {
     }
     std::optional<VoxelImage> read(const SeriesChoice& choice = {}) {
         const auto scan = open_scan(folder.path(), choice, {}).take(diagnostics);
-        return scan ? scan->read(scan->grid().all(), 0, {}, diagnostics) : std::nullopt;
+        return scan ? scan->read(scan->grid().all(), 0, {}).take(diagnostics) : std::nullopt;
     }
     void expect_refused(const std::string& code, const std::string& words, const SeriesChoice& choice = {}) {
         EXPECT_FALSE(read(choice));
@@ -464,7 +464,7 @@ TEST_F(Dicom, DoubtsLossyCompressionOtherModalitiesAndATiltThatIsNotThere) {
     write(series);
     EXPECT_TRUE(read());
     ASSERT_EQ(diagnostics.size(), 3u) << to_text(diagnostics);
-    for (const Diagnostic& d : diagnostics) EXPECT_EQ(d.code, "W0673");
+    for (const text::Diagnostic& d : diagnostics) EXPECT_EQ(d.code, "W0673");
 }
 
 TEST_F(Dicom, SaysNothingOfWhoseItIs) {
@@ -620,8 +620,8 @@ TEST_F(Dicom, RealSpineIsTheSameAsItsVolume) {
     const auto volume = open_scan(data("volumes/spine_t9_t12_lidc0314.nrrd"), {}, {}).take(diagnostics);
     ASSERT_TRUE(series && volume) << to_text(diagnostics);
     const Box box{{-30.0_mm, 200.0_mm, -690.0_mm}, {10.0_mm, 245.0_mm, -650.0_mm}};
-    const auto a = series->read(series->grid().range(box), 0, {}, diagnostics);
-    const auto b = volume->read(volume->grid().range(box), 0, {}, diagnostics);
+    const auto a = series->read(series->grid().range(box), 0, {}).take(diagnostics);
+    const auto b = volume->read(volume->grid().range(box), 0, {}).take(diagnostics);
     ASSERT_TRUE(a && b) << to_text(diagnostics);
     double worst = 0.0;
     int compared = 0;
@@ -663,8 +663,8 @@ TEST_F(Dicom, RealTiltedSeriesAgreesWithItsGroundTruth) {
     EXPECT_NE(diagnostics[0].message.find("18.0 deg"), std::string::npos) << diagnostics[0].message;
     const auto truth = open_scan(data("volumes/jaw_teeth_vhp_male.nii.gz"), {}, {}).take(diagnostics);
     ASSERT_TRUE(truth) << to_text(diagnostics);
-    const auto a = tilted->read(tilted->grid().all(), 0, {}, diagnostics);
-    const auto b = truth->read(truth->grid().all(), 0, {}, diagnostics);
+    const auto a = tilted->read(tilted->grid().all(), 0, {}).take(diagnostics);
+    const auto b = truth->read(truth->grid().all(), 0, {}).take(diagnostics);
     ASSERT_TRUE(a && b) << to_text(diagnostics);
 
     // Where both were measured. Shifted by half a millimetre each way they must agree less.
@@ -705,4 +705,4 @@ TEST_F(Dicom, RealTiltedSeriesAgreesWithItsGroundTruth) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

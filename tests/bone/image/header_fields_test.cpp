@@ -25,7 +25,7 @@
 #include "tests/support/dicom_writer.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 // 4 × 3 × 2 voxels, 0.5 × 1 × 2 mm, the first at LPS (10, 20, 30) mm. Voxel (i, j, k) holds 100 i + 10 j + k.
@@ -52,12 +52,12 @@ struct Outcome {
 
 Outcome outcome_of(const std::string& path) {
     Outcome outcome;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto scan = open_scan(path, {}, {}).take(diagnostics);
-    const auto image = scan ? scan->read(scan->grid().all(), 0, {}, diagnostics) : std::nullopt;
+    const auto image = scan ? scan->read(scan->grid().all(), 0, {}).take(diagnostics) : std::nullopt;
     if (!diagnostics.empty()) outcome.code = diagnostics[0].code;
     outcome.is_read = image.has_value();
-    EXPECT_NE(outcome.is_read, has_error(diagnostics)) << to_text(diagnostics);
+    EXPECT_NE(outcome.is_read, text::has_error(diagnostics)) << to_text(diagnostics);
     if (!image) return outcome;
     outcome.first = 1e3 * image->lps({0, 0, 0});
     outcome.last = 1e3 * image->lps({3, 2, 1});
@@ -428,4 +428,4 @@ TEST_F(HeaderFields, OfDicom) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

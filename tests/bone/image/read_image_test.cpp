@@ -22,7 +22,7 @@
 #include "kerf/units.hpp"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -112,14 +112,14 @@ struct ReadImage : testing::Test {
     }
     void expect_refused(const std::string& code, const std::string& name, const std::string& bytes) {
         SCOPED_TRACE(name);
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         EXPECT_FALSE(read_image(write(name, bytes)).take(diagnostics));
         ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
         EXPECT_EQ(diagnostics[0].code, code) << to_text(diagnostics);
     }
     void expect_the_volume(const std::string& name, const std::string& bytes) {
         SCOPED_TRACE(name);
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto image = read_image(write(name, bytes)).take(diagnostics);
         ASSERT_TRUE(image) << to_text(diagnostics);
         EXPECT_EQ(image->size, size);
@@ -192,7 +192,7 @@ TEST_F(ReadImage, DoubtsBytesBehindVoxelsInTheHeadersFile) {
                                       {"b.nii.gz", packed(Nifti().file() + "\n", true)},
                                       {"c.mha", meta_header + voxels() + "\n"}}) {
         SCOPED_TRACE(name);
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto header = check_image_file(write(name, bytes)).take(diagnostics);
         ASSERT_TRUE(header) << to_text(diagnostics);
         ASSERT_EQ(header->doubts.size(), 1u);
@@ -208,7 +208,7 @@ TEST_F(ReadImage, TurnsRasIntoLps) {
 }
 
 TEST_F(ReadImage, KeepsTheShearOfATiltedScan) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto image =
         read_image(write("tilted.nrrd", replaced(nrrd_header, "(0,0,2)", "(0,0.5,2)") + voxels())).take(diagnostics);
     ASSERT_TRUE(image) << to_text(diagnostics);
@@ -217,7 +217,7 @@ TEST_F(ReadImage, KeepsTheShearOfATiltedScan) {
 }
 
 TEST_F(ReadImage, GivesTheBackgroundOutsideTheVolume) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto image = read_image(write("a.mha", meta_header + voxels())).take(diagnostics);
     ASSERT_TRUE(image) << to_text(diagnostics);
     EXPECT_EQ(image->sample_trilinear({9.9_mm, 20.0_mm, 30.0_mm}, -1024.0), -1024.0);
@@ -226,21 +226,21 @@ TEST_F(ReadImage, GivesTheBackgroundOutsideTheVolume) {
 }
 
 TEST_F(ReadImage, AppliesTheScaleOfTheFile) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto image = read_image(write("a.nii", Nifti().with(112, 2.0f).with(116, -1000.0f).file())).take(diagnostics);
     ASSERT_TRUE(image) << to_text(diagnostics);
     EXPECT_EQ(image->at(1, 0, 0), -800.0f);
 }
 
 TEST_F(ReadImage, RefusesWhatIsNoFile) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(read_image(folder / "missing.nii").take(diagnostics));
     std::filesystem::create_directory(folder / "folder.nii");
     EXPECT_FALSE(read_image(folder / "folder.nii").take(diagnostics));
     EXPECT_FALSE(read_image("").take(diagnostics));
     EXPECT_FALSE(read_image("/dev/zero").take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 4u);
-    for (const Diagnostic& d : diagnostics) EXPECT_EQ(d.code, "E0620") << to_text(diagnostics);
+    for (const text::Diagnostic& d : diagnostics) EXPECT_EQ(d.code, "E0620") << to_text(diagnostics);
 }
 
 // Opening a FIFO waits for a writer for ever.
@@ -248,7 +248,7 @@ TEST_F(ReadImage, RefusesAFifoWhateverItsName) {
     for (const char* name : {"x.nrrd", "x.nhdr", "x.nii", "x.nii.gz", "x.mha", "x.mhd", "x", "x.raw"})
         ASSERT_EQ(mkfifo((folder / name).c_str(), 0600), 0);
     for (const char* name : {"x.nrrd", "x.nhdr", "x.nii", "x.nii.gz", "x.mha", "x.mhd", "x"}) {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         EXPECT_FALSE(open_scan(folder / name, {}, {}).take(diagnostics));
         ASSERT_EQ(diagnostics.size(), 1u);
         EXPECT_EQ(diagnostics[0].code, "E0620") << to_text(diagnostics);
@@ -383,7 +383,7 @@ TEST_F(ReadImage, ShowsNoControlCharacterOfAHeader) {
     for (const auto& [name, bytes] :
          {std::pair<const char*, std::string>{"a.nrrd", replaced(nrrd_header, "short", "\x1b[31m\xe2\x80\xae")},
           {"b.mha", replaced(meta_header, "MET_SHORT", "\x1b]0;title\x07")}}) {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         EXPECT_FALSE(read_image(write(name, bytes)).take(diagnostics));
         EXPECT_NE(to_text(diagnostics).find("\\x1b"), std::string::npos) << to_text(diagnostics);
         for (const char* raw : {"\x1b", "\x07", "\xe2\x80\xae"})
@@ -406,10 +406,10 @@ TEST_F(ReadImage, SurvivesADamagedHeader) {
         for (std::size_t at = 0; at < whole.size() - voxels().size(); ++at) {
             std::string spoilt = whole;
             spoilt[at] = static_cast<char>(spoilt[at] ^ 0x55);
-            Diagnostics diagnostics;
+            text::Diagnostics diagnostics;
             EXPECT_NO_THROW({
                 const bool is_read = read_image(write(name, spoilt)).take(diagnostics).has_value();
-                EXPECT_NE(is_read, has_error(diagnostics)) << name << " byte " << at;
+                EXPECT_NE(is_read, text::has_error(diagnostics)) << name << " byte " << at;
             });
         }
 }
@@ -425,7 +425,7 @@ TEST(RealData, TheSameCtInTwoFormatsHasTheSameValuesAtTheSamePlaces) {
     // Given a NIfTI whose axes are stored P, I, R with only an sform, and the same voxels reordered to x, y, z
     if (real_data("lumbar_l3_tptbox_ct.nii.gz").empty())
         GTEST_SKIP() << "KERF_DATA names no folder with volumes/lumbar_l3_tptbox_ct.nii.gz, so no real CT was read.";
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto nifti = read_image(real_data("lumbar_l3_tptbox_ct.nii.gz")).take(diagnostics);
     const auto meta = read_image(real_data("lumbar_l3_tptbox_axial.mhd")).take(diagnostics);
     ASSERT_TRUE(nifti && meta) << to_text(diagnostics);
@@ -443,4 +443,4 @@ TEST(RealData, TheSameCtInTwoFormatsHasTheSameValuesAtTheSamePlaces) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

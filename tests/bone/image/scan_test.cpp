@@ -18,14 +18,14 @@
 #include "kerf/units.hpp"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
 
 struct ScanFile : testing::Test {
     test::TemporaryFolder folder;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
 
     std::optional<Scan> open(const std::string& name, const std::string& bytes) {
         std::ofstream(folder / name, std::ios::binary) << bytes;
@@ -33,7 +33,7 @@ struct ScanFile : testing::Test {
         return open_scan(folder / name, {}, {}).take(diagnostics);
     }
     std::optional<VoxelImage> read(const std::optional<Scan>& scan, int layer = 0) {
-        return scan ? scan->read(scan->grid().all(), layer, {}, diagnostics) : std::nullopt;
+        return scan ? scan->read(scan->grid().all(), layer, {}).take(diagnostics) : std::nullopt;
     }
 };
 
@@ -274,4 +274,4 @@ TEST_F(ScanFile, LeavesNoHalfOfAFile) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

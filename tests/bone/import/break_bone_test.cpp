@@ -9,15 +9,15 @@
 #include "core/field/cut/removed_volume.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
 
-Anatomy rod(const Fracture& fracture) {
-    Anatomy anatomy;
+documents::Anatomy rod(const documents::Fracture& fracture) {
+    documents::Anatomy anatomy;
     anatomy.id = "rod";
-    anatomy.phantom.parts = {{"rod", BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 60.0_mm}}, false, ""}};
+    anatomy.phantom.parts = {{"rod", documents::BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 60.0_mm}}, false, ""}};
     anatomy.tissues = {{"cortical", 1850.0, 3.0_mm, ""}, {"cancellous", 250.0, 0.0, ""}};
     anatomy.fracture = fracture;
     return anatomy;
@@ -26,8 +26,8 @@ Anatomy rod(const Fracture& fracture) {
 double volume_of(const Body& body) { return bone_volume(body, CutField(body, 0)); }
 
 TEST(BreakBone, PartsItAtThePlaneAndLosesTheGap) {
-    const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}, .gap = 1.0_mm});
-    Diagnostics diagnostics;
+    const documents::Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}, .gap = 1.0_mm});
+    text::Diagnostics diagnostics;
     ImportReport report;
     auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
     ASSERT_TRUE(body);
@@ -41,8 +41,8 @@ TEST(BreakBone, PartsItAtThePlaneAndLosesTheGap) {
 }
 
 TEST(BreakBone, HasNoNewCortexAtTheBreak) {
-    const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}});
-    Diagnostics diagnostics;
+    const documents::Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}});
+    text::Diagnostics diagnostics;
     ImportReport report;
     auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
     const auto fragment = break_bone(*body, anatomy, report).take(diagnostics);
@@ -55,8 +55,8 @@ TEST(BreakBone, HasNoNewCortexAtTheBreak) {
 
 TEST(BreakBone, NotesWhereTheFragmentLiesAndWarnsOfItInTheRest) {
     for (const double shift : {5.0_mm, -5.0_mm}) {
-        const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}, .shift = {0, 0, shift}});
-        Diagnostics diagnostics;
+        const documents::Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}, .shift = {0, 0, shift}});
+        text::Diagnostics diagnostics;
         ImportReport report;
         auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
         ASSERT_TRUE(break_bone(*body, anatomy, report).take(diagnostics));
@@ -67,8 +67,8 @@ TEST(BreakBone, NotesWhereTheFragmentLiesAndWarnsOfItInTheRest) {
 }
 
 TEST(BreakBone, IsRefusedWhereOneSideHasNoBone) {
-    const Anatomy anatomy = rod({.at = {0, 0, 31.0_mm}, .normal = {0, 0, 1}});
-    Diagnostics diagnostics;
+    const documents::Anatomy anatomy = rod({.at = {0, 0, 31.0_mm}, .normal = {0, 0, 1}});
+    text::Diagnostics diagnostics;
     ImportReport report;
     auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
     const double whole = volume_of(*body);
@@ -79,4 +79,4 @@ TEST(BreakBone, IsRefusedWhereOneSideHasNoBone) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

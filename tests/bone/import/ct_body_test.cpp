@@ -23,7 +23,7 @@
 #include "kerf/units.hpp"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -65,18 +65,18 @@ std::string to_string(const std::vector<std::string>& notes) {
 }
 
 /// One axis through the origin; the threshold is half way up the ramp.
-Anatomy anatomy() {
-    Anatomy result;
+documents::Anatomy anatomy() {
+    documents::Anatomy result;
     result.file = "bone.yaml";
     result.ct.emplace().threshold = bright / 2.0;
-    result.ct->intensity = CtSource::Intensity::grey;  // nothing here is darker than 0
+    result.ct->intensity = documents::CtSource::Intensity::grey;  // nothing here is darker than 0
     result.tissues = {{"cortical", 1850.0, 1.0_mm, ""}, {"cancellous", 250.0, 0.0, ""}};
     result.axes = {{"axis", {-(8.0_mm), 0.0, 0.0}, {8.0_mm, 0.0, 0.0}, 0.0}};
     return result;
 }
 
 TEST(CtBody, PutsTheBorderBetweenTheVoxels) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto bone = make_ct_bone(anatomy(), ball(), nullptr).take(diagnostics);
     ASSERT_TRUE(bone) << to_text(diagnostics);
 
@@ -96,12 +96,12 @@ TEST(CtBody, PutsTheBorderBetweenTheVoxels) {
 
 TEST(CtBody, KeepsOneBoneApartFromTheNextThatTouchesIt) {
     // Given a bright block whose left half has label 1 and whose right half has label 2
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.ct->keep = {1};
     const VoxelImage image = image_of([](Vec3) { return bright; });
     const VoxelImage labels = image_of([](Vec3 p) { return p.x < 0.5 * spacing ? 1.0 : 2.0; });
 
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto bone = make_ct_bone(one, image, &labels).take(diagnostics);
 
     // Then the border lies where the labels meet: half way between voxels 0 and 1
@@ -111,11 +111,11 @@ TEST(CtBody, KeepsOneBoneApartFromTheNextThatTouchesIt) {
 }
 
 TEST(CtBody, MovesTheLabelsBorderToWhereTheGreyValuesCross) {
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.ct->keep = {1};
     const VoxelImage labels = image_of([](Vec3 p) { return length(p) < radius - 0.7 * spacing ? 1.0 : 0.0; });
 
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto bone = make_ct_bone(one, ball(), &labels).take(diagnostics);
 
     ASSERT_TRUE(bone) << to_text(diagnostics);
@@ -124,9 +124,9 @@ TEST(CtBody, MovesTheLabelsBorderToWhereTheGreyValuesCross) {
 
 TEST(CtBody, FillsACavityOnlyWhenTold) {
     for (const bool fill : {false, true}) {
-        Anatomy one = anatomy();
+        documents::Anatomy one = anatomy();
         one.ct->fill = fill;
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto bone = make_ct_bone(one, hollow_ball(), nullptr).take(diagnostics);
         ASSERT_TRUE(bone) << to_text(diagnostics);
         EXPECT_EQ(bone->distance.sample_trilinear({0.0, 0.0, 0.0}, 1.0) < 0.0, fill);
@@ -135,13 +135,13 @@ TEST(CtBody, FillsACavityOnlyWhenTold) {
 
 TEST(CtBody, ClosesASlitNarrowerThanTwiceItsRadius) {
     for (const double closing : {0.0_mm, 2.0_mm}) {
-        Anatomy one = anatomy();
+        documents::Anatomy one = anatomy();
         one.ct->keep = {1};
         one.ct->closing = closing;
         const VoxelImage image = image_of([](Vec3) { return bright / 2.0 - 1.0; });  // the grey values say nothing
         const VoxelImage labels =
             image_of([](Vec3 p) { return length(p) < radius && std::abs(p.x) > 0.5 * spacing ? 1.0 : 0.0; });
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto bone = make_ct_bone(one, image, &labels).take(diagnostics);
         ASSERT_TRUE(bone) << to_text(diagnostics);
         EXPECT_EQ(bone->distance.sample_trilinear({0.0, 0.0, 0.0}, 1.0) < 0.0, closing > 0.0);
@@ -150,7 +150,7 @@ TEST(CtBody, ClosesASlitNarrowerThanTwiceItsRadius) {
 
 TEST(CtBody, TakesTheNearestLabelWhereTheLabelsHaveAnotherGrid) {
     // Given labels on half the spacing, cropped to the ball, a quarter voxel beside the image's grid
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.ct->keep = {7};
     VoxelImage labels;
     labels.size = {45, 45, 45};
@@ -161,7 +161,7 @@ TEST(CtBody, TakesTheNearestLabelWhereTheLabelsHaveAnotherGrid) {
         labels.values.push_back(length(p) < radius ? 7.0f : 0.0f);
     });
 
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto bone = make_ct_bone(one, ball(), &labels).take(diagnostics);
 
     // Then the bone is the ball all the same, and the notes say so
@@ -180,11 +180,11 @@ VoxelImage two_balls() {
 }
 
 TEST(CtBody, KeepsTheLargestPieceOrTheOneAtALandmark) {
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.points = {{"small", {9.0_mm, 0.0, 0.0}, 2.0_mm}};
     for (const bool is_named : {false, true}) {
         one.ct->component_at = is_named ? "small" : "";
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto bone = make_ct_bone(one, two_balls(), nullptr).take(diagnostics);
         ASSERT_TRUE(bone) << to_text(diagnostics);
         EXPECT_EQ(bone->distance.sample_trilinear({-(5.0_mm), 0.0, 0.0}, 1.0) < 0.0, !is_named);
@@ -201,7 +201,7 @@ TEST(CtBody, VoxelsOfExactlyTheThresholdAreBone) {
             const bool is_between = std::abs(p.y) < 0.1_mm && std::abs(p.z) < 0.1_mm && std::abs(p.x) < 9.0_mm;
             return is_between ? std::max(ball, value) : ball;
         });
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto bone = make_ct_bone(anatomy(), image, nullptr).take(diagnostics);
         EXPECT_TRUE(bone) << to_text(diagnostics);
         return bone && bone->distance.sample_trilinear({9.0_mm, 0.0, 0.0}, 1.0) < 0.0;
@@ -212,9 +212,9 @@ TEST(CtBody, VoxelsOfExactlyTheThresholdAreBone) {
 }
 
 TEST(CtBody, DoubtsValuesThatAreNoHounsfieldUnits) {
-    Anatomy one = anatomy();
-    one.ct->intensity = CtSource::Intensity::hounsfield;
-    Diagnostics diagnostics;
+    documents::Anatomy one = anatomy();
+    one.ct->intensity = documents::CtSource::Intensity::hounsfield;
+    text::Diagnostics diagnostics;
     EXPECT_TRUE(make_ct_bone(one, ball(), nullptr).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, "W0675");
@@ -223,15 +223,15 @@ TEST(CtBody, DoubtsValuesThatAreNoHounsfieldUnits) {
 
 TEST(CtBody, WarnsOfMetal) {
     // Given a rod of 27 voxels, 91 mm³, beside the axis
-    Anatomy one = anatomy();
-    one.ct->intensity = CtSource::Intensity::hounsfield;
+    documents::Anatomy one = anatomy();
+    one.ct->intensity = documents::CtSource::Intensity::hounsfield;
     VoxelImage image = ball();
     for (float& value : image.values) value -= 100.0f;
     one.ct->threshold -= 100.0;
     for (int k = 11; k < 14; ++k)
         for (int j = 11; j < 14; ++j)
             for (int i = 11; i < 14; ++i) image.values[image.offset(i, j, k)] = 3071.0f;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_TRUE(make_ct_bone(one, image, nullptr).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_NE(diagnostics[0].message.find("91 mm3"), std::string::npos) << diagnostics[0].message;
@@ -239,9 +239,9 @@ TEST(CtBody, WarnsOfMetal) {
 
 TEST(CtBody, TellsHowFarTheEntryMovesWithTheThreshold) {
     // Given a ramp of 500 over two voxels of 1.5 mm, along x: 5 % of the threshold of 250 are 12.5, or 0.075 mm
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.axes = {{"axis", {-(16.0_mm), 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0}};
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto bone = make_ct_bone(one, ball(), nullptr, {.with_shifts = true}).take(diagnostics);
     ASSERT_TRUE(bone) << to_text(diagnostics);
     ASSERT_EQ(bone->report.shifts.size(), 1u);
@@ -250,8 +250,9 @@ TEST(CtBody, TellsHowFarTheEntryMovesWithTheThreshold) {
     EXPECT_NEAR(*bone->report.shifts[0].upper, 0.075_mm, 0.03_mm);
 }
 
-void expect_refused(const std::string& code, const Anatomy& one, const VoxelImage& image, const VoxelImage* labels) {
-    Diagnostics diagnostics;
+void expect_refused(const std::string& code, const documents::Anatomy& one, const VoxelImage& image,
+                    const VoxelImage* labels) {
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(make_ct_bone(one, image, labels).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, code) << to_text(diagnostics);
@@ -264,7 +265,7 @@ TEST(CtBody, RefusesWhatCannotBeABone) {
     another_patient.place(moved);
     expect_refused("E0630", anatomy(), ball(), &another_patient);
 
-    Anatomy elsewhere = anatomy();
+    documents::Anatomy elsewhere = anatomy();
     elsewhere.axes = {{"axis", {1.0, 1.0, 1.0}, {1.1, 1.0, 1.0}, 0.0}};
     expect_refused("E0631", elsewhere, ball(), nullptr);
 
@@ -331,13 +332,13 @@ TEST(CtBody, KeepsTheOneStructureThatIsMeantOrNone) {
         const test::TemporaryFolder folder;
         write_image(folder, "ball.mha", ball());
         write_segments(folder, one.keys, one.layers);
-        Anatomy bone = anatomy();
+        documents::Anatomy bone = anatomy();
         bone.file = folder / "bone.yaml";
         bone.ct->image = "ball.mha";
         bone.ct->labels = "labels.seg.nrrd";
         bone.ct->keep = one.keep;
         bone.ct->keep_named = one.named;
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto made = make_ct_bone(bone).take(diagnostics);
         ASSERT_EQ(made.has_value(), one.code.empty()) << to_text(diagnostics);
         if (!made) {
@@ -351,10 +352,10 @@ TEST(CtBody, KeepsTheOneStructureThatIsMeantOrNone) {
 TEST(CtBody, RefusesASegmentationAsTheScan) {
     const test::TemporaryFolder folder;
     write_segments(folder, name_and_label(0, "bone", 3));
-    Anatomy bone = anatomy();
+    documents::Anatomy bone = anatomy();
     bone.file = folder / "bone.yaml";
     bone.ct->image = "labels.seg.nrrd";
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(make_ct_bone(bone).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0623") << to_text(diagnostics);
@@ -366,10 +367,10 @@ TEST(CtBody, NeverFollowsALinkOutOfTheFolder) {
     std::filesystem::create_symlink(other / "ball.mha", folder / "link.mha");
     std::filesystem::create_directory_symlink(other.path(), folder / "away");
     for (const char* name : {"link.mha", "away/ball.mha"}) {
-        Anatomy bone = anatomy();
+        documents::Anatomy bone = anatomy();
         bone.file = folder / "bone.yaml";
         bone.ct->image = name;
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         EXPECT_FALSE(make_ct_bone(bone).take(diagnostics));
         ASSERT_EQ(diagnostics.size(), 1u);
         EXPECT_EQ(diagnostics[0].code, "E0619") << to_text(diagnostics);
@@ -384,12 +385,12 @@ std::string write_ball(const test::TemporaryFolder& folder) {
 
 TEST(CtBody, BecomesABodyWithAPrescribedCortexAndTheDensityOfItsVoxels) {
     const test::TemporaryFolder folder;
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.file = write_ball(folder);
     one.ct->image = "ball.mha";
-    one.ct->density = DensityLine{.at_zero = 50.0, .per_unit = 0.5, .floor = 100.0, .source = ""};
+    one.ct->density = documents::DensityLine{.at_zero = 50.0, .per_unit = 0.5, .floor = 100.0, .source = ""};
 
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto body = make_body(one, 0.5_mm).take(diagnostics);
 
     ASSERT_TRUE(body) << to_text(diagnostics);
@@ -408,13 +409,13 @@ TEST(CtBody, BecomesABodyWithAPrescribedCortexAndTheDensityOfItsVoxels) {
 TEST(CtBody, FitsLandmarksToTheBorderOfItsVoxels) {
     // Given a ball of 10 mm at the origin, and a point that is written 6 mm beside it
     const test::TemporaryFolder folder;
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.file = write_ball(folder);
     one.ct->image = "ball.mha";
-    one.points = {{"middle", {0, 6.0_mm, 0}, 1.0_mm, {}, LandmarkFit{.radius = 11.0_mm, .within = 8.0_mm}}};
+    one.points = {{"middle", {0, 6.0_mm, 0}, 1.0_mm, {}, documents::LandmarkFit{.radius = 11.0_mm, .within = 8.0_mm}}};
 
     // When it becomes a bone
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto bone = make_ct_bone(one).take(diagnostics);
 
     // Then the point is the ball's centre, to a fraction of a voxel
@@ -426,17 +427,17 @@ TEST(CtBody, FitsLandmarksToTheBorderOfItsVoxels) {
 }
 
 /// A ball by its labels in a CT of any grey values; density [kg/m³] = value, not under 100.
-std::optional<Body> labelled_ball(const VoxelImage& values, Diagnostics& diagnostics, double cortex = 1.0_mm) {
+std::optional<Body> labelled_ball(const VoxelImage& values, text::Diagnostics& diagnostics, double cortex = 1.0_mm) {
     const test::TemporaryFolder folder;
     write_image(folder, "values.mha", values);
     write_image(folder, "labels.mha", image_of([](Vec3 p) { return length(p) < radius ? 1.0 : 0.0; }));
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.file = folder / "bone.yaml";
     one.ct->image = "values.mha";
     one.ct->labels = "labels.mha";
     one.ct->keep = {1};
     one.ct->threshold = -4000.0;
-    one.ct->density = DensityLine{.at_zero = 0.0, .per_unit = 1.0, .floor = 100.0, .source = ""};
+    one.ct->density = documents::DensityLine{.at_zero = 0.0, .per_unit = 1.0, .floor = 100.0, .source = ""};
     one.tissues[0].thickness = cortex;
     return make_body(one, 0.5_mm).take(diagnostics);
 }
@@ -449,13 +450,13 @@ std::string joined(const std::vector<std::string>& notes) {
 
 TEST(CtBody, SaysWhatItDidAndNothingOfWhereItLooked) {
     const test::TemporaryFolder folder;
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.file = write_ball(folder);
     one.ct->image = "ball.mha";
     one.ct->closing = 2.0_mm;
     one.ct->fill = true;
-    one.ct->density = DensityLine{.at_zero = 50.0, .per_unit = 0.5, .floor = 100.0, .source = "A phantom."};
-    Diagnostics diagnostics;
+    one.ct->density = documents::DensityLine{.at_zero = 50.0, .per_unit = 0.5, .floor = 100.0, .source = "A phantom."};
+    text::Diagnostics diagnostics;
     ImportReport report;
     const auto body = make_body(one, 0.5_mm, &report).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
@@ -476,11 +477,11 @@ TEST(CtBody, SaysWhatItDidAndNothingOfWhereItLooked) {
 
 TEST(CtBody, HashesTheBytesOfItsFiles) {
     const test::TemporaryFolder folder;
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.file = write_ball(folder);
     one.ct->image = "ball.mha";
     const auto hashes = [&] {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         ImportReport report;
         EXPECT_TRUE(make_body(one, 1.0_mm, &report).take(diagnostics)) << to_text(diagnostics);
         return report.file_hashes;
@@ -509,12 +510,12 @@ TEST(CtBody, GoesOnBeyondTheBoxAroundItsAxes) {
     const test::TemporaryFolder folder;
     write_image(folder, "bar.mha",
                 image_of([](Vec3 p) { return blurred(std::max(std::abs(p.y), std::abs(p.z)) - 6.0_mm); }));
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.file = folder / "bone.yaml";
     one.ct->image = "bar.mha";
     one.axes = {{"axis", {-(1.0_mm), 0.0, 0.0}, {1.0_mm, 0.0, 0.0}, 0.0}};
 
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto body = make_body(one, 0.5_mm).take(diagnostics);
 
     // Then it is bone as far as the box goes, 15 mm, and beyond
@@ -531,7 +532,7 @@ TEST(CtBody, GoesOnBeyondTheBoxAroundItsAxes) {
 TEST(CtBody, ReproducesALinearDensity) {
     // P7
     const auto linear = [](Vec3 p) { return 500.0 + 1e4 * p.x - 2e4 * p.y + 5e3 * p.z; };
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto body = labelled_ball(image_of(linear), diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
 
@@ -552,7 +553,7 @@ TEST(CtBody, ReproducesALinearDensity) {
 TEST(CtBody, ExtendsTheDensityFromInsideItsTissue) {
     // Given a core of 400 in a rim of 3000, and air of −1000 around
     const auto step = [](Vec3 p) { return length(p) < 7.0_mm ? 400.0 : length(p) < 12.0_mm ? 3000.0 : -1000.0; };
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto body = labelled_ball(image_of(step), diagnostics, 6.0_mm);  // the core is well inside its cortex
     ASSERT_TRUE(body) << to_text(diagnostics);
 
@@ -574,7 +575,7 @@ TEST(CtBody, ExtendsTheDensityFromInsideItsTissue) {
 }
 
 TEST(CtBody, HasNoDensityUnderTheFloor) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto body = labelled_ball(image_of([](Vec3 p) { return p.x > 0.0 ? 300.0 : -50.0; }), diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
     const auto density = [&](double x) {
@@ -585,9 +586,9 @@ TEST(CtBody, HasNoDensityUnderTheFloor) {
 }
 
 TEST(CtBody, RefusesAMissingImageByName) {
-    Anatomy one = anatomy();
+    documents::Anatomy one = anatomy();
     one.ct->image = "missing.nii.gz";
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(make_body(one, 0.5_mm).take(diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0620");
@@ -599,13 +600,14 @@ class RealVertebra : public testing::TestWithParam<const char*> {};
 TEST_P(RealVertebra, HasItsPlannedAxesInBoneAndItsCanalEmpty) {
     if (const char* data = std::getenv("KERF_DATA"); !data || !std::filesystem::exists(std::string(data) + "/volumes"))
         GTEST_SKIP() << "KERF_DATA names no folder with volumes/, so no real CT was read.";
-    Diagnostics diagnostics;
-    const auto one = read_anatomy(std::string(KERF_SOURCE_DIR) + "/tests/real-data/" + GetParam()).take(diagnostics);
+    text::Diagnostics diagnostics;
+    const auto one =
+        documents::read_anatomy(std::string(KERF_SOURCE_DIR) + "/tests/real-data/" + GetParam()).take(diagnostics);
     ASSERT_TRUE(one) << to_text(diagnostics);
     const auto body = make_body(*one, 0.5_mm).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
 
-    for (const LandmarkAxis& axis : one->axes) {
+    for (const documents::LandmarkAxis& axis : one->axes) {
         const AxisInBone found = axis_in_bone(*body, axis);
         EXPECT_GT(found.entry, 1.0_mm) << axis.id << " begins in bone";
         EXPECT_GE(found.share, 0.95) << axis.id;
@@ -626,12 +628,12 @@ TEST(CtBody, MoreVoxelsThanMemoryMayHoldAreRefusedBeforeOneIsRead) {
         "space directions: (0.05,0,0) (0,0.05,0) (0,0,0.05)\nspace origin: (-15.5,-15.5,-12.5)\n\n";
     std::ofstream(folder / "scan.nrrd", std::ios::binary) << header;
     std::filesystem::resize_file(folder / "scan.nrrd", header.size() + 2ull * 620 * 620 * 500);
-    Anatomy large = anatomy();
+    documents::Anatomy large = anatomy();
     large.file = folder / "large.yaml";
     large.ct->image = "scan.nrrd";
     large.axes = {{"way", {0, 0, 12.0_mm}, {0, 0, -12.0_mm}, 1.0_mm}};
 
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     EXPECT_FALSE(make_ct_bone(large).take(diagnostics));
     ASSERT_FALSE(diagnostics.empty());
     EXPECT_EQ(diagnostics.back().code, "E0602") << to_text(diagnostics);
@@ -640,4 +642,4 @@ TEST(CtBody, MoreVoxelsThanMemoryMayHoldAreRefusedBeforeOneIsRead) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

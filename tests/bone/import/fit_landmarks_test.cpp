@@ -18,7 +18,7 @@
 #include "documents/solids.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -61,36 +61,36 @@ std::array<Vec3, 2> backs_of_condyles() {
     return {medial + r1 * n, lateral + r2 * n};
 }
 
-Anatomy femur() {
-    Diagnostics diagnostics;
-    auto anatomy = read_anatomy_text("femur.yaml", femur_text).take(diagnostics);
+documents::Anatomy femur() {
+    text::Diagnostics diagnostics;
+    auto anatomy = documents::read_anatomy_text("femur.yaml", femur_text).take(diagnostics);
     EXPECT_TRUE(anatomy) << to_text(diagnostics);
-    return anatomy.value_or(Anatomy{});
+    return anatomy.value_or(documents::Anatomy{});
 }
 
-const BoneShape endless(const Anatomy& anatomy) {
+const BoneShape endless(const documents::Anatomy& anatomy) {
     return {[&](Vec3 p) { return distance_to(anatomy.phantom, p); },
             {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}}};
 }
 
 struct Fitted {
-    Anatomy anatomy;
+    documents::Anatomy anatomy;
     ImportReport report;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     bool is_done = false;
 
     [[nodiscard]] Vec3 head() const { return anatomy.points.at(0).at; }
-    [[nodiscard]] const LandmarkAxis& axis(const std::string& id) const {
+    [[nodiscard]] const documents::LandmarkAxis& axis(const std::string& id) const {
         return *std::find_if(anatomy.axes.begin(), anatomy.axes.end(), [&](const auto& a) { return a.id == id; });
     }
     [[nodiscard]] std::string codes() const {
         std::string all;
-        for (const Diagnostic& d : diagnostics) all += (all.empty() ? "" : " ") + d.code;
+        for (const text::Diagnostic& d : diagnostics) all += (all.empty() ? "" : " ") + d.code;
         return all;
     }
 };
 
-Fitted fit(const Anatomy& written) {
+Fitted fit(const documents::Anatomy& written) {
     Fitted fitted{written, {}, {}, false};
     fitted.is_done = fit_landmarks(fitted.anatomy, endless(written), fitted.report, fitted.diagnostics);
     return fitted;
@@ -100,18 +100,19 @@ double degrees_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), 
 double from_line(Vec3 p, Vec3 from, Vec3 to) { return length(cross(p - from, normalized(to - from))); }
 
 /// How far the ends of an axis are from a line, the farther one.
-double off(const LandmarkAxis& axis, Vec3 from, Vec3 to) {
+double off(const documents::LandmarkAxis& axis, Vec3 from, Vec3 to) {
     return std::max(from_line(axis.from, from, to), from_line(axis.to, from, to));
 }
 
 /// All positions of an anatomy, changed.
-Anatomy changed(Anatomy anatomy, const std::function<Vec3(Vec3)>& move) {
-    for (PhantomPart& part : anatomy.phantom.parts) {
-        if (auto* tube = std::get_if<TubeSolid>(&part.solid)) tube->from = move(tube->from), tube->to = move(tube->to);
-        if (auto* sphere = std::get_if<SphereSolid>(&part.solid)) sphere->centre = move(sphere->centre);
+documents::Anatomy changed(documents::Anatomy anatomy, const std::function<Vec3(Vec3)>& move) {
+    for (documents::PhantomPart& part : anatomy.phantom.parts) {
+        if (auto* tube = std::get_if<documents::TubeSolid>(&part.solid))
+            tube->from = move(tube->from), tube->to = move(tube->to);
+        if (auto* sphere = std::get_if<documents::SphereSolid>(&part.solid)) sphere->centre = move(sphere->centre);
     }
-    for (LandmarkPoint& point : anatomy.points) point.at = move(point.at);
-    for (LandmarkAxis& axis : anatomy.axes) axis.from = move(axis.from), axis.to = move(axis.to);
+    for (documents::LandmarkPoint& point : anatomy.points) point.at = move(point.at);
+    for (documents::LandmarkAxis& axis : anatomy.axes) axis.from = move(axis.from), axis.to = move(axis.to);
     return anatomy;
 }
 
@@ -119,7 +120,7 @@ void expect_moved(const Fitted& moved, const Fitted& still, const std::function<
     ASSERT_TRUE(moved.is_done) << to_text(moved.diagnostics);
     constexpr double same = 0.1_mm;  // the rays lie otherwise on the bone
     EXPECT_LT(length(moved.head() - move(still.head())), same);
-    for (const LandmarkAxis& axis : moved.anatomy.axes) {
+    for (const documents::LandmarkAxis& axis : moved.anatomy.axes) {
         EXPECT_LT(length(axis.from - move(still.axis(axis.id).from)), same) << axis.id;
         EXPECT_LT(length(axis.to - move(still.axis(axis.id).to)), same) << axis.id;
     }
@@ -135,7 +136,7 @@ TEST(FitLandmarks, FindsTheHeadOfAFemur) {
 }
 
 TEST(FitLandmarks, FindsTheShaftBesideItsRidge) {
-    const LandmarkAxis shaft = fit(femur()).axis("shaft");
+    const documents::LandmarkAxis shaft = fit(femur()).axis("shaft");
     RecordProperty("shaft_mm", std::to_string(off(shaft, {0, 0, 0}, {0, 0, -1.0}) * 1e3));
     EXPECT_LT(off(shaft, {0, 0, 0}, {0, 0, -1.0}), 1.0_mm);
     EXPECT_LT(degrees_between(shaft.to - shaft.from, {0, 0, -1.0}), 2.0);
@@ -143,7 +144,7 @@ TEST(FitLandmarks, FindsTheShaftBesideItsRidge) {
 
 TEST(FitLandmarks, FindsTheNeckThroughTheHead) {
     const Fitted found = fit(femur());
-    const LandmarkAxis& neck = found.axis("neck");
+    const documents::LandmarkAxis& neck = found.axis("neck");
     RecordProperty("neck_mm", std::to_string(off(neck, neck_base, head_centre) * 1e3));
     EXPECT_LT(off(neck, neck_base, head_centre), 1.0_mm);
     EXPECT_LT(degrees_between(neck.to - neck.from, head_centre - neck_base), 2.0);
@@ -152,7 +153,7 @@ TEST(FitLandmarks, FindsTheNeckThroughTheHead) {
 }
 
 TEST(FitLandmarks, FindsTheBacksOfTheCondyles) {
-    const LandmarkAxis condyles = fit(femur()).axis("condyles");
+    const documents::LandmarkAxis condyles = fit(femur()).axis("condyles");
     const auto [from, to] = backs_of_condyles();
     RecordProperty("condyles_mm",
                    std::to_string(std::max(length(condyles.from - from), length(condyles.to - to)) * 1e3));
@@ -162,11 +163,11 @@ TEST(FitLandmarks, FindsTheBacksOfTheCondyles) {
 }
 
 TEST(FitLandmarks, KeepsTheSenseOfTheGuess) {
-    Anatomy turned = femur();
-    for (LandmarkAxis& axis : turned.axes) std::swap(axis.from, axis.to);
+    documents::Anatomy turned = femur();
+    for (documents::LandmarkAxis& axis : turned.axes) std::swap(axis.from, axis.to);
     const Fitted found = fit(turned), straight = fit(femur());
     ASSERT_TRUE(found.is_done) << to_text(found.diagnostics);
-    for (const LandmarkAxis& axis : found.anatomy.axes) {
+    for (const documents::LandmarkAxis& axis : found.anatomy.axes) {
         EXPECT_LT(length(axis.from - straight.axis(axis.id).to), 0.1_mm) << axis.id;
         EXPECT_LT(length(axis.to - straight.axis(axis.id).from), 0.1_mm) << axis.id;
     }
@@ -190,7 +191,7 @@ TEST(FitLandmarks, ReportsWhatItFoundAndHowWell) {
 TEST(FitLandmarks, IsTheSameBitsEveryTime) {
     const Fitted one = fit(femur()), two = fit(femur());
     EXPECT_TRUE(one.head() == two.head());
-    for (const LandmarkAxis& axis : one.anatomy.axes) {
+    for (const documents::LandmarkAxis& axis : one.anatomy.axes) {
         EXPECT_TRUE(axis.from == two.axis(axis.id).from);
         EXPECT_TRUE(axis.to == two.axis(axis.id).to);
     }
@@ -216,7 +217,7 @@ TEST(FitLandmarks, ForgetsWhereTheGuessWas) {
     const auto backs = backs_of_condyles();
     for (const Vec3 move : {Vec3{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0.6, -0.8, 0}}) {
         SCOPED_TRACE(testing::Message() << move.x << " " << move.y << " " << move.z);
-        Anatomy anatomy = femur();
+        documents::Anatomy anatomy = femur();
         anatomy.points[0].at = head_centre + 10.0_mm * move;
         const auto set = [&](std::size_t axis, Vec3 from, Vec3 to) {
             anatomy.axes[axis].from = from + 10.0_mm * move;
@@ -228,7 +229,7 @@ TEST(FitLandmarks, ForgetsWhereTheGuessWas) {
         const Fitted found = fit(anatomy);
         ASSERT_TRUE(found.is_done) << to_text(found.diagnostics);
         EXPECT_LT(length(found.head() - best.head()), 0.1_mm);
-        for (const LandmarkAxis& axis : found.anatomy.axes)
+        for (const documents::LandmarkAxis& axis : found.anatomy.axes)
             EXPECT_LT(off(axis, best.axis(axis.id).from, best.axis(axis.id).to), 0.1_mm) << axis.id;
         EXPECT_LT(length(found.axis("condyles").from - best.axis("condyles").from), 0.1_mm);
         EXPECT_LT(length(found.axis("condyles").to - best.axis("condyles").to), 0.1_mm);
@@ -237,28 +238,29 @@ TEST(FitLandmarks, ForgetsWhereTheGuessWas) {
 
 // ---- refusals -------------------------------------------------------------------------------------------------------
 
-Anatomy only_head(Anatomy anatomy) {
+documents::Anatomy only_head(documents::Anatomy anatomy) {
     anatomy.axes.clear();
     return anatomy;
 }
 
 TEST(FitLandmarks, RefuseASphereInEmptySpace) {
-    Anatomy anatomy = only_head(femur());
+    documents::Anatomy anatomy = only_head(femur());
     anatomy.points[0].at = {-(200.0_mm), 0, 0};
     EXPECT_EQ(fit(anatomy).codes(), "E0615");
 }
 
 TEST(FitLandmarks, RefuseAFemurWithoutItsHead) {
-    Anatomy anatomy = only_head(femur());
+    documents::Anatomy anatomy = only_head(femur());
     const Vec3 along = normalized(head_centre - neck_base);
     anatomy.phantom.parts.push_back(
-        {"cut", TubeSolid{head_centre - 15.0_mm * along, head_centre + 60.0_mm * along, 60.0_mm}, true, ""});
+        {"cut", documents::TubeSolid{head_centre - 15.0_mm * along, head_centre + 60.0_mm * along, 60.0_mm}, true, ""});
     EXPECT_EQ(fit(anatomy).codes(), "E0615");
 }
 
 TEST(FitLandmarks, RefuseAVertebraForAFemur) {
-    Diagnostics diagnostics;
-    auto vertebra = read_anatomy(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml").take(diagnostics);
+    text::Diagnostics diagnostics;
+    auto vertebra =
+        documents::read_anatomy(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml").take(diagnostics);
     ASSERT_TRUE(vertebra) << to_text(diagnostics);
     vertebra->points = femur().points;
     vertebra->axes = {femur().axes[0]};
@@ -267,7 +269,7 @@ TEST(FitLandmarks, RefuseAVertebraForAFemur) {
 }
 
 TEST(FitLandmarks, RefuseAFitThatLeavesItsGuess) {
-    Anatomy anatomy = only_head(femur());
+    documents::Anatomy anatomy = only_head(femur());
     anatomy.points[0].at = head_centre + Vec3{0, -(9.0_mm), 0};
     anatomy.points[0].fit->within = 8.0_mm;
     const Fitted found = fit(anatomy);
@@ -277,15 +279,16 @@ TEST(FitLandmarks, RefuseAFitThatLeavesItsGuess) {
 }
 
 TEST(FitLandmarks, RefuseAnotherSize) {
-    Anatomy anatomy = only_head(femur());
+    documents::Anatomy anatomy = only_head(femur());
     anatomy.points[0].fit->radius = 35.0_mm;
     EXPECT_EQ(fit(anatomy).codes(), "E0615");
 }
 
 TEST(FitLandmarks, RefuseALargeResidual) {
-    Anatomy anatomy = femur();
+    documents::Anatomy anatomy = femur();
     anatomy.axes = {anatomy.axes[0]};
-    const auto oval = EllipticTubeSolid{{0, 0, -(390.0_mm)}, {0, 0, -(12.0_mm)}, 27.0_mm, 25.0_mm, {0, 1, 0}};
+    const auto oval =
+        documents::EllipticTubeSolid{{0, 0, -(390.0_mm)}, {0, 0, -(12.0_mm)}, 27.0_mm, 25.0_mm, {0, 1, 0}};
     anatomy.phantom.parts[0].solid = oval;
     EXPECT_EQ(fit(anatomy).codes(), "");
     anatomy.axes[0].fit->residual = 0.1_mm;
@@ -294,16 +297,16 @@ TEST(FitLandmarks, RefuseALargeResidual) {
 
 TEST(FitLandmarks, RefuseANeckThatIsNone) {
     // Given a head on a rod that only widens
-    Anatomy anatomy = femur();
+    documents::Anatomy anatomy = femur();
     anatomy.axes = {anatomy.axes[1]};
-    auto& neck = std::get<TubeSolid>(anatomy.phantom.parts[3].solid);
+    auto& neck = std::get<documents::TubeSolid>(anatomy.phantom.parts[3].solid);
     neck.radius = 22.9_mm;
     // Then the sections in the head itself are the narrowest there are
     EXPECT_EQ(fit(anatomy).codes(), "E0615");
 }
 
 TEST(FitLandmarks, RefuseCondylesInEmptySpace) {
-    Anatomy anatomy = femur();
+    documents::Anatomy anatomy = femur();
     anatomy.points.clear();
     anatomy.axes = {anatomy.axes[2], anatomy.axes[0]};  // the shaft is fitted first, although it is written last
     EXPECT_EQ(fit(anatomy).codes(), "");
@@ -314,7 +317,7 @@ TEST(FitLandmarks, RefuseCondylesInEmptySpace) {
 }
 
 TEST(FitLandmarks, RefuseCondylesWithoutTheirShaft) {
-    Anatomy anatomy = femur();
+    documents::Anatomy anatomy = femur();
     anatomy.axes = {anatomy.axes[2]};
     EXPECT_EQ(fit(anatomy).codes(), "E0618");
 }
@@ -323,19 +326,23 @@ TEST(FitLandmarks, RefuseCondylesWithoutTheirShaft) {
 
 TEST(FittedLandmarks, AreCheckedAsIfTheyWereWritten) {
     // Given a ball, and a guess beside it
-    Anatomy ball;
+    documents::Anatomy ball;
     ball.file = "ball.yaml";
-    ball.phantom.parts = {{"ball", SphereSolid{{}, 8.0_mm}, false, ""}};
+    ball.phantom.parts = {{"ball", documents::SphereSolid{{}, 8.0_mm}, false, ""}};
     ball.tissues = {{"bone", 1850.0, 0.0, ""}};
-    ball.points = {{"middle", {10.0_mm, 0, 0}, 1.0_mm, LandmarkPoint::Lies::in_bone, LandmarkFit{.radius = 8.0_mm}}};
+    ball.points = {{"middle",
+                    {10.0_mm, 0, 0},
+                    1.0_mm,
+                    documents::LandmarkPoint::Lies::in_bone,
+                    documents::LandmarkFit{.radius = 8.0_mm}}};
 
     // When it becomes a body
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     ImportReport report;
     ASSERT_TRUE(make_body(ball, 0.5_mm, &report).take(diagnostics)) << to_text(diagnostics);
 
     // Then the point lies in bone, where the guess did not
-    EXPECT_FALSE(has_error(diagnostics)) << to_text(diagnostics);
+    EXPECT_FALSE(text::has_error(diagnostics)) << to_text(diagnostics);
     use_fits(ball, report);
     EXPECT_LT(length(ball.points[0].at), 0.01_mm);
     EXPECT_FALSE(has_fits(ball));
@@ -343,19 +350,19 @@ TEST(FittedLandmarks, AreCheckedAsIfTheyWereWritten) {
 
 TEST(FittedLandmarks, AreComparedAsAPair) {
     // Given two balls, and guesses between them that are the right way round, with the balls the other way round
-    Anatomy balls;
+    documents::Anatomy balls;
     balls.file = "balls.yaml";
-    balls.phantom.parts = {{"a", SphereSolid{{-(9.0_mm), 0, 0}, 8.0_mm}, false, ""},
-                           {"b", SphereSolid{{9.0_mm, 40.0_mm, 0}, 8.0_mm}, false, ""}};
+    balls.phantom.parts = {{"a", documents::SphereSolid{{-(9.0_mm), 0, 0}, 8.0_mm}, false, ""},
+                           {"b", documents::SphereSolid{{9.0_mm, 40.0_mm, 0}, 8.0_mm}, false, ""}};
     balls.tissues = {{"bone", 1850.0, 0.0, ""}};
-    const LandmarkFit sphere{.radius = 8.0_mm};
-    balls.points = {{"left_ball", {1.0_mm, 0, 0}, 1.0_mm, LandmarkPoint::Lies::anywhere, sphere},
-                    {"right_ball", {-(1.0_mm), 40.0_mm, 0}, 1.0_mm, LandmarkPoint::Lies::anywhere, sphere}};
-    Diagnostics diagnostics;
+    const documents::LandmarkFit sphere{.radius = 8.0_mm};
+    balls.points = {{"left_ball", {1.0_mm, 0, 0}, 1.0_mm, documents::LandmarkPoint::Lies::anywhere, sphere},
+                    {"right_ball", {-(1.0_mm), 40.0_mm, 0}, 1.0_mm, documents::LandmarkPoint::Lies::anywhere, sphere}};
+    text::Diagnostics diagnostics;
     (void)make_body(balls, 0.5_mm).take(diagnostics);
     ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(diagnostics[0].code, "E0612");
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -17,7 +17,7 @@
 #include "bone/import/mesh_body.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -60,8 +60,8 @@ Vec3 centre_of_sphere(const std::vector<Vec3>& points) {
     return mean + 1e-2 * centre;
 }
 
-Anatomy femur_of(const char* mesh) {
-    Anatomy anatomy;
+documents::Anatomy femur_of(const char* mesh) {
+    documents::Anatomy anatomy;
     anatomy.file = "femur.yaml";
     anatomy.id = "femur";
     anatomy.mesh.emplace();
@@ -73,12 +73,12 @@ Anatomy femur_of(const char* mesh) {
 
 struct Result {
     Vec3 head{};
-    std::vector<LandmarkAxis> axes;
+    std::vector<documents::LandmarkAxis> axes;
     std::string notes;
 };
 
-std::optional<Result> fit(Anatomy anatomy) {
-    Diagnostics diagnostics;
+std::optional<Result> fit(documents::Anatomy anatomy) {
+    text::Diagnostics diagnostics;
     const auto bone = make_mesh_bone(anatomy).take(diagnostics);
     EXPECT_TRUE(bone) << to_text(diagnostics);
     if (!bone) return std::nullopt;
@@ -90,25 +90,28 @@ std::optional<Result> fit(Anatomy anatomy) {
 }
 
 /// Guesses as one who looks at the surface would give them: whole centimetres.
-Anatomy guessed_z013() {
-    Anatomy anatomy = femur_of("meshes/femur_left_vsd_z013.stl");
-    anatomy.points = {
-        {"head", {-(220.0_mm), 290.0_mm, -(590.0_mm)}, 2.0_mm, {}, LandmarkFit{.radius = 22.0_mm, .within = 15.0_mm}}};
+documents::Anatomy guessed_z013() {
+    documents::Anatomy anatomy = femur_of("meshes/femur_left_vsd_z013.stl");
+    anatomy.points = {{"head",
+                       {-(220.0_mm), 290.0_mm, -(590.0_mm)},
+                       2.0_mm,
+                       {},
+                       documents::LandmarkFit{.radius = 22.0_mm, .within = 15.0_mm}}};
     anatomy.axes = {{"shaft",
                      {-(190.0_mm), 290.0_mm, -(680.0_mm)},
                      {-(210.0_mm), 290.0_mm, -(840.0_mm)},
                      3.0_mm,
-                     LandmarkFit{.shape = LandmarkFit::Shape::tube, .radius = 14.0_mm}},
+                     documents::LandmarkFit{.shape = documents::LandmarkFit::Shape::tube, .radius = 14.0_mm}},
                     {"neck",
                      {-(180.0_mm), 300.0_mm, -(640.0_mm)},
                      {-(240.0_mm), 280.0_mm, -(590.0_mm)},
                      2.0_mm,
-                     LandmarkFit{.shape = LandmarkFit::Shape::neck, .reference = "head"}},
+                     documents::LandmarkFit{.shape = documents::LandmarkFit::Shape::neck, .reference = "head"}},
                     {"condyles",
                      {-(250.0_mm), 340.0_mm, -(970.0_mm)},
                      {-(210.0_mm), 340.0_mm, -(970.0_mm)},
                      2.0_mm,
-                     LandmarkFit{.shape = LandmarkFit::Shape::condyles, .reference = "shaft"}}};
+                     documents::LandmarkFit{.shape = documents::LandmarkFit::Shape::condyles, .reference = "shaft"}}};
     return anatomy;
 }
 
@@ -155,24 +158,24 @@ TEST_F(FitRealFemur, HasTheNeckShaftAngleOfTheRaters) {
 TEST_F(FitRealFemur, HasItsCondylesWhereRatersPutTheirBacks) {
     const auto found = fit(guessed_z013());
     ASSERT_TRUE(found);
-    const LandmarkAxis& condyles = found->axes[2];
+    const documents::LandmarkAxis& condyles = found->axes[2];
     const Vec3 line = rated("Posterior Lateral Condyle (PLC)") - rated("Posterior Medial Condyle (PMC)");
     RecordProperty("off_deg", std::to_string(degrees_between(condyles.to - condyles.from, line)));
     EXPECT_LT(degrees_between(condyles.to - condyles.from, line), 2.0);
 }
 
 TEST_F(FitRealFemur, ForgetsWhereTheGuessWas) {
-    const auto wide = [](Anatomy anatomy) {
+    const auto wide = [](documents::Anatomy anatomy) {
         anatomy.points[0].fit->within = 25.0_mm;
-        for (LandmarkAxis& axis : anatomy.axes) axis.fit->within = 25.0_mm;
+        for (documents::LandmarkAxis& axis : anatomy.axes) axis.fit->within = 25.0_mm;
         return anatomy;
     };
     const auto best = fit(wide(guessed_z013()));
     ASSERT_TRUE(best);
     for (const Vec3 move : {Vec3{10.0_mm, 0, 0}, {0, -(10.0_mm), 0}}) {
-        Anatomy anatomy = wide(guessed_z013());
+        documents::Anatomy anatomy = wide(guessed_z013());
         anatomy.points[0].at = anatomy.points[0].at + move;
-        for (LandmarkAxis& axis : anatomy.axes) axis.from = axis.from + move, axis.to = axis.to + move;
+        for (documents::LandmarkAxis& axis : anatomy.axes) axis.from = axis.from + move, axis.to = axis.to + move;
         const auto found = fit(anatomy);
         ASSERT_TRUE(found);
         EXPECT_LT(length(found->head - best->head), 0.1_mm);
@@ -188,13 +191,13 @@ TEST(FitTelferFemur, HasItsHeadWhereTheSurfaceIsRound) {
     const char* mesh = "meshes/femur_proximal_telfer.stl";
     if (data_file(mesh).empty() || data_file("landmarks.json").empty())
         GTEST_SKIP() << "KERF_DATA names no folder with meshes/ and landmarks.json.";
-    Anatomy anatomy = femur_of(mesh);
-    anatomy.points = {{"head", {0, 10.0_mm, -(140.0_mm)}, 2.0_mm, {}, LandmarkFit{.radius = 24.0_mm}}};
+    documents::Anatomy anatomy = femur_of(mesh);
+    anatomy.points = {{"head", {0, 10.0_mm, -(140.0_mm)}, 2.0_mm, {}, documents::LandmarkFit{.radius = 24.0_mm}}};
     anatomy.axes = {{"neck",
                      {-(50.0_mm), 50.0_mm, -(180.0_mm)},
                      {0, 0, -(130.0_mm)},
                      2.0_mm,
-                     LandmarkFit{.shape = LandmarkFit::Shape::neck, .reference = "head"}}};
+                     documents::LandmarkFit{.shape = documents::LandmarkFit::Shape::neck, .reference = "head"}}};
     const auto found = fit(anatomy);
     ASSERT_TRUE(found);
     const auto list = about(mesh);
@@ -206,4 +209,4 @@ TEST(FitTelferFemur, HasItsHeadWhereTheSurfaceIsRound) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -8,32 +8,32 @@
 #include "bone/import/make_body.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
 
 /// A block of 20 mm around the origin.
-Anatomy block() {
-    Anatomy anatomy;
+documents::Anatomy block() {
+    documents::Anatomy anatomy;
     anatomy.file = "bone.yaml";
-    anatomy.phantom.parts = {{"block", BoxSolid{{}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""}};
+    anatomy.phantom.parts = {{"block", documents::BoxSolid{{}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""}};
     anatomy.tissues = {{"bone", 1850.0, 0.0, ""}};
     return anatomy;
 }
 
-std::string findings_of(const Anatomy& anatomy) {
-    Diagnostics diagnostics;
+std::string findings_of(const documents::Anatomy& anatomy) {
+    text::Diagnostics diagnostics;
     const auto body = make_body(anatomy, 0.5_mm).take(diagnostics);
     std::string codes;
-    for (const Diagnostic& d : diagnostics) codes += (codes.empty() ? "" : " ") + d.code;
+    for (const text::Diagnostic& d : diagnostics) codes += (codes.empty() ? "" : " ") + d.code;
     return codes;
 }
 
 TEST(LandmarkChecks, FindSidesThatAreSwapped) {
-    using Lies = LandmarkPoint::Lies;
+    using Lies = documents::LandmarkPoint::Lies;
     const auto pair = [](const char* left, const char* right, double left_x) {
-        Anatomy anatomy = block();
+        documents::Anatomy anatomy = block();
         anatomy.points = {{left, {left_x, 0, 0}, 1.0_mm, Lies::anywhere},
                           {right, {-left_x, 0, 0}, 1.0_mm, Lies::anywhere}};
         return findings_of(anatomy);
@@ -46,9 +46,9 @@ TEST(LandmarkChecks, FindSidesThatAreSwapped) {
 }
 
 TEST(LandmarkChecks, HoldPointsToWhatIsKnownOfThem) {
-    using Lies = LandmarkPoint::Lies;
+    using Lies = documents::LandmarkPoint::Lies;
     const auto at = [](double x, Lies lies) {
-        Anatomy anatomy = block();
+        documents::Anatomy anatomy = block();
         anatomy.points = {{"p", {x, 0, 0}, 1.0_mm, lies}};
         return findings_of(anatomy);
     };
@@ -63,21 +63,21 @@ TEST(LandmarkChecks, HoldPointsToWhatIsKnownOfThem) {
 
 TEST(LandmarkChecks, DoubtAZoneThatIsMostlyBone) {
     const auto zone = [](double x) {
-        Anatomy anatomy = block();
-        anatomy.zones = {{"canal", {TubeSolid{{x, 0, -(8.0_mm)}, {x, 0, 8.0_mm}, 3.0_mm}}}};
+        documents::Anatomy anatomy = block();
+        anatomy.zones = {{"canal", {documents::TubeSolid{{x, 0, -(8.0_mm)}, {x, 0, 8.0_mm}, 3.0_mm}}}};
         return findings_of(anatomy);
     };
     EXPECT_EQ(zone(20.0_mm), "");
     EXPECT_EQ(zone(0.0), "W0614");
-    const Anatomy half = [] {
-        Anatomy anatomy = block();
-        anatomy.zones = {{"canal", {BoxSolid{{10.0_mm, 0, 0}, {8.0_mm, 8.0_mm, 8.0_mm}}}}};
+    const documents::Anatomy half = [] {
+        documents::Anatomy anatomy = block();
+        anatomy.zones = {{"canal", {documents::BoxSolid{{10.0_mm, 0, 0}, {8.0_mm, 8.0_mm, 8.0_mm}}}}};
         return anatomy;
     }();
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto body = make_body(half, 0.5_mm).take(diagnostics);
     EXPECT_NEAR(fraction_in_bone(*body, half.zones[0]), 0.5, 0.07 /* points 1 mm apart */);
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -10,15 +10,15 @@
 
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
 
-Anatomy shelled_block() {
-    Anatomy anatomy;
+documents::Anatomy shelled_block() {
+    documents::Anatomy anatomy;
     anatomy.id = "block";
-    anatomy.phantom.parts = {{"block", BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""}};
+    anatomy.phantom.parts = {{"block", documents::BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""}};
     anatomy.tissues = {{"cortical", 1850.0, 2.0_mm, ""}, {"cancellous", 250.0, 0.0, ""}};
     return anatomy;
 }
@@ -34,7 +34,7 @@ TEST(MakeBody, TellsHowFarItIsWithEachOfItsParts) {
     };
 
     // When a bone of two tissues is made
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     ASSERT_TRUE(make_body(shelled_block(), 0.5_mm, nullptr, options).take(diagnostics)) << to_text(diagnostics);
 
     // Then each part was told in its turn, from near its start to near its end, and begun anew once at most
@@ -52,11 +52,12 @@ TEST(MakeBody, TellsHowFarItIsWithEachOfItsParts) {
 
 TEST(MakeBody, PutsATissueWhereItsSolidsAre) {
     // Given a rod of root in the block, and a cortex under the half of its top that is at positive x
-    Anatomy anatomy = shelled_block();
-    anatomy.tissues = {{"root", 2100.0, 0.0, "", {TubeSolid{{0, 0, -20.0_mm}, {0, 0, 20.0_mm}, 3.0_mm}}},
-                       {"cortical", 1850.0, 2.0_mm, "", {BoxSolid{{10.0_mm, 0, 0}, {20.0_mm, 40.0_mm, 40.0_mm}}}},
-                       {"cancellous", 250.0, 0.0, ""}};
-    Diagnostics diagnostics;
+    documents::Anatomy anatomy = shelled_block();
+    anatomy.tissues = {
+        {"root", 2100.0, 0.0, "", {documents::TubeSolid{{0, 0, -20.0_mm}, {0, 0, 20.0_mm}, 3.0_mm}}},
+        {"cortical", 1850.0, 2.0_mm, "", {documents::BoxSolid{{10.0_mm, 0, 0}, {20.0_mm, 40.0_mm, 40.0_mm}}}},
+        {"cancellous", 250.0, 0.0, ""}};
+    text::Diagnostics diagnostics;
     ImportReport report;
     const auto body = make_body(anatomy, 0.5_mm, &report).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
@@ -72,4 +73,4 @@ TEST(MakeBody, PutsATissueWhereItsSolidsAre) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -14,19 +14,19 @@
 #include "kerf/units.hpp"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
 
 struct Markups : testing::Test {
     test::TemporaryFolder folder;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     std::map<std::string, std::string> names;
 
-    Anatomy read(const std::string& name, const std::string& text) {
+    documents::Anatomy read(const std::string& name, const std::string& text) {
         std::ofstream(folder / name) << text;
-        Anatomy anatomy;
+        documents::Anatomy anatomy;
         anatomy.file = folder / "bone.yaml";
         anatomy.markups = {{name, 1.5_mm, names}};
         diagnostics.clear();
@@ -36,7 +36,7 @@ struct Markups : testing::Test {
     void expect_refused(const std::string& code, const std::string& words, const std::string& name,
                         const std::string& text) {
         SCOPED_TRACE(text);
-        const Anatomy anatomy = read(name, text);
+        const documents::Anatomy anatomy = read(name, text);
         EXPECT_TRUE(anatomy.points.empty() && anatomy.axes.empty() && anatomy.planes.empty());
         ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
         EXPECT_EQ(diagnostics[0].code, code) << to_text(diagnostics);
@@ -55,7 +55,7 @@ struct Markups : testing::Test {
 TEST_F(Markups, GiveTheSamePlaceFromEitherFrame) {
     for (const std::string frame : {"LPS", "RAS"}) {
         const std::string place = frame == "LPS" ? "10, 20, 30" : "-10, -20, 30";
-        const Anatomy anatomy = read("a.mrk.json", json("Fiducial", frame, point("entry", place)));
+        const documents::Anatomy anatomy = read("a.mrk.json", json("Fiducial", frame, point("entry", place)));
         ASSERT_EQ(anatomy.points.size(), 1u) << to_text(diagnostics);
         EXPECT_EQ(anatomy.points[0].id, "entry");
         EXPECT_NEAR(length(anatomy.points[0].at - Vec3{10.0_mm, 20.0_mm, 30.0_mm}), 0.0, 1e-12);
@@ -64,20 +64,21 @@ TEST_F(Markups, GiveTheSamePlaceFromEitherFrame) {
 }
 
 TEST_F(Markups, MakeALineAnAxisAndAPlaneAPlane) {
-    const Anatomy line =
+    const documents::Anatomy line =
         read("a.mrk.json", json("Line", "RAS", point("way-1", "1, 2, 3") + "," + point("way-2", "1, 2, 13")));
     ASSERT_EQ(line.axes.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(line.axes[0].id, "way-1");
     EXPECT_NEAR(length(line.axes[0].to - Vec3{-(1.0_mm), -(2.0_mm), 13.0_mm}), 0.0, 1e-12);
 
-    const Anatomy plane = read("a.mrk.json", json("Plane", "RAS", point("cut-1", "0, 0, 5"),
-                                                  R"("name": "cut", "center": [0, 0, 5], "normal": [0, 2, 0], )"));
+    const documents::Anatomy plane =
+        read("a.mrk.json", json("Plane", "RAS", point("cut-1", "0, 0, 5"),
+                                R"("name": "cut", "center": [0, 0, 5], "normal": [0, 2, 0], )"));
     ASSERT_EQ(plane.planes.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(plane.planes[0].id, "cut");
     EXPECT_NEAR(length(plane.planes[0].normal - Vec3{0, -1, 0}), 0.0, 1e-12);
     EXPECT_NEAR(plane.planes[0].at.z, 5.0_mm, 1e-12);
 
-    const Anatomy three =
+    const documents::Anatomy three =
         read("a.mrk.json",
              json("Plane", "LPS", point("p", "0, 0, 5") + "," + point("q", "10, 0, 5") + "," + point("r", "0, 10, 5")));
     ASSERT_EQ(three.planes.size(), 1u) << to_text(diagnostics);
@@ -89,7 +90,7 @@ TEST_F(Markups, ReadTheOlderForm) {
         "# columns = "
         "id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n1,-1.5,2,3,0,0,0,1,1,1,0,tip,,,2,0\n";
     for (const std::string frame : {"RAS", "0"}) {
-        const Anatomy anatomy =
+        const documents::Anatomy anatomy =
             read("a.fcsv", "# Markups fiducial file version = 5.6\n# CoordinateSystem = " + frame + "\n" + lines);
         ASSERT_EQ(anatomy.points.size(), 1u) << to_text(diagnostics);
         EXPECT_NEAR(length(anatomy.points[0].at - Vec3{1.5_mm, -(2.0_mm), 3.0_mm}), 0.0, 1e-12);
@@ -161,7 +162,7 @@ TEST_F(Markups, TellAbsentFromNotUnderstood) {
 TEST_F(Markups, ReadQuotedCells) {
     const std::string head = "\xef\xbb\xbf# CoordinateSystem = LPS\n# columns = id,x,y,z,label,desc\n";
     names = {{"line, middle", "a"}, {"the \"left\" one", "b"}};
-    const Anatomy anatomy =
+    const documents::Anatomy anatomy =
         read("a.fcsv", head + "1,+9,\"1\",0,\"line, middle\",\n2, 8 ,0,0,\"the \"\"left\"\" one\",\"x,y\"\n");
     ASSERT_EQ(anatomy.points.size(), 2u) << to_text(diagnostics);
     EXPECT_EQ(anatomy.points[0].id, "a");
@@ -195,7 +196,7 @@ TEST_F(Markups, GiveAdviceThatPasses) {
             "a.mrk.json, tolerance: 1 mm, " +
             message.substr(from, to - from) + "}]\n";
         diagnostics.clear();
-        auto anatomy = read_anatomy_text(folder / "bone.yaml", document).take(diagnostics);
+        auto anatomy = documents::read_anatomy_text(folder / "bone.yaml", document).take(diagnostics);
         ASSERT_TRUE(anatomy) << document << to_text(diagnostics);
         add_markups(*anatomy, diagnostics);
         EXPECT_TRUE(diagnostics.empty()) << document << to_text(diagnostics);
@@ -219,9 +220,9 @@ TEST_F(Markups, SayWhichLabelToRename) {
     EXPECT_NE(diagnostics[0].message.find("rename one in 3D Slicer"), std::string::npos) << to_text(diagnostics);
 
     std::ofstream(folder / "a.mrk.json") << json("Fiducial", "LPS", point("L entry", "1, 2, 3"));
-    Anatomy anatomy;
+    documents::Anatomy anatomy;
     anatomy.file = folder / "bone.yaml";
-    anatomy.points.push_back({"entry", {}, 1.0_mm, LandmarkPoint::Lies::anywhere});
+    anatomy.points.push_back({"entry", {}, 1.0_mm, documents::LandmarkPoint::Lies::anywhere});
     anatomy.markups = {{"a.mrk.json", 1.5_mm, {{"L entry", "entry"}}}};
     diagnostics.clear();
     add_markups(anatomy, diagnostics);
@@ -234,7 +235,7 @@ TEST_F(Markups, StayInTheFolder) {
     const test::TemporaryFolder other;
     std::ofstream(other / "a.fcsv") << "# CoordinateSystem = LPS\n";
     std::filesystem::create_symlink(other / "a.fcsv", folder / "link.fcsv");
-    Anatomy anatomy;
+    documents::Anatomy anatomy;
     anatomy.file = folder / "bone.yaml";
     anatomy.markups = {{"link.fcsv", 1.5_mm, {}}};
     add_markups(anatomy, diagnostics);
@@ -244,7 +245,7 @@ TEST_F(Markups, StayInTheFolder) {
 
 TEST_F(Markups, TakeOtherNames) {
     names = {{"L entry", "left_entry"}};
-    const Anatomy anatomy = read("a.mrk.json", json("Fiducial", "LPS", point("L entry", "1, 2, 3")));
+    const documents::Anatomy anatomy = read("a.mrk.json", json("Fiducial", "LPS", point("L entry", "1, 2, 3")));
     ASSERT_EQ(anatomy.points.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(anatomy.points[0].id, "left_entry");
 }
@@ -253,7 +254,7 @@ TEST_F(Markups, ReadRealOnes) {
     const char* root = std::getenv("KERF_DATA");
     const std::string name = "meshes/femur_proximal_telfer_landmarks.fcsv";
     if (root == nullptr || !std::filesystem::exists(std::filesystem::path(root) / name)) GTEST_SKIP() << "no KERF_DATA";
-    Anatomy anatomy;
+    documents::Anatomy anatomy;
     anatomy.file = folder / "bone.yaml";
     anatomy.markups = {{name, 1.5_mm, {}}};
     add_markups(anatomy, diagnostics);
@@ -263,4 +264,4 @@ TEST_F(Markups, ReadRealOnes) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

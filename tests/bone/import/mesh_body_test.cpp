@@ -23,7 +23,7 @@
 #include "tests/bone/surface/shapes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -53,8 +53,8 @@ public:
                            [&](const std::string& note) { return note.find(words) != std::string::npos; });
     }
 
-    Anatomy anatomy;
-    Diagnostics diagnostics;
+    documents::Anatomy anatomy;
+    text::Diagnostics diagnostics;
     ImportReport report;
 
 private:
@@ -209,7 +209,7 @@ TEST(MeshBody, SuspectsAnotherUnitAndSaysWhatToWrite) {
     ASSERT_FALSE(bone.diagnostics.empty());
     EXPECT_EQ(bone.diagnostics[0].code, "W0648");
     EXPECT_NE(bone.diagnostics[0].message.find("`unit: m`"), std::string::npos) << bone.diagnostics[0].message;
-    EXPECT_FALSE(has_error(bone.diagnostics));
+    EXPECT_FALSE(text::has_error(bone.diagnostics));
 }
 
 TEST(MeshBody, SaysThatABoneWithoutShellIsAllOneTissue) {
@@ -262,7 +262,7 @@ TEST(MeshBody, TooMuchIsRefusedBeforeItIsTakenAndTheSpacingThatFitsIsNamed) {
         MeshAnatomy bone(cube(size));
         EXPECT_FALSE(bone.body(size == 400.0 ? 0.1_mm : 0.2_mm));
         ASSERT_EQ(bone.diagnostics.size(), 1u);
-        const Diagnostic& refusal = bone.diagnostics[0];
+        const text::Diagnostic& refusal = bone.diagnostics[0];
         EXPECT_EQ(refusal.code, "E0602");
         ASSERT_TRUE(refusal.write.starts_with("accuracy: {spacing: ")) << refusal.write;
         double fits = 0.0;
@@ -288,7 +288,7 @@ TEST(MeshBody, RefusesAPlateThatIsTooThinAndNamesTheSpacingThatCarriesIt) {
     EXPECT_FALSE(coarse.body(0.5_mm));
     ASSERT_EQ(coarse.diagnostics.size(), 1u);
     EXPECT_EQ(coarse.diagnostics[0].code, "E0655");
-    EXPECT_EQ(coarse.diagnostics[0].level, Diagnostic::Level::error);
+    EXPECT_EQ(coarse.diagnostics[0].level, text::Diagnostic::Level::error);
     EXPECT_NE(coarse.diagnostics[0].message.find("only 1.00 mm thick"), std::string::npos)
         << coarse.diagnostics[0].message;
     EXPECT_EQ(coarse.diagnostics[0].write, "accuracy: {spacing: 0.33 mm}");
@@ -316,9 +316,9 @@ TEST(MeshBone, KeepsItsCavitiesAsRoomsAndGivesThemBackWithTheWhole) {
     SurfaceFile file;
     file.mesh = together(cube(20.0), turned(cube(10.0)));
     file.has_topology = true;
-    Anatomy anatomy;
+    documents::Anatomy anatomy;
     anatomy.mesh.emplace();
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto bone = make_mesh_bone(anatomy, file, nullptr).take(diagnostics);
     ASSERT_TRUE(bone) << to_text(diagnostics);
     EXPECT_NEAR(signed_volume_of(bone->surface), 8e-6, 1e-15);
@@ -340,7 +340,7 @@ TEST(MeshBody, HasNoBoneInItsCanal) {
         if (is_file)
             bone.add_canal(cube(10.0));
         else
-            bone.anatomy.mesh->canal = TubeSolid{{0, 0, -(5.0_mm)}, {0, 0, 5.0_mm}, 5.0_mm};
+            bone.anatomy.mesh->canal = documents::TubeSolid{{0, 0, -(5.0_mm)}, {0, 0, 5.0_mm}, 5.0_mm};
         const auto body = bone.body(0.5_mm);
         ASSERT_TRUE(body) << to_text(bone.diagnostics);
         EXPECT_NEAR(distance_at(*body, {4.0_mm, 0, 0}), 1.0_mm, 0.05_mm) << "1 mm before the canal's wall";
@@ -354,11 +354,11 @@ TEST(MeshBody, HasNoBoneInItsCanal) {
 
 TEST(MeshBody, APhantomsThinWallHasTwoFieldsToo) {
     const auto bone = [](double room) {
-        Anatomy anatomy;
+        documents::Anatomy anatomy;
         anatomy.tissues = {{"cortical", 1850.0, 0.0, ""}};
-        anatomy.phantom.parts = {{"body", BoxSolid{{}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""},
-                                 {"room", BoxSolid{{}, {room, room, room}}, true, ""}};
-        Diagnostics diagnostics;
+        anatomy.phantom.parts = {{"body", documents::BoxSolid{{}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""},
+                                 {"room", documents::BoxSolid{{}, {room, room, room}}, true, ""}};
+        text::Diagnostics diagnostics;
         return make_body(anatomy, 0.5_mm).take(diagnostics);
     };
     const auto sheet = bone(19.4_mm), wall = bone(10.0_mm);
@@ -376,4 +376,4 @@ TEST(MeshBody, WritesNothingOfTheFilesName) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

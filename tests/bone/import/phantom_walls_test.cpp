@@ -10,13 +10,13 @@
 #include "bone/import/make_body.h"
 #include "tests/support/block.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
 
-Anatomy phantom(std::vector<PhantomPart> parts) {
-    Anatomy anatomy;
+documents::Anatomy phantom(std::vector<documents::PhantomPart> parts) {
+    documents::Anatomy anatomy;
     anatomy.id = "phantom";
     anatomy.phantom.parts = std::move(parts);
     anatomy.tissues = {{"cortical", 1850.0, 0.0, ""}};
@@ -45,9 +45,10 @@ TEST(PhantomWalls, AnEdgeIsNoWall) {
 }
 
 TEST(PhantomWalls, ABodyWithAPlateThatItsSpacingCannotCarryIsRefused) {
-    const Anatomy plate = phantom({{"body", BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""},
-                                   {"plate", BoxSolid{{0, 18.0_mm, 0}, {12.0_mm, 20.0_mm, 1.0_mm}}, false, ""}});
-    Diagnostics coarse, fine;
+    const documents::Anatomy plate =
+        phantom({{"body", documents::BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""},
+                 {"plate", documents::BoxSolid{{0, 18.0_mm, 0}, {12.0_mm, 20.0_mm, 1.0_mm}}, false, ""}});
+    text::Diagnostics coarse, fine;
     EXPECT_FALSE(make_body(plate, 0.5_mm).take(coarse));
     ASSERT_EQ(coarse.size(), 1u);
     EXPECT_EQ(coarse[0].code, "E0655");
@@ -57,13 +58,14 @@ TEST(PhantomWalls, ABodyWithAPlateThatItsSpacingCannotCarryIsRefused) {
 }
 
 TEST(PhantomWalls, AThinSheetAroundARoomHasTwoFieldsAndIsCarried) {
-    const Anatomy sheet = phantom({{"body", BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""},
-                                   {"room", BoxSolid{{0, 0, 0}, {19.0_mm, 16.0_mm, 16.0_mm}}, true, ""}});
-    Diagnostics diagnostics;
+    const documents::Anatomy sheet =
+        phantom({{"body", documents::BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""},
+                 {"room", documents::BoxSolid{{0, 0, 0}, {19.0_mm, 16.0_mm, 16.0_mm}}, true, ""}});
+    text::Diagnostics diagnostics;
     const auto body = make_body(sheet, 0.5_mm).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
     EXPECT_FALSE(body->hollow.is_empty());
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -11,7 +11,7 @@
 #include "documents/read_anatomy.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -25,17 +25,18 @@ struct RealAnatomy : testing::TestWithParam<const char*> {};
 
 TEST_P(RealAnatomy, BecomesABoneWithItsLandmarksWhereTheySay) {
     if (!std::filesystem::exists(data() / "volumes")) GTEST_SKIP() << "KERF_DATA names no folder with volumes/.";
-    Diagnostics diagnostics;
-    const auto anatomy = read_anatomy(std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam()).take(diagnostics);
+    text::Diagnostics diagnostics;
+    const auto anatomy =
+        documents::read_anatomy(std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam()).take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
 
     // `lies` of every point, sides and zones are checked when the bone is made.
     const auto body = make_body(*anatomy, 0.5_mm).take(diagnostics);
     ASSERT_TRUE(body) << to_text(diagnostics);
-    EXPECT_FALSE(has_error(diagnostics)) << to_text(diagnostics);
-    for (const LandmarkAxis& axis : anatomy->axes) {
+    EXPECT_FALSE(text::has_error(diagnostics)) << to_text(diagnostics);
+    for (const documents::LandmarkAxis& axis : anatomy->axes) {
         check_axis(*anatomy, axis, axis_in_bone(*body, axis), diagnostics);
-        EXPECT_FALSE(has_error(diagnostics)) << to_text(diagnostics);
+        EXPECT_FALSE(text::has_error(diagnostics)) << to_text(diagnostics);
     }
 }
 
@@ -49,10 +50,10 @@ TEST(RealScans, AllOpenAndAreRead) {
     for (const auto& entry : std::filesystem::directory_iterator(data() / "volumes")) {
         if (entry.path().extension() == ".raw") continue;
         SCOPED_TRACE(entry.path().filename().string());
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         const auto scan = open_scan(entry.path().string(), {}, {}).take(diagnostics);
         ASSERT_TRUE(scan) << to_text(diagnostics);
-        const auto image = scan->read(scan->grid().all(), 0, {}, diagnostics);
+        const auto image = scan->read(scan->grid().all(), 0, {}).take(diagnostics);
         ASSERT_TRUE(image) << to_text(diagnostics);
         EXPECT_EQ(image->values.size(), scan->grid().all().voxels());
         ++count;
@@ -61,4 +62,4 @@ TEST(RealScans, AllOpenAndAreRead) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -13,7 +13,7 @@
 
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -117,4 +117,4 @@ TEST(VoxelDistance, NoiseBeyondTheBorderDoesNotThrowItOffTheVoxels) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

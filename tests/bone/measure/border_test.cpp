@@ -8,7 +8,7 @@
 
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -48,4 +48,4 @@ TEST(BorderRoughness, NeedsABorder) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

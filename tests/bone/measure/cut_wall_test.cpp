@@ -11,7 +11,7 @@
 
 #include "tests/support/block.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -117,4 +117,4 @@ TEST(CutWall, PointsInALineSpanNoPlane) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

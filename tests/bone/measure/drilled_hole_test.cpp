@@ -15,7 +15,7 @@
 #include "core/field/cut/removed_volume.h"
 #include "tests/support/block.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -226,4 +226,4 @@ TEST(DrilledHole, ATiltedCylinderBreachesMostWhereItEnds) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

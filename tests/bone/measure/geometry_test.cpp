@@ -12,7 +12,7 @@
 #include "bone/measure/principal_axes.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -128,4 +128,4 @@ TEST(DistanceBetween, HasTheLengthOfTheShortestWay) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -14,7 +14,7 @@
 #include "tests/support/block.h"
 #include "tests/support/made_mandible.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -172,4 +172,4 @@ TEST(GonialAngle, FollowsACut) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 TEST(Propagate, AddsIndependentInputsInQuadrature) {
@@ -47,4 +47,4 @@ TEST(Propagate, ToleranceIsAnEvenlySpreadInterval) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -14,7 +14,7 @@
 #include "bone/surface/read_surface.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -24,7 +24,7 @@ TEST(RealMandible, HasTheStatedGonialAngles) {
     const std::filesystem::path data = folder != nullptr ? folder : "";
     const std::filesystem::path file = data / "meshes/mandible_harvard02_isosurface.obj";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "KERF_DATA names no folder with meshes/.";
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     auto read = read_surface(file.string()).take(diagnostics);
     ASSERT_TRUE(read) << to_text(diagnostics);
     for (Vec3& v : read->mesh.vertices) v = 1e-3 * v;
@@ -54,4 +54,4 @@ TEST(RealMandible, HasTheStatedGonialAngles) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -9,7 +9,7 @@
 #include "bone/measure/thickness.h"
 #include "tests/support/block.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -121,4 +121,4 @@ TEST(SurfaceDistance, IsUnknownForNoPoint) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

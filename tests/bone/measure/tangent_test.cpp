@@ -10,7 +10,7 @@
 #include "bone/measure/outline.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -120,4 +120,4 @@ TEST(Tangent, ContactsThatMoveTurnItAsStated) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

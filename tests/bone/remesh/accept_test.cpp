@@ -13,7 +13,7 @@
 #include "tests/bone/surface/shapes.h"
 #include "tests/support/block.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -247,4 +247,4 @@ TEST(BaseMesh, ASoundOneStaysAsItIs) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

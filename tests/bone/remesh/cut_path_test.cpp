@@ -13,7 +13,7 @@
 #include "core/field/cut/sweep.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -197,4 +197,4 @@ TEST(SweptBefore, ACopyDoesNotKnowWhatComesAfter) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -14,7 +14,7 @@
 #include "kerf/units.hpp"
 #include "tests/bone/surface/shapes.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -201,4 +201,4 @@ TEST(GrowingSurface, HasNothingOfAnEmptyMesh) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -12,7 +12,7 @@
 #include "kerf/units.hpp"
 #include "tests/bone/surface/shapes.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -145,4 +145,4 @@ TEST(RemeshChild, IsRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -7,7 +7,7 @@
 #include "kerf/units.hpp"
 #include "tests/bone/surface/shapes.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -102,4 +102,4 @@ TEST(Removal, AllowsWhatAStrategyStates) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -15,7 +15,7 @@
 #include "kerf/units.hpp"
 #include "tests/bone/surface/shapes.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -226,4 +226,4 @@ TEST(Thickness, DoesNotTakeACrestForAWall) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -17,7 +17,7 @@
 #include "kerf/units.hpp"
 #include "tests/bone/surface/shapes.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -136,9 +136,9 @@ struct Parts {
 
 TEST(BoneDistances, AreThoseOfEachPoint) {
     Parts parts;
-    Tissue cortical;
+    documents::Tissue cortical;
     cortical.thickness = 3.0_mm;
-    cortical.solids = {SphereSolid{{-3.0_mm, 0, 0}, 7.0_mm}};
+    cortical.solids = {documents::SphereSolid{{-3.0_mm, 0, 0}, 7.0_mm}};
     MeshDistances fast(parts.tree);
     NearestSurface fast_room({MeshDistances(parts.room_tree)});
     InRegion outer(fast, parts.region), room(fast_room, parts.region);
@@ -182,4 +182,4 @@ TEST(BoneDistances, AreExactWithinTheRangeAndBeyondItOutsideIt) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -20,7 +20,7 @@
 #include "tests/bone/surface/shapes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using test::big_endian;
@@ -420,7 +420,7 @@ TEST(DamagedFiles, AreRefusedOrReadWithSoundIndices) {
 
 TEST(ReadSurface, KnowsTheFormatByTheEnding) {
     const test::TemporaryFolder folder;
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     std::ofstream(folder / "BONE.STL", std::ios::binary) << test::binary_stl(corner_mesh());
     EXPECT_TRUE(read_surface(folder / "BONE.STL").take(diagnostics)) << to_text(diagnostics);
     std::ofstream(folder / "bone.step") << "ISO-10303-21;";
@@ -431,7 +431,7 @@ TEST(ReadSurface, RefusesWhatIsNoFile) {
     const test::TemporaryFolder folder;
     std::filesystem::create_directory(folder / "bone.ply");
     for (const char* name : {"none.stl", "bone.ply"}) {
-        Diagnostics diagnostics;
+        text::Diagnostics diagnostics;
         EXPECT_FALSE(read_surface(folder / name).take(diagnostics));
         ASSERT_EQ(diagnostics.size(), 1u);
         EXPECT_EQ(diagnostics[0].code, "E0640");
@@ -447,4 +447,4 @@ TEST(ReadSurface, ReadsAPointAsAPointWhateverTheLocale) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -19,7 +19,7 @@
 #include "kerf/units.hpp"
 
 /// Surfaces of real bones, read where KERF_DATA says. Volumes and landmarks: the data's own README.
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -42,7 +42,7 @@ class RealMeshes : public testing::TestWithParam<RealMesh> {};
 TEST_P(RealMeshes, AreSoundAndHaveTheirVolume) {
     const std::string file = data_file(std::string("meshes/") + GetParam().name);
     if (file.empty()) GTEST_SKIP() << "KERF_DATA names no folder with meshes/, so no real surface was read.";
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     auto surface = read_surface(file).take(diagnostics);
     ASSERT_TRUE(surface) << to_text(diagnostics);
     EXPECT_EQ(surface->mesh.triangles.size(), GetParam().faces);
@@ -85,7 +85,7 @@ class RealLandmarks : public testing::TestWithParam<Landmarks> {};
 TEST_P(RealLandmarks, LieOnTheBoneTheyName) {
     const std::string file = data_file(std::string("meshes/") + GetParam().mesh), list = data_file("landmarks.json");
     if (file.empty() || list.empty()) GTEST_SKIP() << "KERF_DATA names no folder with meshes/ and landmarks.json.";
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     auto surface = read_surface(file).take(diagnostics);
     ASSERT_TRUE(surface) << to_text(diagnostics);
     for (Vec3& v : surface->mesh.vertices) v = 1e-3 * v;
@@ -125,9 +125,9 @@ INSTANTIATE_TEST_SUITE_P(
 // ------------------------------------------------------------------------------------------------
 
 TEST(RealFemur, GivesTheNeckOfTheFemurWithItsCortex) {
-    Diagnostics diagnostics;
+    text::Diagnostics diagnostics;
     const auto anatomy =
-        read_anatomy(std::string(KERF_SOURCE_DIR) + "/tests/real-data/femur-z013.yaml").take(diagnostics);
+        documents::read_anatomy(std::string(KERF_SOURCE_DIR) + "/tests/real-data/femur-z013.yaml").take(diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     if (data_file(anatomy->mesh->file).empty()) GTEST_SKIP() << "KERF_DATA names no folder with the femur.";
     ImportReport report;
@@ -152,4 +152,4 @@ TEST(RealFemur, GivesTheNeckOfTheFemurWithItsCortex) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -17,7 +17,7 @@
 #include "tests/bone/surface/shapes.h"
 
 /// Every kind of damage, made here: what is seen of it, and what becomes of it.
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 using namespace literals;
@@ -257,8 +257,8 @@ TEST(Repair, TakesAPieceInsideThatLooksInwardsForACavity) {
 TEST(Repair, AsksWhatAPieceInsideThatLooksOutwardsIs) {
     const SurfaceMesh doubtful = together(cube(10.0_mm), cube(5.0_mm));
     expect_refused(doubtful, "E0653", "repair: {inner: hollow}");
-    expect_mended(doubtful, 0.875 * cm3, "made hollow", {.inner = InnerPieces::hollow});
-    expect_mended(doubtful, cm3, "left out", {.inner = InnerPieces::solid});
+    expect_mended(doubtful, 0.875 * cm3, "made hollow", {.inner = documents::InnerPieces::hollow});
+    expect_mended(doubtful, cm3, "left out", {.inner = documents::InnerPieces::solid});
 }
 TEST(Repair, KnowsABoneInACavityOfABone) {
     expect_mended(together(together(cube(10.0_mm), turned(cube(5.0_mm))), cube(2.0_mm)), 0.883 * cm3, "cavity");
@@ -284,7 +284,7 @@ TEST(Repair, MakesAnySoupClosedOrRefusesIt) {
                       soup.triangles[random() % soup.triangles.size()][1]);
         (void)seen(soup);
         std::vector<std::string> notes;
-        const RepairRules rules{trial % 3 == 0 ? 20.0_mm : 0.0, 0.0, InnerPieces::hollow};
+        const RepairRules rules{trial % 3 == 0 ? 20.0_mm : 0.0, 0.0, documents::InnerPieces::hollow};
         if (const auto error = repair(soup, rules, notes)) {
             ASSERT_FALSE(error->message.empty());
             continue;
@@ -314,4 +314,4 @@ TEST(Diagnose, SaysHowMuchIsLostFarFromTheOrigin) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -17,8 +17,8 @@
 namespace kerf::test {
 
 /// A cube around `centre`; faces look outwards. Its eight vertices are numbered like three bits, x the lowest.
-inline SurfaceMesh cube(double edge, Vec3 centre = {}) {
-    SurfaceMesh mesh;
+inline bone::SurfaceMesh cube(double edge, Vec3 centre = {}) {
+    bone::SurfaceMesh mesh;
     for (int i = 0; i < 8; ++i)
         mesh.vertices.push_back(centre + 0.5 * edge * Vec3{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
     mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
@@ -28,8 +28,8 @@ inline SurfaceMesh cube(double edge, Vec3 centre = {}) {
 
 /// A sphere: an octahedron whose faces were split into four `splits` times, 8·4ⁿ faces with their corners on the
 /// sphere.
-inline SurfaceMesh sphere(double radius, int splits, Vec3 centre = {}) {
-    SurfaceMesh mesh;
+inline bone::SurfaceMesh sphere(double radius, int splits, Vec3 centre = {}) {
+    bone::SurfaceMesh mesh;
     mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
     for (int split = 0; split < splits; ++split) {
@@ -40,10 +40,10 @@ inline SurfaceMesh sphere(double radius, int splits, Vec3 centre = {}) {
             if (is_new) mesh.vertices.push_back(normalized(mesh.vertices[a] + mesh.vertices[b]));
             return at->second;
         };
-        std::vector<Triangle> finer;
+        std::vector<bone::Triangle> finer;
         for (const auto& [a, b, c] : mesh.triangles) {
             const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-            finer.insert(finer.end(), {Triangle{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
+            finer.insert(finer.end(), {bone::Triangle{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
         }
         mesh.triangles = std::move(finer);
     }
@@ -52,23 +52,23 @@ inline SurfaceMesh sphere(double radius, int splits, Vec3 centre = {}) {
 }
 
 /// All faces the other way round.
-inline SurfaceMesh turned(SurfaceMesh mesh) {
-    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+inline bone::SurfaceMesh turned(bone::SurfaceMesh mesh) {
+    for (bone::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
     return mesh;
 }
 
 /// Both in one, joined nowhere.
-inline SurfaceMesh together(SurfaceMesh a, const SurfaceMesh& b) {
+inline bone::SurfaceMesh together(bone::SurfaceMesh a, const bone::SurfaceMesh& b) {
     const auto first = static_cast<std::uint32_t>(a.vertices.size());
     a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-    for (const Triangle& t : b.triangles) a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    for (const bone::Triangle& t : b.triangles) a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
     return a;
 }
 
 /// Every face with three vertices of its own, as in STL.
-inline SurfaceMesh soup_of(const SurfaceMesh& mesh) {
-    SurfaceMesh soup;
-    for (const Triangle& t : mesh.triangles) {
+inline bone::SurfaceMesh soup_of(const bone::SurfaceMesh& mesh) {
+    bone::SurfaceMesh soup;
+    for (const bone::Triangle& t : mesh.triangles) {
         const auto first = static_cast<std::uint32_t>(soup.vertices.size());
         for (const Vec3 corner : mesh.corners(t)) soup.vertices.push_back(corner);
         soup.triangles.push_back({first, first + 1, first + 2});
@@ -99,10 +99,10 @@ std::string big_endian(Number value) {
     return {bytes.rbegin(), bytes.rend()};
 }
 
-inline std::string binary_stl(const SurfaceMesh& mesh, std::string header = "surface") {
+inline std::string binary_stl(const bone::SurfaceMesh& mesh, std::string header = "surface") {
     header.resize(80, ' ');
     std::string bytes = header + little_endian(static_cast<std::uint32_t>(mesh.triangles.size()));
-    for (const Triangle& t : mesh.triangles) {
+    for (const bone::Triangle& t : mesh.triangles) {
         bytes += std::string(12, '\0');
         for (const Vec3 p : mesh.corners(t))
             for (const double x : {p.x, p.y, p.z}) bytes += little_endian(static_cast<float>(x));

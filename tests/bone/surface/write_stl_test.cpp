@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace kerf {
+namespace kerf::bone {
 namespace {
 
 /// One triangle with legs of 1 mm in the plane z = 0, seen from above.
@@ -52,4 +52,4 @@ TEST(Stl, LeavesOutTrianglesThatNameNoVertex) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::bone

@@ -34,14 +34,14 @@ class Exact : public testing::Test {
 protected:
     static void SetUpTestSuite() {
         std::string error;
-        module() = RemeshModule::open(module_file, error);
+        module() = bone::RemeshModule::open(module_file, error);
         ASSERT_NE(module(), nullptr) << error;
     }
     static void TearDownTestSuite() { module().reset(); }
 
-    RemeshRequest request;
+    bone::RemeshRequest request;
 
-    void begin_with(SurfaceMesh mesh) {
+    void begin_with(bone::SurfaceMesh mesh) {
         request = {};
         request.base.mesh = std::move(mesh);
         request.base.tags.assign(request.base.mesh.triangles.size(), KERF_FACE_SURFACE);
@@ -51,23 +51,25 @@ protected:
         request.cuts.push_back({from, to, static_cast<std::uint16_t>(request.solids.size())});
         request.solids.push_back(&solid);
     }
-    [[nodiscard]] RemeshResult remesh() const { return remesh_here(*module()->find("exact"), request); }
+    [[nodiscard]] bone::RemeshResult remesh() const { return bone::remesh_here(*module()->find("exact"), request); }
     /// The result, which the host accepts.
-    [[nodiscard]] TaggedMesh accepted() const {
-        RemeshResult result = remesh();
+    [[nodiscard]] bone::TaggedMesh accepted() const {
+        bone::RemeshResult result = remesh();
         EXPECT_EQ(result.status, KERF_OK) << result.message;
-        EXPECT_EQ(flaw_of_result(request, result.mesh), "");
+        EXPECT_EQ(bone::flaw_of_result(request, result.mesh), "");
         return std::move(result.mesh);
     }
-    static std::unique_ptr<RemeshModule>& module() {
-        static std::unique_ptr<RemeshModule> opened;
+    static std::unique_ptr<bone::RemeshModule>& module() {
+        static std::unique_ptr<bone::RemeshModule> opened;
         return opened;
     }
 };
 
-double volume_of(const TaggedMesh& mesh) { return signed_volume_of(mesh.mesh); }
-std::uint32_t pieces_in(const TaggedMesh& mesh) { return pieces_of(mesh.mesh, half_edges_of(mesh.mesh)).count; }
-double wall_area_of(const TaggedMesh& mesh) {
+double volume_of(const bone::TaggedMesh& mesh) { return bone::signed_volume_of(mesh.mesh); }
+std::uint32_t pieces_in(const bone::TaggedMesh& mesh) {
+    return bone::pieces_of(mesh.mesh, bone::half_edges_of(mesh.mesh)).count;
+}
+double wall_area_of(const bone::TaggedMesh& mesh) {
     double area = 0.0;
     for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
         if (mesh.tags[f] != KERF_FACE_WALL) continue;
@@ -87,7 +89,7 @@ TEST_F(Exact, ASlotPartsACube) {
     begin_with(cube(10.0_mm));
     const ToolSolid blade = wide_blade();
     cut(blade, at(0, 0, -7.0_mm), at(0, 0, 7.0_mm));
-    const TaggedMesh left = accepted();
+    const bone::TaggedMesh left = accepted();
     EXPECT_EQ(pieces_in(left), 2U);
     EXPECT_NEAR(volume_of(left), 1000e-9 - 120e-9, taper_share * 120e-9);
     EXPECT_NEAR(wall_area_of(left), 200e-6, 1e-3 * 200e-6);
@@ -97,7 +99,7 @@ TEST_F(Exact, ASlotHalfWayLeavesOnePieceWithAFloor) {
     begin_with(cube(10.0_mm));
     const ToolSolid blade = wide_blade();
     cut(blade, at(0, 0, -7.0_mm), at(0, 0, 1.0_mm));  // 6 mm deep
-    const TaggedMesh left = accepted();
+    const bone::TaggedMesh left = accepted();
     EXPECT_EQ(pieces_in(left), 1U);
     EXPECT_NEAR(volume_of(left), 1000e-9 - 72e-9, taper_share * 72e-9);
     EXPECT_NEAR(wall_area_of(left), (120.0 + 12.0) * 1e-6, 1e-3 * 132e-6);
@@ -132,7 +134,7 @@ TEST_F(Exact, ACavityStaysACavity) {
     begin_with(together(cube(10.0_mm), turned(cube(4.0_mm, {0, 2.0_mm, 0}))));
     const ToolSolid blade = wide_blade();
     cut(blade, at(0, -2.0_mm, -7.0_mm), at(0, -2.0_mm, 7.0_mm));
-    const TaggedMesh left = accepted();
+    const bone::TaggedMesh left = accepted();
     EXPECT_EQ(pieces_in(left), 3U);
     EXPECT_NEAR(volume_of(left), (1000.0 - 64.0 - 120.0) * 1e-9, taper_share * 120e-9);
 }
@@ -141,7 +143,7 @@ TEST_F(Exact, StretchesJoinWithoutALedge) {
     begin_with(cube(10.0_mm));
     const ToolSolid blade = wide_blade();
     for (int i = 0; i < 14; ++i) cut(blade, at(0, 0, -7.0_mm + i * 1.0_mm), at(0, 0, -6.0_mm + i * 1.0_mm));
-    const TaggedMesh left = accepted();
+    const bone::TaggedMesh left = accepted();
     EXPECT_EQ(pieces_in(left), 2U);
     EXPECT_NEAR(volume_of(left), 880e-9, taper_share * 120e-9);
 }
@@ -168,10 +170,10 @@ TEST_F(Exact, SurvivesWhatLiesInOnePlane) {
         begin_with(cube(10.0_mm));
         for (const auto& [from, to] : one.ways) cut(blade, from, to);
         std::string flaw = "none tried";
-        TaggedMesh left;
+        bone::TaggedMesh left;
         for (request.nudge_seed = 0; request.nudge_seed < 5 && !flaw.empty(); ++request.nudge_seed) {
-            RemeshResult result = remesh();
-            flaw = result.status == KERF_OK ? flaw_of_result(request, result.mesh) : "refused: " + result.message;
+            bone::RemeshResult result = remesh();
+            flaw = result.status == KERF_OK ? bone::flaw_of_result(request, result.mesh) : "refused: " + result.message;
             left = std::move(result.mesh);
         }
         EXPECT_EQ(flaw, "") << one.what;
@@ -187,12 +189,12 @@ TEST_F(Exact, InTheAirNothingChanges) {
 }
 
 TEST_F(Exact, RefusesABaseThatIsNotClosed) {
-    SurfaceMesh open = sphere(5.0_mm, 3);
+    bone::SurfaceMesh open = sphere(5.0_mm, 3);
     open.triangles.pop_back();
     begin_with(std::move(open));
     const ToolSolid blade = wide_blade();
     cut(blade, at(0, 0, -7.0_mm), at(0, 0, 7.0_mm));
-    const RemeshResult result = remesh();
+    const bone::RemeshResult result = remesh();
     EXPECT_EQ(result.status, KERF_REMESH_REFUSED);
     EXPECT_NE(result.message.find("open"), std::string::npos) << result.message;
 }
@@ -202,13 +204,14 @@ TEST_F(Exact, MakesTheSameBitsHereAndInAProcessOfItsOwn) {
     const ToolSolid blade = wide_blade();
     const Pose tilted{{0.1_mm, 0.2_mm, -7.0_mm}, quat_from_rotation_vector({0.2, 0.1, 0.3})};
     cut(blade, tilted, {tilted.position + Vec3{0, 0, 14.0_mm}, tilted.rotation});
-    const RemeshResult one = remesh(), two = remesh();
+    const bone::RemeshResult one = remesh(), two = remesh();
     std::string error;
-    const auto child = RemeshChild::start({KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", module_file, "exact"}, error);
+    const auto child =
+        bone::RemeshChild::start({KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", module_file, "exact"}, error);
     ASSERT_NE(child, nullptr) << error;
-    const RemeshResult there = child->remesh(request, std::chrono::seconds(60));
+    const bone::RemeshResult there = child->remesh(request, std::chrono::seconds(60));
     ASSERT_EQ(one.status, KERF_OK) << one.message;
-    for (const RemeshResult* other : {&two, &there}) {
+    for (const bone::RemeshResult* other : {&two, &there}) {
         ASSERT_EQ(other->status, KERF_OK) << other->message;
         EXPECT_EQ(other->mesh.mesh.triangles, one.mesh.mesh.triangles);
         EXPECT_TRUE(std::equal(one.mesh.mesh.vertices.begin(), one.mesh.mesh.vertices.end(),

@@ -29,57 +29,57 @@ class Local : public testing::Test {
 protected:
     static void SetUpTestSuite() {
         std::string error;
-        module() = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
+        module() = bone::RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
         ASSERT_NE(module(), nullptr) << error;
     }
     static void TearDownTestSuite() { module().reset(); }
-    static std::unique_ptr<RemeshModule>& module() {
-        static std::unique_ptr<RemeshModule> opened;
+    static std::unique_ptr<bone::RemeshModule>& module() {
+        static std::unique_ptr<bone::RemeshModule> opened;
         return opened;
     }
-    static LocalCutting cutting(const TaggedMesh& mesh, const ToolSolid& blade) {
-        return {mesh, {&blade}, 20e-6, [](const RemeshRequest& request) {
-                    return remesh_here(*module()->find("local"), request);
+    static bone::LocalCutting cutting(const bone::TaggedMesh& mesh, const ToolSolid& blade) {
+        return {mesh, {&blade}, 20e-6, [](const bone::RemeshRequest& request) {
+                    return bone::remesh_here(*module()->find("local"), request);
                 }};
     }
     /// What is wrong with the surface in the end; empty if nothing is.
-    static std::string flaw_of(const TaggedMesh& base, const LocalCutting& cutting) {
+    static std::string flaw_of(const bone::TaggedMesh& base, const bone::LocalCutting& cutting) {
         for (const auto& stale : cutting.stale()) return "stale: " + stale.why;
-        RemeshRequest request;
+        bone::RemeshRequest request;
         request.base = base;
-        return flaw_of_result(request, cutting.surface().mesh());
+        return bone::flaw_of_result(request, cutting.surface().mesh());
     }
-    static std::uint32_t pieces_in(const LocalCutting& cutting) {
-        const SurfaceMesh mesh = cutting.surface().mesh().mesh;
-        return pieces_of(mesh, half_edges_of(mesh)).count;
+    static std::uint32_t pieces_in(const bone::LocalCutting& cutting) {
+        const bone::SurfaceMesh mesh = cutting.surface().mesh().mesh;
+        return bone::pieces_of(mesh, bone::half_edges_of(mesh)).count;
     }
 };
 
 TEST_F(Local, PartsABoneStepByStep) {
-    const TaggedMesh bone = tagged(bent_bone(8000.0));
+    const bone::TaggedMesh bone = bone::tagged(bent_bone(8000.0));
     ASSERT_EQ(flaw_of(bone, cutting(bone, slot_blade())), "");
     const ToolSolid blade = slot_blade();
-    LocalCutting saw = cutting(bone, blade);
-    for (const CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, 0.5_mm, 3.0_mm)) EXPECT_TRUE(saw.cut(step));
+    bone::LocalCutting saw = cutting(bone, blade);
+    for (const bone::CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, 0.5_mm, 3.0_mm)) EXPECT_TRUE(saw.cut(step));
     EXPECT_EQ(flaw_of(bone, saw), "");
     EXPECT_EQ(pieces_in(saw), 2U);
-    const double removed = signed_volume_of(bone.mesh) - signed_volume_of(saw.surface().mesh().mesh);
+    const double removed = bone::signed_volume_of(bone.mesh) - bone::signed_volume_of(saw.surface().mesh().mesh);
     EXPECT_NEAR(saw.removed(), removed, 1e-6 * removed);
 
-    RemeshRequest exact;
+    bone::RemeshRequest exact;
     exact.base = bone;
     exact.solids = {&blade};
     exact.cuts = {{blade_at(0.0, -13.0_mm), blade_at(0.0, 13.0_mm), 0}};
-    const RemeshResult reference = remesh_here(*module()->find("exact"), exact);
+    const bone::RemeshResult reference = bone::remesh_here(*module()->find("exact"), exact);
     ASSERT_EQ(reference.status, KERF_OK) << reference.message;
-    const double exactly = signed_volume_of(bone.mesh) - signed_volume_of(reference.mesh.mesh);
+    const double exactly = bone::signed_volume_of(bone.mesh) - bone::signed_volume_of(reference.mesh.mesh);
     EXPECT_NEAR(removed, exactly, 5e-4 * exactly);
 }
 
 TEST_F(Local, SurvivesATremblingHand) {
-    const TaggedMesh bone = tagged(bent_bone(8000.0));
+    const bone::TaggedMesh bone = bone::tagged(bent_bone(8000.0));
     const ToolSolid blade = slot_blade();
-    LocalCutting saw = cutting(bone, blade);
+    bone::LocalCutting saw = cutting(bone, blade);
     std::mt19937 random(5);
     std::normal_distribution<double> tremor(0.0, 20e-6);
     Pose last = blade_at(0.0, -13.0_mm);
@@ -99,21 +99,21 @@ TEST_F(Local, SurvivesATremblingHand) {
 /// One way of sawing that has broken a mesh cutter. The stroke is 0, so that edges are parallel.
 struct Scenario {
     const char* name;
-    std::vector<CutStretch> cuts;  ///< solid 0: the blade; 1: one 2 µm thinner a side; 2: a drill
+    std::vector<bone::CutStretch> cuts;  ///< solid 0: the blade; 1: one 2 µm thinner a side; 2: a drill
     std::uint32_t pieces;
     bool is_hollow = false;
 };
 
-std::vector<CutStretch> then(std::vector<CutStretch> a, const std::vector<CutStretch>& b) {
+std::vector<bone::CutStretch> then(std::vector<bone::CutStretch> a, const std::vector<bone::CutStretch>& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
 }
-std::vector<CutStretch> with(std::uint16_t solid, std::vector<CutStretch> cuts) {
-    for (CutStretch& cut : cuts) cut.solid = solid;
+std::vector<bone::CutStretch> with(std::uint16_t solid, std::vector<bone::CutStretch> cuts) {
+    for (bone::CutStretch& cut : cuts) cut.solid = solid;
     return cuts;
 }
-std::vector<CutStretch> moved(Vec3 by, std::vector<CutStretch> cuts) {
-    for (CutStretch& cut : cuts) {
+std::vector<bone::CutStretch> moved(Vec3 by, std::vector<bone::CutStretch> cuts) {
+    for (bone::CutStretch& cut : cuts) {
         cut.from.position = cut.from.position + by;
         cut.to.position = cut.to.position + by;
     }
@@ -125,7 +125,7 @@ std::vector<Scenario> scenarios() {
     const auto through = steps(-13.0_mm, 13.0_mm, 1.0_mm), half = steps(-13.0_mm, 0.0, 1.0_mm);
     const Pose before = blade_at(0.0, -13.0_mm), behind = blade_at(0.0, 13.0_mm);
     const Vec3 normal = rotate(before.rotation, {0, 1, 0});
-    std::vector<CutStretch> tilting;
+    std::vector<bone::CutStretch> tilting;
     for (int i = 0; i < 26; ++i) {
         const auto at = [&](int n) {
             Pose pose = blade_at(0.0, -13.0_mm + n * 1.0_mm);
@@ -135,14 +135,14 @@ std::vector<Scenario> scenarios() {
         tilting.push_back({at(i), at(i + 1), 0});
     }
     // The wall of the slot through a vertex of the mesh near its middle
-    const SurfaceMesh bone = bent_bone(8000.0);
+    const bone::SurfaceMesh bone = bent_bone(8000.0);
     Vec3 vertex = bone.vertices.front();
     for (const Vec3 v : bone.vertices)
         if (length(v) < length(vertex)) vertex = v;
     const Vec3 onto = dot(vertex - before.position, normal) * normal - 0.2_mm * normal;
     const Pose drill{{0, 3.0_mm, 12.0_mm}, quat_between({0, 0, 1}, {0, 0, -1})};
-    const std::vector<CutStretch> at_once{{before, behind, 0}}, back{{behind, before, 0}};
-    const std::vector<CutStretch> hole{{drill, {{0, 3.0_mm, -12.0_mm}, drill.rotation}, 2}};
+    const std::vector<bone::CutStretch> at_once{{before, behind, 0}}, back{{behind, before, 0}};
+    const std::vector<bone::CutStretch> hole{{drill, {{0, 3.0_mm, -12.0_mm}, drill.rotation}, 2}};
     const auto nearly = steps(-13.0_mm, -2.0_mm, 1.0_mm);
     return {
         {"flush steps", through, 2},
@@ -164,8 +164,8 @@ std::vector<Scenario> scenarios() {
 }
 
 /// A bone and its copy 0.3 mm inside it, or nearly so, inside out.
-SurfaceMesh hollow(const SurfaceMesh& bone) {
-    SurfaceMesh inner = bone;
+bone::SurfaceMesh hollow(const bone::SurfaceMesh& bone) {
+    bone::SurfaceMesh inner = bone;
     for (Vec3& v : inner.vertices) v = {0.99 * v.x, 0.965 * (v.y - 2.0_mm) + 2.0_mm, 0.965 * v.z};
     return test::together(bone, test::turned(inner));
 }
@@ -174,12 +174,13 @@ class LocalScenarios : public Local, public testing::WithParamInterface<std::siz
 
 TEST_P(LocalScenarios, StayClosedAndFreeOfCrossings) {
     const Scenario scenario = scenarios()[GetParam()];
-    const TaggedMesh bone = tagged(scenario.is_hollow ? hollow(bent_bone(8000.0)) : bent_bone(8000.0));
+    const bone::TaggedMesh bone = bone::tagged(scenario.is_hollow ? hollow(bent_bone(8000.0)) : bent_bone(8000.0));
     const ToolSolid blade = slot_blade(), thinner = ToolSolid::prism(slot_blade().outline(), 0.396_mm),
                     drill({{0.0, 2.0_mm}, {-1.0_mm, 2.0_mm}});
-    LocalCutting saw(bone, {&blade, &thinner, &drill}, 20e-6,
-                     [](const RemeshRequest& request) { return remesh_here(*module()->find("local"), request); });
-    for (const CutStretch& cut : scenario.cuts) saw.cut(cut);
+    bone::LocalCutting saw(bone, {&blade, &thinner, &drill}, 20e-6, [](const bone::RemeshRequest& request) {
+        return bone::remesh_here(*module()->find("local"), request);
+    });
+    for (const bone::CutStretch& cut : scenario.cuts) saw.cut(cut);
     EXPECT_EQ(flaw_of(bone, saw), "") << scenario.name;
     EXPECT_EQ(pieces_in(saw), scenario.is_hollow ? 2U : scenario.pieces) << scenario.name;
     RecordProperty("refusals", saw.refusals());

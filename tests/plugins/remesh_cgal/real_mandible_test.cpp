@@ -41,39 +41,42 @@ TEST(RealMandible, LosesAnAngleToASaw) {
     const std::filesystem::path file =
         std::filesystem::path(folder != nullptr ? folder : "") / "meshes/mandible_harvard02_isosurface.obj";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "KERF_DATA names no folder with meshes/.";
-    Diagnostics diagnostics;
-    auto read = read_surface(file.string()).take(diagnostics);
-    ASSERT_TRUE(read) << to_text(diagnostics);
+    text::Diagnostics diagnostics;
+    auto read = bone::read_surface(file.string()).take(diagnostics);
+    ASSERT_TRUE(read) << text::to_text(diagnostics);
     for (Vec3& v : read->mesh.vertices) v = 1e-3 * v;
-    remove_flat_faces(read->mesh);
-    ASSERT_EQ(flaw_of_base(read->mesh), "");
-    const TaggedMesh bone = tagged(read->mesh);
+    bone::remove_flat_faces(read->mesh);
+    ASSERT_EQ(bone::flaw_of_base(read->mesh), "");
+    const bone::TaggedMesh bone = bone::tagged(read->mesh);
     std::string error;
-    const auto module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
+    const auto module = bone::RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
     ASSERT_NE(module, nullptr) << error;
 
     const ToolSolid saw = blade();
-    std::vector<CutStretch> steps;
+    std::vector<bone::CutStretch> steps;
     for (double x = -80.0_mm; x < -40.0_mm; x += 1.0_mm) steps.push_back({blade_at(x), blade_at(x + 1.0_mm), 0});
-    LocalCutting cutting(bone, {&saw}, 20e-6,
-                         [&](const RemeshRequest& request) { return remesh_here(*module->find("local"), request); });
-    for (const CutStretch& step : steps) ASSERT_TRUE(cutting.cut(step)) << cutting.stale().front().why;
-    const TaggedMesh cut = cutting.surface().mesh();
+    bone::LocalCutting cutting(bone, {&saw}, 20e-6, [&](const bone::RemeshRequest& request) {
+        return bone::remesh_here(*module->find("local"), request);
+    });
+    for (const bone::CutStretch& step : steps) ASSERT_TRUE(cutting.cut(step)) << cutting.stale().front().why;
+    const bone::TaggedMesh cut = cutting.surface().mesh();
 
-    RemeshRequest whole;
+    bone::RemeshRequest whole;
     whole.base = bone;
     whole.solids = {&saw};
     whole.cuts = steps;
-    EXPECT_EQ(flaw_of_result(whole, cut), "");
-    const RemeshResult exact = remesh_here(*module->find("exact"), whole);
+    EXPECT_EQ(bone::flaw_of_result(whole, cut), "");
+    const bone::RemeshResult exact = bone::remesh_here(*module->find("exact"), whole);
     ASSERT_EQ(exact.status, KERF_OK) << exact.message;
-    EXPECT_EQ(flaw_of_result(whole, exact.mesh), "");
-    const double removed = signed_volume_of(bone.mesh) - signed_volume_of(exact.mesh.mesh);
+    EXPECT_EQ(bone::flaw_of_result(whole, exact.mesh), "");
+    const double removed = bone::signed_volume_of(bone.mesh) - bone::signed_volume_of(exact.mesh.mesh);
     EXPECT_GT(removed, 50e-9);
     EXPECT_NEAR(cutting.removed(), removed, 5e-4 * removed);
 
     // The angle is a part of its own.
-    const auto parts_in = [](const SurfaceMesh& mesh) { return pieces_of(mesh, half_edges_of(mesh)).count; };
+    const auto parts_in = [](const bone::SurfaceMesh& mesh) {
+        return bone::pieces_of(mesh, bone::half_edges_of(mesh)).count;
+    };
     EXPECT_GT(parts_in(cut.mesh), parts_in(bone.mesh));
     EXPECT_EQ(parts_in(cut.mesh), parts_in(exact.mesh.mesh));
     RecordProperty("removed_mm3", std::to_string(removed * 1e9));

@@ -18,22 +18,22 @@ using test::bent_bone, test::blade_at, test::cut_across, test::slot_blade;
 
 class SameBytes : public testing::TestWithParam<const char*> {
 protected:
-    static std::unique_ptr<RemeshChild> start() {
+    static std::unique_ptr<bone::RemeshChild> start() {
         std::string error;
-        auto child = RemeshChild::start(
+        auto child = bone::RemeshChild::start(
             {KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", GetParam()},
             error);
         EXPECT_NE(child, nullptr) << error;
         return child;
     }
-    RemeshResult ask(RemeshChild& child, double from, double to) const {
-        RemeshRequest request;
-        request.base = tagged(bent_bone(4000.0));
+    bone::RemeshResult ask(bone::RemeshChild& child, double from, double to) const {
+        bone::RemeshRequest request;
+        request.base = bone::tagged(bent_bone(4000.0));
         request.solids = {&blade_};
         request.cuts = {{blade_at(0.0, from), blade_at(0.0, to), 0}};
         return child.remesh(request, std::chrono::seconds(60));
     }
-    static void expect_same(const RemeshResult& a, const RemeshResult& b) {
+    static void expect_same(const bone::RemeshResult& a, const bone::RemeshResult& b) {
         ASSERT_EQ(a.status, KERF_OK) << a.message;
         ASSERT_EQ(b.status, KERF_OK) << b.message;
         EXPECT_EQ(a.mesh.mesh.triangles, b.mesh.mesh.triangles);
@@ -49,7 +49,7 @@ private:
 
 TEST_P(SameBytes, WhateverWasAskedBefore) {
     const auto child = start();
-    const RemeshResult first = ask(*child, -13.0_mm, -4.0_mm);
+    const bone::RemeshResult first = ask(*child, -13.0_mm, -4.0_mm);
     for (const double to : {-8.0_mm, -2.0_mm, -6.0_mm}) (void)ask(*child, -13.0_mm, to);
     expect_same(ask(*child, -13.0_mm, -4.0_mm), first);
 }

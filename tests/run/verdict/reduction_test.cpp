@@ -9,31 +9,31 @@
 #include "documents/fracture.h"
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using namespace literals;
 
 /// A neck at 125° to a shaft along z, broken 20 mm from where their axes meet.
-Anatomy broken_femur() {
+documents::Anatomy broken_femur() {
     const double s = std::sin(55.0_deg), c = std::cos(55.0_deg);
     const Vec3 neck{-s, 0, c};
-    Anatomy anatomy;
+    documents::Anatomy anatomy;
     anatomy.axes = {{"neck", {0, 0, 0}, 50.0_mm * neck, 1.0_mm, {}},
                     {"shaft", {0, 0, 0}, {0, 0, -80.0_mm}, 1.0_mm, {}}};
     anatomy.points.emplace_back();
     anatomy.points.back().id = "apex";
     anatomy.points.back().at = 75.0_mm * neck;
-    anatomy.fracture = Fracture{.at = 20.0_mm * neck, .normal = neck};
+    anatomy.fracture = documents::Fracture{.at = 20.0_mm * neck, .normal = neck};
     return anatomy;
 }
 
 TEST(Reduction, IsWhereTheFragmentWasMovedTo) {
-    Anatomy anatomy = broken_femur();
+    documents::Anatomy anatomy = broken_femur();
     anatomy.fracture->shift = {3.0_mm, 0, 4.0_mm};
     anatomy.fracture->about = {0, 1, 0};
     anatomy.fracture->turn = 10.0_deg;
-    const std::array<Pose, 2> bodies{identity_pose(), world_from_fragment(*anatomy.fracture)};
+    const std::array<Pose, 2> bodies{identity_pose(), documents::world_from_fragment(*anatomy.fracture)};
     const auto found = reduction_of(anatomy, bodies);
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->offset, 5.0_mm, 1e-12);
@@ -41,7 +41,7 @@ TEST(Reduction, IsWhereTheFragmentWasMovedTo) {
 }
 
 TEST(Reduction, IsOfTheFragmentToTheRestWhereverBothAre) {
-    const Anatomy anatomy = broken_femur();
+    const documents::Anatomy anatomy = broken_femur();
     const Pose both{{0.1, 0.2, -0.3}, quat_from_rotation_vector({0.4, -0.2, 0.9})};
     const std::array<Pose, 2> bodies{both, both};
     EXPECT_NEAR(reduction_of(anatomy, bodies)->offset, 0.0, 1e-12);
@@ -51,7 +51,7 @@ TEST(Reduction, IsOfTheFragmentToTheRestWhereverBothAre) {
 }
 
 TEST(AngleBetween, FollowsEachAxisWithItsPart) {
-    const Anatomy anatomy = broken_femur();
+    const documents::Anatomy anatomy = broken_femur();
     // About +y, z turns to x: the neck sinks into varus by what it is turned back.
     const Pose varus{{}, quat_from_rotation_vector({0, -12.0_deg, 0})};
     const std::array<Pose, 2> bodies{identity_pose(), varus};
@@ -61,7 +61,7 @@ TEST(AngleBetween, FollowsEachAxisWithItsPart) {
 
 // 10 mm short of the apex on the axis both views show 10 mm; 6 mm beside it in one view adds to that view alone.
 TEST(TipApexDistance, IsTheSumOfTwoViews) {
-    const Anatomy anatomy = broken_femur();
+    const documents::Anatomy anatomy = broken_femur();
     const Vec3 neck = normalized(anatomy.axes[0].to), apex = anatomy.points[0].at;
     const auto of = [&](Vec3 tip) { return *tip_apex_distance(anatomy, {}, tip, "apex", "neck"); };
     EXPECT_NEAR(of(apex - 10.0_mm * neck), 20.0_mm, 1e-9);
@@ -73,4 +73,4 @@ TEST(TipApexDistance, IsTheSumOfTwoViews) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

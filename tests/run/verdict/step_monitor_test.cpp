@@ -14,28 +14,28 @@
 
 #include "kerf/units.hpp"
 
-namespace kerf {
+namespace kerf::run {
 namespace {
 
 using namespace literals;
 
 /// One hole of 10 mm along +z with a zone two millimetres beside it; a second step after it.
 struct Case {
-    Procedure procedure;
-    Anatomy anatomy;
+    documents::Procedure procedure;
+    documents::Anatomy anatomy;
     std::vector<AxisFrame> frames;
     ToolSolid drill{{{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 1.5_mm}}};
     std::vector<std::string> new_events;
 
     Case() {
-        Step step;
+        documents::Step step;
         step.id = "hole";
         step.goals = {{"entry", {}, {}}, {"depth", {10.0_mm, {}}, {}}};
         step.limits = {{"clearance", "nerve", {0.0, {}}, "Too near.", {}},
                        {"depth", "", {{}, 12.0_mm}, "Too deep.", {}}};
         procedure.steps = {step, step};
         procedure.steps[1].id = "second";
-        anatomy.zones = {{"nerve", {TubeSolid{{3.5_mm, 0, -50.0_mm}, {3.5_mm, 0, 50.0_mm}, 1.0_mm}}}};
+        anatomy.zones = {{"nerve", {documents::TubeSolid{{3.5_mm, 0, -50.0_mm}, {3.5_mm, 0, 50.0_mm}, 1.0_mm}}}};
         const AxisFrame frame{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
         frames = {frame, frame};
     }
@@ -65,8 +65,8 @@ TEST(StepMonitor, BesideTheBoneThereIsNoHoleThatCouldBeTooDeep) {
 
 TEST(AxisFrame, ABladeIsFedAlongTheAxisAndLiesInThePlane) {
     // Given an axis to the back and a plane that looks to the feet, as in a cut across a femur
-    const LandmarkAxis axis{"way", {0, -40.0_mm, 0}, {0, 40.0_mm, 0}, 0.0};
-    const LandmarkPlane plane{"level", {}, {0, 0, -1}, 0.0};
+    const documents::LandmarkAxis axis{"way", {0, -40.0_mm, 0}, {0, 40.0_mm, 0}, 0.0};
+    const documents::LandmarkPlane plane{"level", {}, {0, 0, -1}, 0.0};
     const AxisFrame frame = axis_frame(axis, 10.0_mm, {}, &plane);
 
     // When the tool is 5 mm deep, 3 mm aside and turned by 30 degrees
@@ -84,8 +84,8 @@ TEST(AxisFrame, ABladeIsFedAlongTheAxisAndLiesInThePlane) {
 }
 
 TEST(AxisFrame, AimedBesideTheAxisAllOfTheWayTurnsAboutTheEntryTowardsTheMidline) {
-    const LandmarkAxis axis{"way", {0, 0, 0}, {0, 0, 40.0_mm}, 0.0};
-    Anatomy anatomy;
+    const documents::LandmarkAxis axis{"way", {0, 0, 0}, {0, 0, 40.0_mm}, 0.0};
+    documents::Anatomy anatomy;
     anatomy.points.push_back({"midline", {20.0_mm, 0, 30.0_mm}, 0.0});
     const AxisFrame frame = axis_frame(axis, 10.0_mm, anatomy);
 
@@ -98,8 +98,8 @@ TEST(AxisFrame, AimedBesideTheAxisAllOfTheWayTurnsAboutTheEntryTowardsTheMidline
 }
 
 TEST(AxisFrame, APlaneSeenFromBehindTurnsTheBladeOver) {
-    const LandmarkAxis axis{"way", {0, 0, -1.0_mm}, {0, 0, 1.0_mm}, 0.0};
-    const LandmarkPlane plane{"level", {}, {0, -1, 0}, 0.0};
+    const documents::LandmarkAxis axis{"way", {0, 0, -1.0_mm}, {0, 0, 1.0_mm}, 0.0};
+    const documents::LandmarkPlane plane{"level", {}, {0, -1, 0}, 0.0};
     const Pose pose = axis_frame(axis, 0.0, {}, &plane).pose_at({});
     EXPECT_LT(length(rotate(pose.rotation, {0, 1, 0}) - Vec3{0, -1, 0}), 1e-12);
     EXPECT_LT(length(rotate(pose.rotation, {0, 0, 1}) - Vec3{0, 0, 1}), 1e-12);
@@ -215,7 +215,7 @@ TEST(StepMonitor, AWallIsJudgedWhenItsStepHasEnded) {
     scene.procedure.steps[0].limits = {{"plane_angle", "", {{}, 3.0_deg}, "Tilted.", {}},
                                        {"flatness", "", {{}, 1.0_mm}, "Uneven.", {}}};
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
-    monitor.judge_cut(0, CutWall{.angle = 4.0_deg, .offset = 0.0, .flatness = 0.5_mm, .points = 100}, 2e-9, 1.0);
+    monitor.judge_cut(0, bone::CutWall{.angle = 4.0_deg, .offset = 0.0, .flatness = 0.5_mm, .points = 100}, 2e-9, 1.0);
     ASSERT_EQ(monitor.new_events().size(), 1u);
     EXPECT_EQ(monitor.new_events()[0].second, "plane_angle");
     EXPECT_TRUE(monitor.steps()[0].limits[0].broken_at);
@@ -233,8 +233,8 @@ TEST(StepMonitor, AHoleIsJudgedWhenItsStepHasEnded) {
                                        {"breach", "", {{}, 2.0_mm}, "Breaches.", {}, "", 6.5_mm}};
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
     HoleResult result;
-    result.hole = DrilledHole{.narrowest_offset = 2.5_mm, .angle = 4.0_deg, .drilled = 1.5e-7, .ideal = 1e-7};
-    result.breaches.emplace_back(6.5_mm, Breach{.towards = {0.5_mm, 0, 0, 1.9_mm}, .depth = 20.0_mm});
+    result.hole = bone::DrilledHole{.narrowest_offset = 2.5_mm, .angle = 4.0_deg, .drilled = 1.5e-7, .ideal = 1e-7};
+    result.breaches.emplace_back(6.5_mm, bone::Breach{.towards = {0.5_mm, 0, 0, 1.9_mm}, .depth = 20.0_mm});
     monitor.judge_hole(0, result, 1.0);
     ASSERT_EQ(monitor.new_events().size(), 2u);
     EXPECT_EQ(monitor.new_events()[0].second, "narrowest_offset");
@@ -254,7 +254,7 @@ TEST(StepMonitor, OfAScratchNothingIsMeasured) {
 
 TEST(StepMonitor, DamageBreaksTheLimitOfThatEventOnce) {
     Case scene;
-    Limit damage{"damage", "", {}, "It bent.", {}, "drilling.bit_overbent"};
+    documents::Limit damage{"damage", "", {}, "It bent.", {}, "drilling.bit_overbent"};
     scene.procedure.steps[0].limits = {damage};
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
     monitor.report("drilling.stalled", 0.5);
@@ -345,7 +345,7 @@ TEST(StepMonitor, ALimitOnDepthIsBrokenByGoingDeeper) {
 /// A step with one limit and no goal, shown at a depth of its own.
 struct OneLimit {
     Case scene;
-    explicit OneLimit(const Limit& limit) {
+    explicit OneLimit(const documents::Limit& limit) {
         scene.procedure.steps[0].goals = {{"depth", {1.0, {}}, {}}};  // never reached
         scene.procedure.steps[0].limits = {limit};
     }
@@ -395,8 +395,8 @@ TEST(StepMonitor, AClearanceOfExactlyItsLowerBoundHolds) {
 }
 
 TEST(StepMonitor, AWallExactlyAtItsBoundHolds) {
-    const CutWall wall{.angle = 0.125, .offset = -0.25, .flatness = 0.5, .points = 100};
-    const auto broken = [&](const char* quantity, const Bound& bound) {
+    const bone::CutWall wall{.angle = 0.125, .offset = -0.25, .flatness = 0.5, .points = 100};
+    const auto broken = [&](const char* quantity, const documents::Bound& bound) {
         Case scene;
         scene.procedure.steps[0].limits = {{quantity, "", bound, "", {}}};
         StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
@@ -459,7 +459,7 @@ TEST(StepMonitor, ALimitIsBrokenOnceAtItsFirstTime) {
 
 struct OneGoal {
     Case scene;
-    explicit OneGoal(const Goal& goal) {
+    explicit OneGoal(const documents::Goal& goal) {
         scene.procedure.steps[0].goals = {goal};
         scene.procedure.steps[0].limits = {};
     }
@@ -542,7 +542,7 @@ TEST(StepMonitor, AStepEndsOnlyOutsideWithNothingHeld) {
 
 TEST(StepMonitor, AfterItsLastStepItSeesNothing) {
     Case scene;
-    for (Step& step : scene.procedure.steps) step.goals = {{"entry", {}, {}}};
+    for (documents::Step& step : scene.procedure.steps) step.goals = {{"entry", {}, {}}};
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
     for (int i = 0; i < 2; ++i) {
         monitor.observe(cutting_at(0.5_mm), scene.drill);
@@ -629,7 +629,7 @@ TEST(TipSpeed, AveragesOverTwentyTicksInBone) {
 
 TEST(StepMonitor, ADurationBeginsWithItsStep) {
     Case scene;
-    for (Step& step : scene.procedure.steps) {
+    for (documents::Step& step : scene.procedure.steps) {
         step.goals = {{"entry", {}, {}}};
         step.limits = {{"duration", "", {{}, 2.0}, "", {}}};
     }
@@ -687,7 +687,7 @@ Observation reporting(const std::vector<double>& signals) {
 }
 
 TEST(StepMonitor, ASignalIsLimitedInEveryTick) {
-    const Limit clamp{.quantity = "signal", .bound = {{}, 100.0}, .signal = {"clamp", 1, "N"}};
+    const documents::Limit clamp{.quantity = "signal", .bound = {{}, 100.0}, .signal = {"clamp", 1, "N"}};
     const OneLimit limit(clamp);
     const std::vector<double> low{500.0, 100.0}, high{0.0, 100.5};
     EXPECT_FALSE(limit.after({reporting(low)}).broken_at);
@@ -724,7 +724,7 @@ TEST(StepMonitor, ASignalBeforeItsTurnCountsAsWell) {
 
 TEST(StepMonitor, KeepsTheRangeOfEachNamedSignalOnce) {
     Case scene;
-    const NamedSignal clamp{"clamp", 0, "N"};
+    const documents::NamedSignal clamp{"clamp", 0, "N"};
     scene.procedure.steps[0].goals = {{.quantity = "signal", .bound = {1e3, {}}, .signal = clamp}};
     scene.procedure.steps[0].limits = {{.quantity = "signal", .bound = {{}, 2e3}, .signal = clamp}};
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
@@ -742,7 +742,7 @@ TEST(Clearance, IsThatOfTheNearestPointAlongTheOutline) {
     // Given a cone of 45 degrees to 4 mm, and a cube of 2 mm beside each of its parts
     const ToolSolid cone({{0.0, 0.0}, {-4.0_mm, 4.0_mm}, {-8.0_mm, 4.0_mm}});
     const auto to = [&](Vec3 at) {
-        return clearance(cone, identity_pose(), {"cube", {BoxSolid{at, {2.0_mm, 2.0_mm, 2.0_mm}}}});
+        return clearance(cone, identity_pose(), {"cube", {documents::BoxSolid{at, {2.0_mm, 2.0_mm, 2.0_mm}}}});
     };
     EXPECT_NEAR(to({0, 0, 3.0_mm}), 2.0_mm, 1e-9) << "ahead of the tip";
     EXPECT_NEAR(to({7.0_mm, 0, -6.0_mm}), 2.0_mm, 1e-9) << "beside the wall, where a ring is";
@@ -750,7 +750,8 @@ TEST(Clearance, IsThatOfTheNearestPointAlongTheOutline) {
     EXPECT_NEAR(to({4.0_mm, 0, 0.0_mm}), std::sqrt(2.0) * 1.0_mm, 1e-9) << "beside the middle of the cone";
     EXPECT_NEAR(to({4.5_mm, 0, -6.0_mm}), -0.5_mm, 1e-9) << "it is inside";
     const Pose moved{{0, 0, 3.0_mm}, {1, 0, 0, 0}};
-    EXPECT_NEAR(clearance(cone, moved, {"cube", {BoxSolid{{0, 0, 8.0_mm}, {2.0_mm, 2.0_mm, 2.0_mm}}}}), 4.0_mm, 1e-9);
+    EXPECT_NEAR(clearance(cone, moved, {"cube", {documents::BoxSolid{{0, 0, 8.0_mm}, {2.0_mm, 2.0_mm, 2.0_mm}}}}),
+                4.0_mm, 1e-9);
 }
 
 /// The goal of the first step is a measure of at most 5 mm.
@@ -760,8 +761,8 @@ struct MeasuringWatch : Watch {
 
     static Case measuring() {
         Case made;
-        made.procedure.measures = {{.id = "wall", .kind = Measure::Kind::thickness}};
-        Goal goal;
+        made.procedure.measures = {{.id = "wall", .kind = documents::Measure::Kind::thickness}};
+        documents::Goal goal;
         goal.quantity = "measure";
         goal.measure = "wall";
         goal.bound = {{}, 5.0_mm};
@@ -802,4 +803,4 @@ TEST(StepMonitor, AMeasureThatCannotBeMadeReachesNoGoal) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::run

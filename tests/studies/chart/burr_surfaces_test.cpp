@@ -24,17 +24,17 @@ const Clock clock_of = [](const auto& work) { return processor_time_of(work); };
 
 /// The strategies as kerf-remesh opens them.
 struct Modules {
-    std::unique_ptr<RemeshModule> burring, cgal;
+    std::unique_ptr<bone::RemeshModule> burring, cgal;
 
     Modules() {
         std::string error;
-        burring = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_burring.so", error);
-        cgal = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
+        burring = bone::RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_burring.so", error);
+        cgal = bone::RemeshModule::open(KERF_BUILD_DIR "/lib/kerf/kerf_remesh_cgal.so", error);
     }
-    [[nodiscard]] StrategyCall find(const std::string& full_id) const {
+    [[nodiscard]] bone::StrategyCall find(const std::string& full_id) const {
         const std::string id = full_id.substr(full_id.rfind('.') + 1);
         const kerf_component* found = burring->find(id) != nullptr ? burring->find(id) : cgal->find(id);
-        return [found](const RemeshRequest& request) { return remesh_here(*found, request); };
+        return [found](const bone::RemeshRequest& request) { return bone::remesh_here(*found, request); };
     }
 };
 
@@ -74,10 +74,10 @@ TEST(GrooveSurface, AtOnceIsExactToItsPolygons) {
 
 TEST(BurrSurfaces, AreLeftOutWithoutTheirStrategies) {
     EXPECT_TRUE(burr_surfaces(
-                    "burr-groove", [](const std::string&) { return StrategyCall{}; }, true)
+                    "burr-groove", [](const std::string&) { return bone::StrategyCall{}; }, true)
                     .empty());
     EXPECT_TRUE(burr_surfaces(
-                    "femur", [](const std::string&) { return StrategyCall{}; }, true)
+                    "femur", [](const std::string&) { return bone::StrategyCall{}; }, true)
                     .empty());
 }
 

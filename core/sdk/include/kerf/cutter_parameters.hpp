@@ -4,10 +4,9 @@
 #include "kerf/describe.hpp"
 #include "kerf/spindle.hpp"
 
-/// Parameters that the laws and tools of powered cutters share, each with one id, unit and range:
+/// Parameters common to the laws and tools of powered cutters, each with one id, unit and range:
 ///
-///     edge_force(&Law::thrust_edge, {.id = "thrust_edge", .help = "…", .max = 500.0_N_per_mm, .def = …, .source =
-///     "…"})
+///     edge_force(&Law::thrust_edge, {"thrust_edge", "…", 500.0_N_per_mm, 60.0_N_per_mm, "…"})
 ///
 /// Texts, defaults and bounds that differ between cutters are arguments.
 namespace kerf {

@@ -26,27 +26,27 @@ constexpr double radius = 2.0_mm;
 
 using Displace = test::Displacing;
 
-TaggedMesh bone_slab(double square = 1.0_mm) { return tagged(slab(24.0_mm, 10.0_mm, 8.0_mm, square)); }
+bone::TaggedMesh bone_slab(double square = 1.0_mm) { return bone::tagged(slab(24.0_mm, 10.0_mm, 8.0_mm, square)); }
 
-double volume_of(const LocalCutting& cutting) { return signed_volume_of(cutting.surface().mesh().mesh); }
+double volume_of(const bone::LocalCutting& cutting) { return bone::signed_volume_of(cutting.surface().mesh().mesh); }
 
 TEST_F(Displace, AGrooveHasTheVolumeByHand) {
-    const TaggedMesh bone = bone_slab();
+    const bone::TaggedMesh bone = bone_slab();
     const ToolSolid burr = ball_burr(radius);
-    LocalCutting cut = cutting(bone, burr, 8e-6);
+    bone::LocalCutting cut = cutting(bone, burr, 8e-6);
     EXPECT_TRUE(cut.cut({burr_at({-6.0_mm, 0.1_mm, -1.0_mm}), burr_at({6.0_mm, 0.1_mm, -1.0_mm}), 0}));
     EXPECT_EQ(flaw_of(bone, cut), "");
     // 2.457 mm² of slot, and half a dimple of 1 mm at either end
     const double by_hand = 12.0e-3 * 2.4567e-6 + std::numbers::pi * 5.0 / 3.0 * 1e-9;
     EXPECT_NEAR(12.0e-3 * chart::slot_area(radius, 1.0_mm) + chart::dimple_volume(radius, 1.0_mm), by_hand, 1e-12);
     EXPECT_NEAR(cut.removed(), by_hand, 1e-3 * by_hand);
-    EXPECT_NEAR(signed_volume_of(bone.mesh) - volume_of(cut), cut.removed(), 1e-6 * by_hand);
+    EXPECT_NEAR(bone::signed_volume_of(bone.mesh) - volume_of(cut), cut.removed(), 1e-6 * by_hand);
 }
 
 TEST_F(Displace, ADimpleDeeperThanTheBallOverhangs) {
-    const TaggedMesh bone = bone_slab();
+    const bone::TaggedMesh bone = bone_slab();
     const ToolSolid burr = ball_burr(radius);
-    LocalCutting cut = cutting(bone, burr);
+    bone::LocalCutting cut = cutting(bone, burr);
     EXPECT_TRUE(cut.cut({burr_at({0.1_mm, 0.2_mm, -3.0_mm}), burr_at({0.1_mm, 0.2_mm, -3.0_mm}), 0}));
     EXPECT_EQ(flaw_of(bone, cut), "");
     const double by_hand = chart::dimple_volume(radius, 3.0_mm);  // 9 π mm³: the opening is narrower than the ball
@@ -55,10 +55,10 @@ TEST_F(Displace, ADimpleDeeperThanTheBallOverhangs) {
 }
 
 TEST_F(Displace, ABlindHoleEndsInACone) {
-    const TaggedMesh bone = bone_slab();
+    const bone::TaggedMesh bone = bone_slab();
     const double half_angle = 60.0_deg, depth = 6.0_mm;
     const ToolSolid drill = test::drill_outline(radius, half_angle, 30.0_mm);
-    LocalCutting cut = cutting(bone, drill);
+    bone::LocalCutting cut = cutting(bone, drill);
     EXPECT_TRUE(cut.cut({burr_at({0, 0, 1.0_mm}), burr_at({0, 0, -depth}), 0}));
     EXPECT_EQ(flaw_of(bone, cut), "");
     const double by_hand = std::numbers::pi * radius * radius * (depth - 2.0 / 3.0 * radius / std::tan(half_angle));
@@ -66,10 +66,10 @@ TEST_F(Displace, ABlindHoleEndsInACone) {
 }
 
 TEST_F(Displace, AStepDrillIsCutInConvexParts) {
-    const TaggedMesh bone = bone_slab();
+    const bone::TaggedMesh bone = bone_slab();
     const ToolSolid drill({{0.0, 1.0_mm}, {-3.0_mm, 1.0_mm}, {-3.5_mm, 2.0_mm}, {-20.0_mm, 2.0_mm}});
-    LocalCutting cut = cutting(bone, drill);
-    for (const CutStretch& step : in_steps({0.1_mm, 0.2_mm, 0.5_mm}, {0.1_mm, 0.2_mm, -5.0_mm}, 0.5_mm))
+    bone::LocalCutting cut = cutting(bone, drill);
+    for (const bone::CutStretch& step : in_steps({0.1_mm, 0.2_mm, 0.5_mm}, {0.1_mm, 0.2_mm, -5.0_mm}, 0.5_mm))
         EXPECT_TRUE(cut.cut(step));
     EXPECT_EQ(flaw_of(bone, cut), "");
     // 3 mm narrow, 0.5 mm of a cone, 1.5 mm wide
@@ -78,11 +78,11 @@ TEST_F(Displace, AStepDrillIsCutInConvexParts) {
 }
 
 TEST_F(Displace, FacesAsLargeAsTheSlabGiveTheSameGroove) {
-    const TaggedMesh bone = bone_slab(30.0_mm);
+    const bone::TaggedMesh bone = bone_slab(30.0_mm);
     ASSERT_EQ(bone.tags.size(), 12U);
     const ToolSolid burr = ball_burr(radius);
-    LocalCutting cut = cutting(bone, burr);
-    for (const CutStretch& step : in_steps({-6.0_mm, 0, -1.0_mm}, {6.0_mm, 0, -1.0_mm}, 0.5_mm))
+    bone::LocalCutting cut = cutting(bone, burr);
+    for (const bone::CutStretch& step : in_steps({-6.0_mm, 0, -1.0_mm}, {6.0_mm, 0, -1.0_mm}, 0.5_mm))
         EXPECT_TRUE(cut.cut(step));
     EXPECT_EQ(flaw_of(bone, cut), "");
     const double by_hand = 12.0e-3 * chart::slot_area(radius, 1.0_mm) + chart::dimple_volume(radius, 1.0_mm);
@@ -90,13 +90,13 @@ TEST_F(Displace, FacesAsLargeAsTheSlabGiveTheSameGroove) {
 }
 
 TEST_F(Displace, StepsOfAnyLengthMakeOneGroove) {
-    const TaggedMesh bone = bone_slab();
+    const bone::TaggedMesh bone = bone_slab();
     const ToolSolid burr = ball_burr(radius);
     std::vector<double> removed;
     std::vector<std::size_t> faces;
     for (const double feed : {12.0_mm, 1.0_mm, 0.1_mm}) {
-        LocalCutting cut = cutting(bone, burr);
-        for (const CutStretch& step : in_steps({-6.0_mm, 0, -1.0_mm}, {6.0_mm, 0, -1.0_mm}, feed))
+        bone::LocalCutting cut = cutting(bone, burr);
+        for (const bone::CutStretch& step : in_steps({-6.0_mm, 0, -1.0_mm}, {6.0_mm, 0, -1.0_mm}, feed))
             EXPECT_TRUE(cut.cut(step));
         EXPECT_EQ(flaw_of(bone, cut), "") << feed;
         removed.push_back(cut.removed());
@@ -107,9 +107,9 @@ TEST_F(Displace, StepsOfAnyLengthMakeOneGroove) {
 }
 
 TEST_F(Displace, AGrooveInACurvedBoneHasTheExactVolume) {
-    const TaggedMesh bone = tagged(test::bent_bone(8000.0));
+    const bone::TaggedMesh bone = bone::tagged(test::bent_bone(8000.0));
     const ToolSolid burr = ball_burr(radius);
-    std::vector<CutStretch> cuts;
+    std::vector<bone::CutStretch> cuts;
     std::mt19937 random(3);
     std::normal_distribution<double> tremor(0.0, 20e-6);
     Pose last{};
@@ -120,8 +120,8 @@ TEST_F(Displace, AGrooveInACurvedBoneHasTheExactVolume) {
         if (i > 0) cuts.push_back({last, next, 0});
         last = next;
     }
-    LocalCutting cut = cutting(bone, burr, 8e-6);
-    for (const CutStretch& step : cuts) EXPECT_TRUE(cut.cut(step));
+    bone::LocalCutting cut = cutting(bone, burr, 8e-6);
+    for (const bone::CutStretch& step : cuts) EXPECT_TRUE(cut.cut(step));
     EXPECT_EQ(flaw_of(bone, cut), "");
     const double exact = exactly_removed(bone, burr, cuts);
     EXPECT_NEAR(cut.removed(), exact, 3e-3 * exact); /* 0.5 mm deep: a third of 5 um lacks everywhere */
@@ -129,12 +129,13 @@ TEST_F(Displace, AGrooveInACurvedBoneHasTheExactVolume) {
 
 TEST_F(Displace, ABlindTunnelIsDugByDisplacement) {
     // Down and then along, with 1 mm of bone over the ball: a blind tunnel, still a disc of surface moved inwards.
-    const TaggedMesh bone = bone_slab();
+    const bone::TaggedMesh bone = bone_slab();
     const ToolSolid burr = ball_burr(radius);
     auto cuts = in_steps({-6.0_mm, 0, 0}, {-6.0_mm, 0, -5.0_mm}, 0.5_mm);
-    for (const CutStretch& cut : in_steps({-6.0_mm, 0, -5.0_mm}, {2.0_mm, 0, -5.0_mm}, 0.5_mm)) cuts.push_back(cut);
-    LocalCutting cut = cutting(bone, burr);
-    for (const CutStretch& step : cuts) EXPECT_TRUE(cut.cut(step));
+    for (const bone::CutStretch& cut : in_steps({-6.0_mm, 0, -5.0_mm}, {2.0_mm, 0, -5.0_mm}, 0.5_mm))
+        cuts.push_back(cut);
+    bone::LocalCutting cut = cutting(bone, burr);
+    for (const bone::CutStretch& step : cuts) EXPECT_TRUE(cut.cut(step));
     EXPECT_EQ(flaw_of(bone, cut), "");
     EXPECT_EQ(euler_of(cut.surface().mesh().mesh), 2);
     const double exact =
@@ -145,14 +146,14 @@ TEST_F(Displace, ABlindTunnelIsDugByDisplacement) {
 // ---- laws ---------------------------------------------------------------------------------------------------------
 
 /// A groove with tremor in a bone, in its patch.
-RemeshRequest groove_request(const ToolSolid& burr) {
-    RemeshRequest request;
-    const GrowingSurface bone(tagged(test::bent_bone(8000.0)));
+bone::RemeshRequest groove_request(const ToolSolid& burr) {
+    bone::RemeshRequest request;
+    const bone::GrowingSurface bone(bone::tagged(test::bent_bone(8000.0)));
     request.cuts = {{{{-2.0_mm, 2.0_mm, 8.2_mm}, quat_between({0, 0, 1}, {0, 0, -1})},
                      {{2.0_mm, 2.1_mm, 8.1_mm}, quat_between({0, 0, 1}, {0, 0, -1})},
                      0}};
     request.solids = {&burr};
-    const SurfacePatch patch = bone.patch_in(swept_box(burr, request.cuts.front()));
+    const bone::SurfacePatch patch = bone.patch_in(bone::swept_box(burr, request.cuts.front()));
     request.base = patch.mesh;
     request.locked = patch.locked;
     request.tolerance = 20e-6;
@@ -161,10 +162,10 @@ RemeshRequest groove_request(const ToolSolid& burr) {
 
 TEST_F(Displace, MovesNothingOutsideTheContact) {
     const ToolSolid burr = ball_burr(radius);
-    const RemeshRequest request = groove_request(burr);
-    const RemeshResult result = displace(request);
+    const bone::RemeshRequest request = groove_request(burr);
+    const bone::RemeshResult result = displace(request);
     ASSERT_EQ(result.status, KERF_OK) << result.message;
-    const TriangleTree before(request.base.mesh);
+    const bone::TriangleTree before(request.base.mesh);
     std::size_t old_faces = 0;
     for (std::size_t f = 0; f < result.mesh.tags.size(); ++f) {
         if (result.mesh.tags[f] != KERF_FACE_SURFACE) continue;
@@ -177,12 +178,12 @@ TEST_F(Displace, MovesNothingOutsideTheContact) {
 
 TEST_F(Displace, PutsTheWallOnTheSweptBurr) {
     const ToolSolid burr = ball_burr(radius);
-    const RemeshRequest request = groove_request(burr);
-    const RemeshResult result = displace(request);
+    const bone::RemeshRequest request = groove_request(burr);
+    const bone::RemeshResult result = displace(request);
     ASSERT_EQ(result.status, KERF_OK) << result.message;
-    const CutStretch& cut = request.cuts.front();
+    const bone::CutStretch& cut = request.cuts.front();
     const Vec3 begin = cut.from * Vec3{0, 0, -radius}, end = cut.to * Vec3{0, 0, -radius}, way = end - begin;
-    const TriangleTree before(request.base.mesh);
+    const bone::TriangleTree before(request.base.mesh);
     std::size_t walls = 0;
     for (std::size_t f = 0; f < result.mesh.tags.size(); ++f) {
         if (result.mesh.tags[f] != KERF_FACE_WALL) continue;
@@ -205,8 +206,8 @@ TEST_F(Displace, PutsTheWallOnTheSweptBurr) {
 
 TEST_F(Displace, KeepsLockedVerticesBitForBit) {
     const ToolSolid burr = ball_burr(radius);
-    const RemeshRequest request = groove_request(burr);
-    const RemeshResult result = displace(request);
+    const bone::RemeshRequest request = groove_request(burr);
+    const bone::RemeshResult result = displace(request);
     ASSERT_EQ(result.status, KERF_OK) << result.message;
     std::size_t locked = 0;
     for (std::size_t v = 0; v < request.locked.size(); ++v) {
@@ -217,17 +218,17 @@ TEST_F(Displace, KeepsLockedVerticesBitForBit) {
                                 [&](Vec3 got) { return std::memcmp(&got, &needed, sizeof got) == 0; }));
     }
     EXPECT_GT(locked, 20U);
-    EXPECT_EQ(flaw_of_result(request, result.mesh), "") << "its border is the same, and no faces cross";
+    EXPECT_EQ(bone::flaw_of_result(request, result.mesh), "") << "its border is the same, and no faces cross";
 }
 
 TEST_F(Displace, DeclinesAPatchWhoseBorderTheBurrReaches) {
     const ToolSolid burr = ball_burr(radius);
-    RemeshRequest request = groove_request(burr);
-    const GrowingSurface bone(tagged(test::bent_bone(8000.0)));
-    const SurfacePatch patch = bone.patch_in({{-1.0_mm, 1.5_mm, 7.0_mm}, {1.0_mm, 2.5_mm, 12.0_mm}});
+    bone::RemeshRequest request = groove_request(burr);
+    const bone::GrowingSurface bone(bone::tagged(test::bent_bone(8000.0)));
+    const bone::SurfacePatch patch = bone.patch_in({{-1.0_mm, 1.5_mm, 7.0_mm}, {1.0_mm, 2.5_mm, 12.0_mm}});
     request.base = patch.mesh;
     request.locked = patch.locked;
-    const RemeshResult result = displace(request);
+    const bone::RemeshResult result = displace(request);
     EXPECT_EQ(result.status, KERF_REMESH_DECLINED);
     EXPECT_EQ(result.message, "the burr reaches the border of the patch");
 }
@@ -235,9 +236,9 @@ TEST_F(Displace, DeclinesAPatchWhoseBorderTheBurrReaches) {
 TEST_F(Displace, TouchingAThousandTimesChangesNothing) {
     // S-14: a ball of bone, the burr touching it everywhere, and sliding along a slab.
     const ToolSolid burr = ball_burr(radius);
-    const TaggedMesh ball = tagged(test::sphere(6.0_mm, 4)), flat = bone_slab();
-    LocalCutting on_ball = cutting(ball, burr), on_flat = cutting(flat, burr);
-    const TaggedMesh ball_before = on_ball.surface().mesh(), flat_before = on_flat.surface().mesh();
+    const bone::TaggedMesh ball = bone::tagged(test::sphere(6.0_mm, 4)), flat = bone_slab();
+    bone::LocalCutting on_ball = cutting(ball, burr), on_flat = cutting(flat, burr);
+    const bone::TaggedMesh ball_before = on_ball.surface().mesh(), flat_before = on_flat.surface().mesh();
     std::mt19937 random(9);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     for (int n = 0; n < 1000; ++n) {
@@ -258,64 +259,66 @@ TEST_F(Displace, TouchingAThousandTimesChangesNothing) {
 }
 
 TEST_F(Displace, RepeatingAGrooveRemovesNothingMore) {
-    const TaggedMesh bone = bone_slab();
+    const bone::TaggedMesh bone = bone_slab();
     const ToolSolid burr = ball_burr(radius);
-    LocalCutting cut = cutting(bone, burr);
-    const CutStretch along{burr_at({-6.0_mm, 0, -1.0_mm}), burr_at({6.0_mm, 0, -1.0_mm}), 0};
+    bone::LocalCutting cut = cutting(bone, burr);
+    const bone::CutStretch along{burr_at({-6.0_mm, 0, -1.0_mm}), burr_at({6.0_mm, 0, -1.0_mm}), 0};
     EXPECT_TRUE(cut.cut(along));
     const double once = cut.removed();
     const std::size_t faces = cut.surface().face_count();
-    for (int n = 0; n < 20; ++n) EXPECT_TRUE(cut.cut(n % 2 == 0 ? CutStretch{along.to, along.from, 0} : along));
+    for (int n = 0; n < 20; ++n) EXPECT_TRUE(cut.cut(n % 2 == 0 ? bone::CutStretch{along.to, along.from, 0} : along));
     EXPECT_NEAR(cut.removed(), once, 1e-6 * once);
     EXPECT_EQ(cut.surface().face_count(), faces);
 }
 
 TEST_F(Displace, TurningTheWorldTurnsTheGroove) {
     const ToolSolid burr = ball_burr(radius);
-    const RemeshRequest request = groove_request(burr);
-    const RemeshResult result = displace(request);
+    const bone::RemeshRequest request = groove_request(burr);
+    const bone::RemeshResult result = displace(request);
     ASSERT_EQ(result.status, KERF_OK) << result.message;
     const Pose turn{{30.0_mm, -20.0_mm, 5.0_mm}, quat_from_rotation_vector({0.7, -0.4, 1.1})};
-    RemeshRequest turned = request;
+    bone::RemeshRequest turned = request;
     for (Vec3& v : turned.base.mesh.vertices) v = turn * v;
-    for (CutStretch& cut : turned.cuts) cut = {turn * cut.from, turn * cut.to, cut.solid};
-    const RemeshResult other = displace(turned);
+    for (bone::CutStretch& cut : turned.cuts) cut = {turn * cut.from, turn * cut.to, cut.solid};
+    const bone::RemeshResult other = displace(turned);
     ASSERT_EQ(other.status, KERF_OK) << other.message;
-    EXPECT_EQ(flaw_of_result(turned, other.mesh), "");
-    const double removed = volume_between(result.mesh.mesh, request.base.mesh);
-    EXPECT_NEAR(volume_between(other.mesh.mesh, turned.base.mesh), removed, 1e-4 * removed /* rounding decides ties */);
+    EXPECT_EQ(bone::flaw_of_result(turned, other.mesh), "");
+    const double removed = bone::volume_between(result.mesh.mesh, request.base.mesh);
+    EXPECT_NEAR(bone::volume_between(other.mesh.mesh, turned.base.mesh), removed,
+                1e-4 * removed /* rounding decides ties */);
 }
 
 TEST_F(Displace, MirroringTheWorldMirrorsTheGroove) {
     const ToolSolid burr = ball_burr(radius);
-    const RemeshRequest request = groove_request(burr);
-    const RemeshResult result = displace(request);
+    const bone::RemeshRequest request = groove_request(burr);
+    const bone::RemeshResult result = displace(request);
     ASSERT_EQ(result.status, KERF_OK) << result.message;
-    RemeshRequest mirrored = request;
+    bone::RemeshRequest mirrored = request;
     for (Vec3& v : mirrored.base.mesh.vertices) v.x = -v.x;
-    for (Triangle& t : mirrored.base.mesh.triangles) std::swap(t[1], t[2]);
-    for (CutStretch& cut : mirrored.cuts) {
+    for (bone::Triangle& t : mirrored.base.mesh.triangles) std::swap(t[1], t[2]);
+    for (bone::CutStretch& cut : mirrored.cuts) {
         cut.from.position.x = -cut.from.position.x;
         cut.to.position.x = -cut.to.position.x;
     }
-    const RemeshResult other = displace(mirrored);
+    const bone::RemeshResult other = displace(mirrored);
     ASSERT_EQ(other.status, KERF_OK) << other.message;
-    const double removed = volume_between(result.mesh.mesh, request.base.mesh);
-    EXPECT_NEAR(volume_between(other.mesh.mesh, mirrored.base.mesh), removed, 1e-3 * removed /* other diagonals */);
+    const double removed = bone::volume_between(result.mesh.mesh, request.base.mesh);
+    EXPECT_NEAR(bone::volume_between(other.mesh.mesh, mirrored.base.mesh), removed,
+                1e-3 * removed /* other diagonals */);
 }
 
 TEST_F(Displace, MakesTheSameBitsHereAndInAProcessOfItsOwn) {
     const ToolSolid burr = ball_burr(radius);
-    const RemeshRequest request = groove_request(burr);
-    const RemeshResult one = displace(request), two = displace(request);
+    const bone::RemeshRequest request = groove_request(burr);
+    const bone::RemeshResult one = displace(request), two = displace(request);
     std::string error;
     const auto child =
-        RemeshChild::start({KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", test::burring_module, "displace"}, error);
+        bone::RemeshChild::start({KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", test::burring_module, "displace"}, error);
     ASSERT_NE(child, nullptr) << error;
     EXPECT_EQ(child->scope(), std::uint32_t{KERF_REMESH_PATCH});
-    const RemeshResult there = child->remesh(request, std::chrono::seconds(60));
+    const bone::RemeshResult there = child->remesh(request, std::chrono::seconds(60));
     ASSERT_EQ(one.status, KERF_OK) << one.message;
-    for (const RemeshResult* other : {&two, &there}) {
+    for (const bone::RemeshResult* other : {&two, &there}) {
         ASSERT_EQ(other->status, KERF_OK) << other->message;
         EXPECT_EQ(other->mesh.mesh.triangles, one.mesh.mesh.triangles);
         EXPECT_TRUE(std::equal(one.mesh.mesh.vertices.begin(), one.mesh.mesh.vertices.end(),
@@ -325,23 +328,23 @@ TEST_F(Displace, MakesTheSameBitsHereAndInAProcessOfItsOwn) {
 }
 
 TEST_F(Displace, TakesAClosedMeshToo) {
-    RemeshRequest request;
+    bone::RemeshRequest request;
     request.base = bone_slab();
     const ToolSolid burr = ball_burr(radius);
     request.solids = {&burr};
     request.cuts = in_steps({-6.0_mm, 0, -1.0_mm}, {6.0_mm, 0, -1.0_mm}, 3.0_mm);
-    const RemeshResult result = displace(request);
+    const bone::RemeshResult result = displace(request);
     ASSERT_EQ(result.status, KERF_OK) << result.message;
-    EXPECT_EQ(flaw_of_result(request, result.mesh), "");
+    EXPECT_EQ(bone::flaw_of_result(request, result.mesh), "");
     const double by_hand = 12.0e-3 * chart::slot_area(radius, 1.0_mm) + chart::dimple_volume(radius, 1.0_mm);
-    EXPECT_NEAR(volume_between(result.mesh.mesh, request.base.mesh), by_hand, 2e-3 * by_hand);
+    EXPECT_NEAR(bone::volume_between(result.mesh.mesh, request.base.mesh), by_hand, 2e-3 * by_hand);
 }
 
 TEST_F(Displace, LeavesNoSliversOnAverage) {
-    const TaggedMesh bone = bone_slab();
+    const bone::TaggedMesh bone = bone_slab();
     const ToolSolid burr = ball_burr(radius);
-    LocalCutting cut = cutting(bone, burr);
-    for (const CutStretch& step : in_steps({-6.0_mm, 0, -1.0_mm}, {6.0_mm, 0, -1.0_mm}, 0.5_mm)) cut.cut(step);
+    bone::LocalCutting cut = cutting(bone, burr);
+    for (const bone::CutStretch& step : in_steps({-6.0_mm, 0, -1.0_mm}, {6.0_mm, 0, -1.0_mm}, 0.5_mm)) cut.cut(step);
     const std::vector<double> angles = min_angles_of_walls(cut.surface().mesh());
     ASSERT_GT(angles.size(), 1000U);
     EXPECT_GT(angles[angles.size() / 2], 25.0_deg);

@@ -46,17 +46,17 @@ TEST(Refine, SplitsOneFaceInFourAndHalvesItsNeighbours) {
         mesh, [](const Triangles&, std::uint32_t f, double) { return f == 0; }, halfway, 1000));
     EXPECT_EQ(mesh.tags.size(), 7U + 4U + 3U);  // 8 faces: one becomes 4, three become 2
     EXPECT_EQ(mesh.vertices.size(), 6U + 3U);
-    EXPECT_EQ(flaw_of_base(mesh_of(mesh)), "");
+    EXPECT_EQ(bone::flaw_of_base(mesh_of(mesh)), "");
 }
 
 TEST(Refine, KeepsVolumeAreaAndOldVertices) {
-    const SurfaceMesh cube = test::cube(10.0_mm);
+    const bone::SurfaceMesh cube = test::cube(10.0_mm);
     Triangles mesh = triangles_of(cube);
     ASSERT_TRUE(refine(mesh, near_a_corner(0.2_mm), halfway, 100'000));
     EXPECT_GT(mesh.tags.size(), 500U);
-    EXPECT_EQ(flaw_of_base(mesh_of(mesh)), "") << "conforming";
-    EXPECT_NEAR(signed_volume_of(mesh_of(mesh)), 1e-6, 1e-17);
-    EXPECT_NEAR(area_of(mesh_of(mesh)), 6e-4, 1e-14);
+    EXPECT_EQ(bone::flaw_of_base(mesh_of(mesh)), "") << "conforming";
+    EXPECT_NEAR(bone::signed_volume_of(mesh_of(mesh)), 1e-6, 1e-17);
+    EXPECT_NEAR(bone::area_of(mesh_of(mesh)), 6e-4, 1e-14);
     for (std::size_t v = 0; v < cube.vertices.size(); ++v) EXPECT_TRUE(mesh.vertices[v] == cube.vertices[v]);
 }
 
@@ -77,8 +77,8 @@ TEST(Refine, MakesNoAngleSmallerThanOneHalving) {
 TEST(Refine, DiffersByOneLevelAtMost) {
     Triangles mesh = triangles_of(test::cube(10.0_mm));
     ASSERT_TRUE(refine(mesh, near_a_corner(0.1_mm), halfway, 100'000));
-    const SurfaceMesh refined = mesh_of(mesh);
-    for_each_edge(half_edges_of(refined), [&](const HalfEdge* first, const HalfEdge* last) {
+    const bone::SurfaceMesh refined = mesh_of(mesh);
+    bone::for_each_edge(bone::half_edges_of(refined), [&](const bone::HalfEdge* first, const bone::HalfEdge* last) {
         ASSERT_EQ(last - first, 2);
         const double one = longest_of(mesh, first->face), two = longest_of(mesh, first[1].face);
         EXPECT_LT(std::max(one, two), 2.9 * std::min(one, two));  // a level, and a halving: 2 √2
@@ -86,24 +86,24 @@ TEST(Refine, DiffersByOneLevelAtMost) {
 }
 
 TEST(Refine, LeavesTheBorderAlone) {
-    SurfaceMesh open = test::sphere(5.0_mm, 2);
-    std::erase_if(open.triangles, [&](const Triangle& t) {
+    bone::SurfaceMesh open = test::sphere(5.0_mm, 2);
+    std::erase_if(open.triangles, [&](const bone::Triangle& t) {
         const auto [a, b, c] = open.corners(t);
         return a.z + b.z + c.z < 0.0;
     });
-    drop_unused_vertices(open);
+    bone::drop_unused_vertices(open);
     Triangles mesh = triangles_of(open);
     ASSERT_TRUE(refine(
         mesh, [](const Triangles&, std::uint32_t, double longest) { return longest > 1.6_mm; }, halfway, 100'000));
-    const auto border_of = [](const SurfaceMesh& of) {
+    const auto border_of = [](const bone::SurfaceMesh& of) {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> border;
-        for_each_edge(half_edges_of(of), [&](const HalfEdge* first, const HalfEdge* last) {
+        bone::for_each_edge(bone::half_edges_of(of), [&](const bone::HalfEdge* first, const bone::HalfEdge* last) {
             if (last - first == 1) border.emplace_back(first->from(), first->to());
         });
         return border;
     };
     EXPECT_EQ(border_of(mesh_of(mesh)), border_of(open));
-    EXPECT_NEAR(area_of(mesh_of(mesh)), area_of(open), 1e-12);
+    EXPECT_NEAR(bone::area_of(mesh_of(mesh)), bone::area_of(open), 1e-12);
     EXPECT_GT(mesh.tags.size(), 2 * open.triangles.size());
 }
 

@@ -19,19 +19,19 @@ using namespace literals;
 using burring::displacement::tidy;
 using burring::displacement::Triangles;
 
-SurfaceMesh mesh_of(const Triangles& all) {
-    SurfaceMesh mesh;
+bone::SurfaceMesh mesh_of(const Triangles& all) {
+    bone::SurfaceMesh mesh;
     mesh.vertices = all.vertices;
     for (std::size_t f = 0; f < all.tags.size(); ++f)
         mesh.triangles.push_back({all.triangles[3 * f], all.triangles[3 * f + 1], all.triangles[3 * f + 2]});
-    drop_unused_vertices(mesh);
+    bone::drop_unused_vertices(mesh);
     return mesh;
 }
 
 /// A cube of 10 mm, one of whose faces has a vertex more, this far from the middle of its diagonal and this high over
 /// its plane. Vertex 8 is the new one.
 Triangles with_needle(double off, double high = 0.0) {
-    const SurfaceMesh cube = test::cube(10.0_mm);
+    const bone::SurfaceMesh cube = test::cube(10.0_mm);
     Triangles all;
     all.vertices = cube.vertices;
     // Faces 0 and 1 share the edge 0–3.
@@ -40,7 +40,7 @@ Triangles with_needle(double off, double high = 0.0) {
     all.vertices.push_back(0.5 * (cube.vertices[0] + cube.vertices[3]) + off * across + high * out);
     for (std::size_t f = 1; f < cube.triangles.size(); ++f)
         all.triangles.insert(all.triangles.end(), cube.triangles[f].begin(), cube.triangles[f].end());
-    for (const Triangle& t : {Triangle{0, 2, 8}, {2, 3, 8}, {0, 8, 3}})
+    for (const bone::Triangle& t : {bone::Triangle{0, 2, 8}, {2, 3, 8}, {0, 8, 3}})
         all.triangles.insert(all.triangles.end(), t.begin(), t.end());
     all.tags.assign(all.triangles.size() / 3, KERF_FACE_SURFACE);
     return all;
@@ -50,11 +50,11 @@ constexpr burring::displacement::TidyLimits limits{1e-9, 0.5_um, 2.5_um};
 
 TEST(Tidy, RemovesANeedleInAPlane) {
     Triangles mesh = with_needle(0.01_mm);
-    ASSERT_EQ(flaw_of_base(mesh_of(mesh)), "");
+    ASSERT_EQ(bone::flaw_of_base(mesh_of(mesh)), "");
     tidy(mesh, nothing, the_last, limits);
     EXPECT_EQ(mesh.tags.size(), 12U) << "the vertex is joined with another one";
-    EXPECT_EQ(flaw_of_base(mesh_of(mesh)), "");
-    EXPECT_NEAR(signed_volume_of(mesh_of(mesh)), 1e-6, 1e-18);
+    EXPECT_EQ(bone::flaw_of_base(mesh_of(mesh)), "");
+    EXPECT_NEAR(bone::signed_volume_of(mesh_of(mesh)), 1e-6, 1e-18);
 }
 
 TEST(Tidy, LeavesNeedlesThatWereThere) {
@@ -67,19 +67,19 @@ TEST(Tidy, LeavesNeedlesThatWereThere) {
 TEST(Tidy, KeepsVerticesThatMustStay) {
     Triangles mesh = with_needle(0.01_mm);
     tidy(mesh, all_of_them, the_last, limits);
-    const SurfaceMesh left = mesh_of(mesh);
+    const bone::SurfaceMesh left = mesh_of(mesh);
     EXPECT_EQ(left.vertices.size(), 9U) << "an edge is turned";
-    EXPECT_EQ(flaw_of_base(left), "");
-    EXPECT_NEAR(signed_volume_of(left), 1e-6, 1e-18);
+    EXPECT_EQ(bone::flaw_of_base(left), "");
+    EXPECT_NEAR(bone::signed_volume_of(left), 1e-6, 1e-18);
 }
 
 TEST(Tidy, DoesNotFlattenWhatStandsOut) {
     // 0.02 mm over the plane: to remove it would move the surface by more than the limits.
     Triangles mesh = with_needle(0.01_mm, 0.02_mm);
-    const double before = signed_volume_of(mesh_of(mesh));
+    const double before = bone::signed_volume_of(mesh_of(mesh));
     tidy(mesh, nothing, the_last, limits);
     EXPECT_EQ(mesh_of(mesh).vertices.size(), 9U);
-    EXPECT_NEAR(signed_volume_of(mesh_of(mesh)), before, 1e-18);
+    EXPECT_NEAR(bone::signed_volume_of(mesh_of(mesh)), before, 1e-18);
 }
 
 TEST(Tidy, KeepsTheRimOfAWall) {
