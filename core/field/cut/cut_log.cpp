@@ -13,7 +13,6 @@
 namespace kerf {
 
 namespace {
-// In voxels.
 constexpr double aside_voxels = 0.2;        ///< sideways motion that closes a record: nearly always one sub-pose
 constexpr double along_voxels = 1.0;        ///< slide that closes a record, where the solid covers its slide
 constexpr double test_voxels = 0.05;        ///< motion after which the open stretch is tested again

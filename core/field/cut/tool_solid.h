@@ -79,8 +79,8 @@ public:
     /// [any] pure.
     [[nodiscard]] SingleOutline faces_near(SingleOutline whole, double x, double spread, double reach) const noexcept;
 
-    /// Writes for each point of a block a plane that the solid does not cross. Nearby, no point is deeper than the
-    /// plane: depth + gradient · (offset from the point) [m], [–]. Pre: is_convex().   [any] pure, nonblocking.
+    /// Writes the depth [m] and gradient [–] of a plane outside the solid for each point of a block. Near the point,
+    /// the depth at an offset is at most depth + gradient · offset. Pre: is_convex().   [any] pure, nonblocking.
     void tangents(const PointBlock& points_in_tool, BlockValues& depths, PointBlock& gradients) const noexcept {
         gradients.count = points_in_tool.count;
         block_kernel().tangents(shape(), points_in_tool.count, points_in_tool.coordinates(), depths.data(),

@@ -12,7 +12,8 @@
 
 namespace kerf {
 
-/// The distances a caller needs exactly [m]. A source may return any value on the same side instead of one outside.
+/// The range of distances that a caller needs exactly [m]. For a distance below `low`, a source may return any value
+/// below `low`; for one above `high`, any value above `high`.
 struct DistanceRange {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();

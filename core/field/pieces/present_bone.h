@@ -17,7 +17,7 @@ namespace kerf {
 
 inline constexpr std::size_t max_bodies = 16;
 
-/// The separation of a body by a record.
+/// The separation of a body, at the record of the last cut before it.
 struct Separation {
     std::uint64_t sequence = 0, tick = 0;  ///< of the record, in the parent's count
     std::uint16_t parent = 0;

@@ -38,7 +38,7 @@ private:
     std::chrono::steady_clock::time_point start_time_;
 };
 
-/// Histogram of durations, with classes 6 % wide.
+/// Histogram of durations. A class is at most 1/16 of its duration wide, or one count.
 class CallTimes {
 public:
     /// [haptic, nonblocking]

@@ -25,8 +25,8 @@ struct TipBending {
     double deflection = 0.0;  ///< [m/N]
     double slope = 0.0;       ///< [rad/N]
 };
-/// Returns the compliance at the tip for the bending shape of a force there. Leaves out the different shape that a
-/// torque causes.   [any] pure.
+/// Returns the compliance at the tip of a shaft that always bends in the shape which a force at the tip gives it. The
+/// different shape under a torque is neglected.   [any] pure.
 [[nodiscard]] constexpr Compliance bending_compliance(TipBending tip) noexcept {
     return {tip.deflection, tip.slope, tip.deflection > 0.0 ? tip.slope * tip.slope / tip.deflection : 0.0};
 }

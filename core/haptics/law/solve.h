@@ -57,7 +57,7 @@ inline constexpr int iteration_cap = 64;  ///< the hardest of 100 000 random law
 
 /// Solves  Jᵀf(u) − (M/T)(u − u_prev) − Σ d λ(dᵀu) + following = 0.
 ///
-/// The left side is minus the gradient of a strictly convex function of u: every λ rises with u and the coupling is a
+/// The left side is minus the gradient of a strictly convex function of u: every λ rises with dᵀu and the coupling is a
 /// Huber spring. So there is exactly one solution. Newton's method with an exact line search finds it; with an inexact
 /// one it may not.
 /// Pre: every channel is_sound, and there are at most `max_balance_channels`.   [haptic, nonblocking]

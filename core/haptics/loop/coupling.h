@@ -88,8 +88,8 @@ struct Spring {
 [[nodiscard]] Spring combined_spring(const CouplingGains& gains, const std::optional<HandCompliance>& held,
                                      double grip_z, TipBending tip) noexcept;
 
-/// State of the coupling: the position of its anchor. The anchor slides, so that the stretch never stores more than the
-/// device can render and the hands withstand.
+/// State of the coupling: the pose of its anchor. The anchor slides when the spring's force or torque would exceed what
+/// the device can render or the hands withstand.
 class Coupling {
 public:
     Coupling(const CouplingGains& gains, const ToolGrip& handling) noexcept;
@@ -120,8 +120,8 @@ public:
     /// [haptic, nonblocking]
     void loosen_about_shaft(bool is_loose) noexcept { is_loose_ = is_loose; }
 
-    /// Returns the energy that the stretch can give back to the hand [J], in device newtons. Of a turn, only the energy
-    /// stored by the device's own torques counts.   [haptic, nonblocking]
+    /// Returns the energy that the stretch can give back to the hand [J], on the device's side of the force scale. Of a
+    /// turn, only the energy stored by the device's own torques counts.   [haptic, nonblocking]
     [[nodiscard]] double stored(const Pose& world_from_handle, const Pose& world_from_tool) const noexcept;
     [[nodiscard]] const CouplingGains& gains() const noexcept { return gains_; }
     /// Returns the allowed limits of the device [N], [N·m].

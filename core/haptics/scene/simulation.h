@@ -59,11 +59,11 @@ public:
     /// Fuses the held body with the piece nearest to it: a bridge of bone fills the gap between them, and they are
     /// rigid to each other from now on. Returns the reason if they cannot be fused, else empty.
     std::string fuse();
-    /// Restores the bone, its pieces and their poses of before the last cut. A cut lasts from leaving the air until the
-    /// tool is clear of bone again. Returns the reason if there is nothing to restore, else empty; a failed undo
-    /// changes nothing.
+    /// Restores the bone, its pieces and their poses to the state before the last change: a cut, an insertion, a fusion
+    /// or a subtraction. A cut lasts from the first bone removed until the tool is clear of bone. Returns the reason if
+    /// the tool touches bone or no change is left, else empty; then nothing changes.
     std::string undo() { return turn_back(HistoryChange::undo); }
-    /// Repeats the cut that was undone, until another cut is made. Returns as `undo`.
+    /// Repeats the change that was undone, until another one is made. Returns as `undo`.
     std::string redo() { return turn_back(HistoryChange::redo); }
 
     /// Returns whether bone was removed since the tool last touched none.

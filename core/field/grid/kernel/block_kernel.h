@@ -218,7 +218,8 @@ struct BlockKernel {
     /// sample would be raised. Kernels may differ in `spare`.
     bool (*raise)(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum,
                   std::int16_t* samples, std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept;
-    /// Writes one bit for each of the 27 samples of each of a cell's layers: 1 if it is within low … high.
+    /// Finds the samples of a SampleCell within low … high, both included. Bit n of `found[layer]` is for sample n of
+    /// the 27 of a layer: rows of nine, x fastest.
     void (*find)(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept;
     /// Writes the larger of two fields at samples 0 … 8 of a brick along y and z, −1 … 9 along x, to `samples[slot]`.
     /// Bit x + 1 of `inside[slot >> 4]` is 1 if sample x of the row, 0 … 8, is negative.

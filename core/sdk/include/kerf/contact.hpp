@@ -79,9 +79,9 @@ public:
         if (pressed > force) touch_[i].fraction *= force / pressed;
     }
 
-    /// Adds a channel for each slot in contact or near it. It leaves `kept_free` channels free, and for that drops the
-    /// slots that are farthest from contact.
-    /// @param follow  wrench of each of these channels
+    /// Adds a channel for each slot in contact or near it. To leave `kept_free` channels free, it drops the slots
+    /// farthest from contact.
+    /// @param follow  wrench on the tool per newton of each of these channels [N/N, N·m/N]
     void write(Channels& channels, std::uint32_t first_id, std::size_t kept_free,
                const Vec6& follow = {}) const noexcept {
         std::array<double, max_slots> deepest;

@@ -35,7 +35,7 @@ struct Amount {
     constexpr Amount(double plain) noexcept : si(plain), dimension(dimension::none) {}
 };
 
-// ---- texts that describe a member -------------------------------------------------------------------------------
+// ---- texts that describe parameters, drives, signals, events, features and needs --------------------------------
 
 struct ParamText {
     const char* id;    ///< snake_case, unique within the component

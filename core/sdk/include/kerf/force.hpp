@@ -78,7 +78,8 @@ private:
     const kerf_bone_query* query_;
 };
 
-/// Returns the unit rate along `n` at `point` as a rate of the tool about its tip: the `d` of a channel there.
+/// Returns the `d` of a channel along `n` at `point` (tool frame, from the tip): dᵀu is the speed of the point along
+/// `n` when the tool moves at the rate u. It is also the wrench about the tip of a unit force along `n` at the point.
 [[nodiscard]] constexpr Vec6 rate_at(Vec3 point, Vec3 n) noexcept { return make_vec6(n, cross(point, n)); }
 
 // ---- channels, by named fields ----------------------------------------------------------------------------------
