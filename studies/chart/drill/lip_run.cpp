@@ -38,7 +38,7 @@ LipRun::LipRun(const Scene& scene, const CuttingLaw& law, const Fineness& finene
     tracker_.restart(pose_);
 }
 
-LipRun::Node LipRun::look(int edge, double s) const {
+LipRun::Node LipRun::sample_at(int edge, double s) const {
     const LocatedPoint place = locate(body_, pose_ * place_on_edge(scene_.drill, edge, s, angle_));
     Node node{s, std::max(body_.surface.at(place), committed_.at(place)), {}};
     for (std::size_t m = 0; m + 1 < body_.materials.size(); ++m) node.border[m] = body_.materials[m].border.at(place);
@@ -52,9 +52,9 @@ Engaged LipRun::engaged() const {
         const Span span = span_of(scene_.drill, edge);
         const int pieces = std::max(1, (is_lip(edge) ? nodes_ : std::max(2, nodes_ / 4)) - 1);
         auto& stretches = found[static_cast<std::size_t>(edge)];
-        Node last = look(edge, span.from);
+        Node last = sample_at(edge, span.from);
         for (int i = 1; i <= pieces; ++i) {
-            const Node next = look(edge, span.from + (span.to - span.from) * i / pieces);
+            const Node next = sample_at(edge, span.from + (span.to - span.from) * i / pieces);
             // Where surface and borders are crossed between two nodes, as shares of the way.
             double at[KERF_MAX_TISSUES + 2] = {0.0, 1.0};
             std::size_t count = 2;
@@ -73,9 +73,9 @@ Engaged LipRun::engaged() const {
                 std::size_t m = 0;
                 while (m < borders && between(last.border[m], next.border[m]) >= 0.0) ++m;
                 const double from = last.s + (next.s - last.s) * at[k - 1], to = last.s + (next.s - last.s) * at[k];
-                const bool goes_on =
+                const bool extends_last =
                     !stretches.empty() && stretches.back().to == from && stretches.back().resistance == resistance_[m];
-                if (goes_on)
+                if (extends_last)
                     stretches.back().to = to;
                 else
                     stretches.push_back({from, to, resistance_[m]});

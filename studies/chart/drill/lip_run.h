@@ -27,7 +27,7 @@ private:
         double s, surface;
         double border[KERF_MAX_TISSUES];
     };
-    [[nodiscard]] Node look(int edge, double s) const;
+    [[nodiscard]] Node sample_at(int edge, double s) const;
     [[nodiscard]] Engaged engaged() const;
     [[nodiscard]] double min_gap(const Engaged& engaged) const;
     [[nodiscard]] Vec6 wrench(double rate, const Engaged& engaged, double gap) const;

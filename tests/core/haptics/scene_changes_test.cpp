@@ -346,7 +346,7 @@ TEST(Undo, AnotherCutAfterwardsIsAsIfTheFirstHadNeverBeen) {
     EXPECT_NE(undone.simulation.redo(), "");
 }
 
-TEST(Undo, PassingByIsNoCut) {
+TEST(Undo, AirMotionAddsNoCut) {
     // Given the mill on its way past the bar, 0.3 mm from it, and its tip where none was before: its sweep is stamped
     Bench bench;
     bench.go_to({-4.0_mm, 12.0_mm, 6.0_mm}, Bench::in_air);

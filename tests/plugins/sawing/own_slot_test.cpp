@@ -142,7 +142,7 @@ TEST(BladeInItsSlot, PushedAsideItIsHeldByThatSideAlone) {
     }
 }
 
-TEST(BladeInItsSlot, BindsWhenItIsPushedFartherThanItsTeethStandOut) {
+TEST(BladeInItsSlot, BindsBeyondToothSet) {
     InItsSlot saw(0.25_mm);
     saw.switch_off();
     double free = 0.0, bound = 0.0;

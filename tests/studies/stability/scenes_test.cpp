@@ -162,7 +162,7 @@ TEST(Scenes, BehindAShellTheHandOvershootsAsAReleasedSpringDoes) {
         << found.only("1 mm shell: force after clearing", Method::kerf).measured;
 }
 
-TEST(Scenes, WithoutAHandNoOvertravelIsLookedFor) {
+TEST(Scenes, SkipsOvertravelWithoutHand) {
     Found found;
     look_at_breakthrough(only("premium-1.5-6dof", no_hand, 0), the_drill(), found.report);
     const Finding& overtravel = found.only("1 mm shell: overtravel of the hand", Method::kerf);
