@@ -13,6 +13,7 @@ namespace kerf::text {
 
 /// The number is the one in messages: 412 is `E0412`, as a warning `W0412`.
 enum class Code {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): an enumerator
 #define KERF_CODE(number, id, level, name, meaning, why, write) id = number,
 #include "text/codes_1_document.def"
 #include "text/codes_5_anatomy.def"
