@@ -52,6 +52,10 @@ std::string text_of(const session::ClockRow& clock) {
         static_cast<unsigned long long>(clock.ticks), static_cast<unsigned long long>(clock.late_ticks),
         static_cast<unsigned long long>(clock.pauses), 1e6 * clock.compute.median, 1e6 * clock.compute.p999,
         1e3 * clock.compute.worst);
+    std::string causes;
+    for (const auto& [cause, ticks] : clock.late_causes)
+        if (ticks > 0) causes += (causes.empty() ? "" : ", ") + std::to_string(ticks) + " " + cause;
+    if (!causes.empty()) text += "    late: " + causes + "\n";
     for (const std::string& refusal : clock.refusals) text += "    " + refusal + "\n";
     return text;
 }

@@ -137,7 +137,9 @@ Run::~Run() = default;
 bool Run::step_after(std::uint32_t missed) {
     if (missed > 0) move_hand(missed);
     take_tool_of_step();
+    end_of(TickPart::tool);
     take_hand_inputs(hand_inputs_.take(simulation_.ticks(), hand_.leg(), hand_.is_regripping()));
+    end_of(TickPart::inputs);
     return tick(is_replay() ? recorded_reading() : DeviceSample{hand_.reported(), missed});
 }
 
@@ -151,7 +153,9 @@ void Run::move_hand(std::uint32_t periods) {
 bool Run::step(const DeviceSample& sample) {
     is_led_ = true;
     take_tool_of_step();
+    end_of(TickPart::tool);
     take_hand_inputs(std::exchange(requested_, {}));
+    end_of(TickPart::inputs);
     return tick(sample);
 }
 
@@ -171,22 +175,31 @@ bool Run::tick(const DeviceSample& reported) {
     }
     const DeviceSample sample{handle, reported.missed};
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
+    end_of(TickPart::motion);
     if (!is_replay() && !is_led_) hand_.step(result_.command, sensed_tool());
+
+    end_of(TickPart::hand);
 
     if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
     take_separations(simulation_.ticks() - 1);
+    end_of(TickPart::bodies);
     if (exact_ != nullptr) exact_->follow(simulation_);
+    end_of(TickPart::surface);
     const double now = static_cast<double>(simulation_.ticks() - 1) * Simulation::dt;
     const std::size_t step = monitor_.current();
     observe(handle, now);
+    end_of(TickPart::monitor);
     if (monitor_.current() != step) judge_step(step, now);
     if (monitor_.needs_measures()) monitor_.show_measures(measured_bone());
+    end_of(TickPart::step);
     for (std::size_t i = 0; i < result_.event_count; ++i) {
         add_event(result_.events[i], event_detail(result_.events[i], simulation_));
         monitor_.report(result_.events[i], now);
         add_monitor_events();
     }
+    end_of(TickPart::events);
     const auto end = end_after_tick();
+    end_of(TickPart::record);
     if (end) end_ = *end;
     return !end && simulation_.ticks() < static_cast<std::uint64_t>(scene_->procedure.time_limit / Simulation::dt);
 }

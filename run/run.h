@@ -11,6 +11,7 @@
 
 #include "core/haptics/scene/simulation.h"
 #include "devices/simulated_hand/simulated_hand.h"
+#include "run/clock/tick_trace.h"
 #include "run/hand_inputs.h"
 #include "run/run_procedure.h"
 #include "run/session_files.h"
@@ -56,6 +57,8 @@ public:
     /// Returns the exact surface made so far; null if no instrument leaves one.
     [[nodiscard]] bone::ExactFollower* exact() noexcept { return exact_.get(); }
 
+    /// Measures the parts of each tick from now on. Pre: `parts` outlives the run.
+    void time_parts(TickParts& parts) { parts_ = &parts; }
     /// Adds the figures of a clock to the summary.
     void set_clock(session::ClockRow clock) { outcome_.summary.clock = std::move(clock); }
     /// Judges the run and writes its results. Pre: called once.
@@ -70,6 +73,9 @@ private:
     /// Adds an event to the tick that just ran.
     void add_event(const std::string& id, const std::string& detail) {
         add_event_at(simulation_.ticks() - 1, id, detail);
+    }
+    void end_of(TickPart part) noexcept {
+        if (parts_ != nullptr) parts_->end_of(part);
     }
     void add_monitor_events();
     void pass_owners_on();
@@ -117,6 +123,7 @@ private:
     std::unique_ptr<bone::ExactFollower> exact_;
     std::vector<session::MetricRow> left_;  ///< of implants, when their drivers left them
     double back_ = 0.0;                     ///< [m] by which the next tool is retracted: the driver leaves its implant
+    TickParts* parts_ = nullptr;            ///< of the clock; null in lock-step
     bool is_tool_left_ = false;             ///< left with its implant: a step takes another tool
 };
 

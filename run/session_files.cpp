@@ -6,6 +6,7 @@
 #include "bone/surface/write_stl.h"
 #include "core/field/surface/bone_surface.h"
 #include "run/exact/exact_files.h"
+#include "session/clock_picture.h"
 #include "session/envelope.h"
 #include "session/report/read_run.h"
 #include "session/report/report.h"
@@ -111,6 +112,7 @@ std::string SessionFiles::on_result(const session::RunSummary& summary, const Si
     note(recorder_->finish(summary, session::drawn_surface(all_surfaces(simulation, 2))));
     note(text::write_file(folder_ + "/summary.json", session::summary_json(summary)));
     note(write_report(folder_));
+    if (summary.clock) note(text::write_file(folder_ + "/clock.svg", session::clock_svg(summary, *summary.clock)));
     const PresentBone& bone = simulation.present();
     for (const session::PieceRow& piece : summary.pieces) {
         Mesh surface = bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body));

@@ -124,12 +124,27 @@ struct ClockRow {
     struct Times {
         double median = 0.0, p99 = 0.0, p999 = 0.0, worst = 0.0;  ///< [s]
     };
+    /// Ticks of a class of a histogram.
+    struct Class {
+        double up_to = 0.0;                       ///< [s] upper end
+        std::uint64_t lateness = 0, compute = 0;  ///< ticks
+    };
+    struct SlowTick {
+        std::uint64_t tick = 0;
+        double lateness = 0.0, response = 0.0, compute = 0.0;  ///< [s] response: from the due time until all was done
+        std::string cause, part;                               ///< for people; the part of the tick that took longest
+        double part_time = 0.0;                                ///< [s]
+        std::uint64_t page_faults = 0;
+    };
     double period = 0.0;  ///< [s]
     std::uint64_t ticks = 0, late_ticks = 0, missed_periods = 0;
     std::uint64_t pauses = 0;       ///< gaps in which the force faded
     std::uint64_t over_period = 0;  ///< ticks that computed longer than a period
     Times lateness, compute;
-    int priority = 0;  ///< of SCHED_FIFO; 0: normal class
+    std::vector<Class> histogram;                                    ///< in order of `up_to`
+    std::vector<std::pair<std::string, std::uint64_t>> late_causes;  ///< late ticks by cause, for people
+    std::vector<SlowTick> slowest;                                   ///< at most ten, the slowest first
+    int priority = 0;                                                ///< of SCHED_FIFO; 0: normal class
     bool is_memory_locked = false;
     double load = 0.0;  ///< [–] mean load of one minute at the end
     std::string kernel;

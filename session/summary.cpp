@@ -56,7 +56,25 @@ Json to_json(const ClockRow::Times& times) {
             {"worst_us", in_us(times.worst)}};
 }
 
+Json to_json(const ClockRow::SlowTick& tick) {
+    const auto in_ms = [](double seconds) { return plain_number(std::round(seconds * 1e6) * 1e-3); };
+    return {{"tick", tick.tick},
+            {"lateness_ms", in_ms(tick.lateness)},
+            {"response_ms", in_ms(tick.response)},
+            {"compute_ms", in_ms(tick.compute)},
+            {"cause", tick.cause},
+            {"part", tick.part},
+            {"part_ms", in_ms(tick.part_time)},
+            {"page_faults", tick.page_faults}};
+}
+
 Json to_json(const ClockRow& clock) {
+    Json causes = Json::object(), slowest = Json::array(), histogram = Json::array();
+    for (const auto& [cause, ticks] : clock.late_causes) causes[cause] = ticks;
+    for (const ClockRow::SlowTick& tick : clock.slowest) slowest.push_back(to_json(tick));
+    for (const ClockRow::Class& one : clock.histogram)
+        histogram.push_back(
+            {{"up_to_us", plain_number(one.up_to * 1e6)}, {"lateness", one.lateness}, {"compute", one.compute}});
     return {{"period_ms", plain_number(clock.period * 1e3)},
             {"ticks", clock.ticks},
             {"late_ticks", clock.late_ticks},
@@ -65,6 +83,9 @@ Json to_json(const ClockRow& clock) {
             {"ticks_over_period", clock.over_period},
             {"lateness", to_json(clock.lateness)},
             {"compute", to_json(clock.compute)},
+            {"late_causes", causes},
+            {"slowest", slowest},
+            {"histogram", histogram},
             {"fifo_priority", clock.priority},
             {"memory_locked", clock.is_memory_locked},
             {"load", plain_number(clock.load)},

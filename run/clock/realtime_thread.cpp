@@ -15,8 +15,6 @@ namespace kerf::run {
 
 namespace {
 
-// Below the kernel's threaded interrupts, which have 50.
-constexpr int fifo_priority = 49;
 constexpr std::size_t touched_stack = 256 * 1024;  // [bytes]
 
 /// Writes each page of the stack that a tick may use, so that no tick takes a page fault there.
@@ -27,14 +25,12 @@ void touch_stack() noexcept {
 }
 
 void take_priority(RealtimeState& state) {
-    sched_param parameters{};
-    parameters.sched_priority = fifo_priority;
-    if (const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters); error != 0)
+    if (const int error = take_fifo_priority(haptic_priority); error != 0)
         state.refusals.push_back(std::string("The system refused the real-time class to the haptic thread (") +
                                  std::strerror(error) +
                                  "): other programs delay ticks. Allow `rtprio 49` in /etc/security/limits.d.");
     else
-        state.priority = fifo_priority;
+        state.priority = haptic_priority;
 }
 
 /// Locks the memory that is there. Later allocations are locked too only if the limit is unlimited: below it, the
@@ -49,6 +45,12 @@ void lock_memory(RealtimeState& state) {
 }
 
 }  // namespace
+
+int take_fifo_priority(int priority) noexcept {
+    sched_param parameters{};
+    parameters.sched_priority = priority;
+    return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+}
 
 RealtimeState run_in_real_time(const std::function<void()>& work) {
     RealtimeState state;

@@ -7,6 +7,12 @@
 
 namespace kerf::run {
 
+inline constexpr int haptic_priority = 49;  ///< of SCHED_FIFO; below the kernel's threaded interrupts, which have 50
+inline constexpr int helper_priority = 48;  ///< of threads that serve the haptic one: devices, the watch of the clock
+
+/// Gives the calling thread a priority of SCHED_FIFO. Returns 0, or the error number if the system refuses.   [any]
+[[nodiscard]] int take_fifo_priority(int priority) noexcept;
+
 /// What the system granted to a thread that requested real time.
 struct RealtimeState {
     int priority = 0;                   ///< of SCHED_FIFO; 0: the thread has the normal class

@@ -29,15 +29,19 @@ void sleep_until(std::int64_t due) noexcept {
 
 }  // namespace
 
-WallClock::WallClock(double period) noexcept : period_(std::llround(period * static_cast<double>(second))) {}
+WallClock::WallClock(double period, ThreadWatch* watch) noexcept
+    : period_(std::llround(period * static_cast<double>(second))), watch_(watch) {}
 
 std::uint32_t WallClock::wait() noexcept {
-    std::int64_t now = now_of(CLOCK_MONOTONIC);
+    std::int64_t now = monotonic_time();
     due_ = due_ == 0 ? now + period_ : due_ + period_;
     sleep_until(std::max(due_ - spin, now + 1));
-    while ((now = now_of(CLOCK_MONOTONIC)) < due_) {
+    while ((now = monotonic_time()) < due_) {
     }
     const std::int64_t lateness = now - due_;
+    trace_.tick = times_.ticks;
+    trace_.due = due_;
+    trace_.begun = now;
     const std::int64_t missed = lateness / period_;
     due_ += missed * period_;
 
@@ -47,14 +51,22 @@ std::uint32_t WallClock::wait() noexcept {
     times_.missed += static_cast<std::uint64_t>(missed);
     const auto count = static_cast<std::uint32_t>(std::min<std::int64_t>(missed, UINT32_MAX));
     if (count >= HandMotion::missed_ticks_of_pause) ++times_.pauses;
-    begun_ = now_of(CLOCK_THREAD_CPUTIME_ID);
+    trace_.missed = count;
+    begun_cpu_ = now_of(CLOCK_THREAD_CPUTIME_ID);
+    parts_.begin();
     return count;
 }
 
 void WallClock::tick_done() noexcept {
-    const std::int64_t took = now_of(CLOCK_THREAD_CPUTIME_ID) - begun_;
-    times_.compute.add(static_cast<std::uint64_t>(took));
-    if (took > period_) ++times_.over_period;
+    const std::int64_t computed = now_of(CLOCK_THREAD_CPUTIME_ID) - begun_cpu_;
+    times_.compute.add(static_cast<std::uint64_t>(computed));
+    if (computed > period_) ++times_.over_period;
+    if (watch_ == nullptr) return;
+    trace_.done = monotonic_time();
+    trace_.computed = computed;
+    trace_.longest = parts_.longest();
+    trace_.part_time = parts_.time_of(trace_.longest);
+    watch_->report(trace_);
 }
 
 }  // namespace kerf::run

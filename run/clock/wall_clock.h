@@ -4,7 +4,9 @@
 #include <cstdint>
 
 #include "core/haptics/law/call_times.h"
+#include "run/clock/thread_watch.h"
 #include "run/clock/tick_clock.h"
+#include "run/clock/tick_trace.h"
 
 namespace kerf::run {
 
@@ -26,18 +28,24 @@ struct TickTimes {
 class WallClock final : public TickClock {
 public:
     /// @param period  [s] of a tick
-    explicit WallClock(double period) noexcept;
+    /// @param watch   gets the trace of each tick; may be null
+    explicit WallClock(double period, ThreadWatch* watch = nullptr) noexcept;
 
     [[nodiscard]] std::uint32_t wait() noexcept override;
     void tick_done() noexcept override;
 
     /// Returns the times of all ticks since the first `wait`.   [any] after the last tick
     [[nodiscard]] const TickTimes& times() const noexcept { return times_; }
+    /// Returns the measure of a tick's parts, for the run that ticks.
+    [[nodiscard]] TickParts& parts() noexcept { return parts_; }
 
 private:
-    std::int64_t period_;     ///< [ns]
-    std::int64_t due_ = 0;    ///< [ns] of the next tick; 0: no tick has run
-    std::int64_t begun_ = 0;  ///< [ns] processor time of the thread at the start of the tick
+    std::int64_t period_;         ///< [ns]
+    ThreadWatch* watch_;          ///< or null
+    std::int64_t due_ = 0;        ///< [ns] of the next tick; 0: no tick has run
+    std::int64_t begun_cpu_ = 0;  ///< [ns] processor time of the thread at the start of the tick
+    TickTrace trace_;             ///< of the tick that runs
+    TickParts parts_;
     TickTimes times_;
 };
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/clock/late_cause.h"
+
+#include <algorithm>
+
+namespace kerf::run {
+
+namespace {
+
+constexpr std::int64_t max_slack_periods = 4;  // by which samples may be wider than the tick
+
+/// Returns the largest part of a time. `slept`: the thread gave its core away inside a tick.
+LateCause largest(std::int64_t computed, std::int64_t waited, std::int64_t rest, bool slept) noexcept {
+    if (computed >= waited && computed >= rest) return LateCause::compute;
+    if (waited >= rest) return LateCause::core_taken;
+    return slept ? LateCause::blocked : LateCause::machine_stopped;
+}
+
+}  // namespace
+
+const char* to_text(LateCause cause) noexcept {
+    switch (cause) {
+        case LateCause::compute:
+            return "own computing";
+        case LateCause::core_taken:
+            return "core taken by another thread";
+        case LateCause::machine_stopped:
+            return "machine stopped";
+        case LateCause::blocked:
+            return "thread blocked";
+        case LateCause::unknown:
+            break;
+    }
+    return "unknown";
+}
+
+ExplainedTick explain(const TickTrace& tick, const TickTrace* before, std::span<const ThreadSample> samples,
+                      std::int64_t period) noexcept {
+    ExplainedTick result{tick, LateCause::unknown, 0};
+    const std::int64_t from = before != nullptr ? before->due : tick.due;
+    const std::int64_t computed = tick.computed + (before != nullptr ? before->computed : 0);
+    const auto after =
+        std::partition_point(samples.begin(), samples.end(), [&](const ThreadSample& s) { return s.at < tick.done; });
+    const auto later =
+        std::partition_point(samples.begin(), samples.end(), [&](const ThreadSample& s) { return s.at <= from; });
+    if (after == samples.end() || later == samples.begin()) return result;
+    const ThreadSample &first = *(later - 1), &last = *after;
+    const std::int64_t whole = tick.done - from;
+    const std::int64_t waited = std::min(last.waited - first.waited, whole);
+    const std::int64_t slack = (last.at - first.at) - whole;
+    result.faults = last.faults - first.faults;
+    const bool is_waiting_ambiguous = slack > max_slack_periods * period && waited > whole / 10;
+    const std::int64_t rest = std::max<std::int64_t>(whole - computed - waited, 0);
+    // Each tick sleeps once. The interval may cut one of these sleeps off, or one more begin.
+    const bool slept = last.switched - first.switched > last.ticks - first.ticks + 1 &&
+                       tick.done - tick.begun - tick.computed > whole / 2;
+    const LateCause cause = largest(computed, waited, rest, slept);
+    if (cause != LateCause::compute && is_waiting_ambiguous) return result;
+    result.cause = cause;
+    return result;
+}
+
+}  // namespace kerf::run

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/clock/tick_trace.h"
+
+#include <algorithm>
+#include <ctime>
+
+namespace kerf::run {
+
+std::int64_t monotonic_time() noexcept {
+    timespec time{};
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return time.tv_sec * std::int64_t{1'000'000'000} + time.tv_nsec;
+}
+
+const char* to_text(TickPart part) noexcept {
+    switch (part) {
+        case TickPart::tool:
+            return "change of the tool";
+        case TickPart::inputs:
+            return "inputs of the hand";
+        case TickPart::motion:
+            return "motion and force";
+        case TickPart::hand:
+            return "simulated hand";
+        case TickPart::bodies:
+            return "parts that came apart";
+        case TickPart::surface:
+            return "cuts for the exact surface";
+        case TickPart::monitor:
+            return "goals and limits";
+        case TickPart::step:
+            return "measures at the end of a step";
+        case TickPart::events:
+            return "events";
+        case TickPart::record:
+            return "record and progress";
+    }
+    return "";
+}
+
+TickPart TickParts::longest() const noexcept {
+    return static_cast<TickPart>(std::max_element(times_.begin(), times_.end()) - times_.begin());
+}
+
+}  // namespace kerf::run
