@@ -15,8 +15,8 @@
 namespace kerf::session {
 namespace {
 
-constexpr double width = 900.0, left = 70.0, right = 870.0, top = 80.0, bottom = 330.0;
-constexpr double shortest = 1e-6;  // [s] left end of the axis of time
+constexpr double width = 1000.0, left = 70.0, right = 970.0, top = 80.0, bottom = 330.0;
+constexpr double shortest = 0.5e-6;  // [s] left end of the axis of time; the first class ends at 1 us
 constexpr const char* lateness_colour = "#1f77b4";
 constexpr const char* compute_colour = "#d95f02";
 
@@ -40,7 +40,7 @@ public:
             if (one.lateness + one.compute > 0) longest_ = std::max(longest_, one.up_to);
             most_ticks = std::max({most_ticks, one.lateness, one.compute});
         }
-        decades_ = std::ceil(std::log10(longest_ / shortest) - 1e-9);
+        decades_ = std::log10(longest_ / shortest);
         count_decades_ = std::ceil(std::log10(static_cast<double>(most_ticks)) + 1e-9);
     }
     [[nodiscard]] double x(double seconds) const {
@@ -53,8 +53,8 @@ public:
     }
     [[nodiscard]] std::string drawn() const {
         std::string svg;
-        for (int decade = 0; decade <= static_cast<int>(decades_); ++decade) {
-            const double time = shortest * std::pow(10.0, decade), at = x(time);
+        for (double time = 1e-6; time < 1.01 * longest_; time *= 10.0) {
+            const double at = x(time);
             svg +=
                 line("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#ddd\"/>\n", at, top, at, bottom);
             const std::string label = time < 0.9e-3 ? line("%.0f µs", time * 1e6)
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    double longest_ = 1e-3, decades_ = 3.0, count_decades_ = 1.0;
+    double longest_ = 1e-3, decades_ = 1.0, count_decades_ = 1.0;
 };
 
 /// Returns the outline of a histogram; its first class begins at the left end.
@@ -93,9 +93,9 @@ std::string steps(const ClockRow& clock, const Axes& axes, std::uint64_t ClockRo
 std::string in_us(double seconds) { return line(seconds < 1e-4 ? "%.1f µs" : "%.0f µs", seconds * 1e6); }
 
 std::string legend(const char* name, const ClockRow::Times& times, double y, const char* colour) {
-    return line("<rect x=\"520\" y=\"%.1f\" width=\"12\" height=\"12\" fill=\"%s\" fill-opacity=\"0.6\"/>\n", y - 10,
+    return line("<rect x=\"560\" y=\"%.1f\" width=\"12\" height=\"12\" fill=\"%s\" fill-opacity=\"0.6\"/>\n", y - 10,
                 colour) +
-           text_at(538, y,
+           text_at(578, y,
                    std::string(name) + ": median " + in_us(times.median) + ", 99.9 % within " + in_us(times.p999) +
                        ", worst " + line("%.2f ms", times.worst * 1e3));
 }
@@ -107,12 +107,12 @@ std::string table(const ClockRow& clock, double y) {
         const char* anchor;
     };
     constexpr std::array<Column, 7> columns{{{"tick", 110, "end"},
-                                             {"late", 190, "end"},
-                                             {"from due to done", 310, "end"},
-                                             {"computed", 400, "end"},
-                                             {"cause", 425, "start"},
-                                             {"longest part of the tick", 620, "start"},
-                                             {"page faults", 870, "end"}}};
+                                             {"late", 180, "end"},
+                                             {"due to done", 270, "end"},
+                                             {"computed", 350, "end"},
+                                             {"cause", 375, "start"},
+                                             {"longest part of the tick", 590, "start"},
+                                             {"page faults", 970, "end"}}};
     const auto row = [&](const std::array<std::string, 7>& cells, double at, const char* weight) {
         std::string svg;
         for (std::size_t c = 0; c < columns.size(); ++c)

@@ -51,9 +51,7 @@ ExplainedTick explain(const TickTrace& tick, const TickTrace* before, std::span<
     result.faults = last.faults - first.faults;
     const bool is_waiting_ambiguous = slack > max_slack_periods * period && waited > whole / 10;
     const std::int64_t rest = std::max<std::int64_t>(whole - computed - waited, 0);
-    // Each tick sleeps once. The interval may cut one of these sleeps off, or one more begin.
-    const bool slept = last.switched - first.switched > last.ticks - first.ticks + 1 &&
-                       tick.done - tick.begun - tick.computed > whole / 2;
+    const bool slept = last.extra_switches > first.extra_switches;
     const LateCause cause = largest(computed, waited, rest, slept);
     if (cause != LateCause::compute && is_waiting_ambiguous) return result;
     result.cause = cause;

@@ -24,11 +24,10 @@ inline constexpr std::size_t late_cause_count = 5;
 
 /// Counters of a thread at one time, as the scheduler reports them.
 struct ThreadSample {
-    std::int64_t at = 0;         ///< CLOCK_MONOTONIC [ns]
-    std::int64_t waited = 0;     ///< [ns] ready without a core, since the thread began
-    std::uint64_t switched = 0;  ///< times that it got a core
-    std::uint64_t faults = 0;    ///< page faults
-    std::uint64_t ticks = 0;     ///< ticks that it had begun; each sleeps once
+    std::int64_t at = 0;              ///< CLOCK_MONOTONIC [ns]
+    std::int64_t waited = 0;          ///< [ns] ready without a core, since the thread began
+    std::int64_t extra_switches = 0;  ///< times that it got a core, less the sleeps of its clock
+    std::uint64_t faults = 0;         ///< page faults
 };
 
 /// The cause of a slow tick.

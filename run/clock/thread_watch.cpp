@@ -46,21 +46,20 @@ private:
 struct ThreadWatch::Counters {
     explicit Counters(const std::string& thread) : schedule(thread + "/schedstat"), state(thread + "/stat") {}
 
-    [[nodiscard]] ThreadSample sample(std::uint64_t ticks) const noexcept {
+    [[nodiscard]] ThreadSample sample(const std::atomic<std::int64_t>& sleeps) const noexcept {
         ThreadSample sample;
-        sample.ticks = ticks;
-        long long ran = 0, waited = 0;
-        unsigned long long switched = 0, minor = 0, major = 0;
-        if (std::sscanf(schedule.read(), "%lld %lld %llu", &ran, &waited, &switched) == 3) {
-            sample.waited = waited;
-            sample.switched = switched;
-        }
+        long long ran = 0, waited = 0, switched = 0;
+        unsigned long long minor = 0, major = 0;
+        char activity = 'R';
+        if (std::sscanf(schedule.read(), "%lld %lld %lld", &ran, &waited, &switched) == 3) sample.waited = waited;
+        sample.extra_switches = switched - sleeps.load(std::memory_order_relaxed);
         // The name of the thread may contain blanks; the fields after it begin behind its last parenthesis.
         const char* fields = state.read();
         for (const char* c = fields; *c != '\0'; ++c)
             if (*c == ')') fields = c + 1;
-        if (std::sscanf(fields, " %*c %*d %*d %*d %*d %*d %*u %llu %*u %llu", &minor, &major) == 2)
+        if (std::sscanf(fields, " %c %*d %*d %*d %*d %*d %*u %llu %*u %llu", &activity, &minor, &major) == 3)
             sample.faults = minor + major;
+        if (activity == 'S') ++sample.extra_switches;  // it gets a core again when it wakes
         sample.at = monotonic_time();
         return sample;
     }
@@ -84,7 +83,6 @@ void ThreadWatch::watch_this_thread() {
 }
 
 void ThreadWatch::report(const TickTrace& tick) noexcept {
-    ticks_.store(tick.tick + 1, std::memory_order_relaxed);
     if (tick.missed == 0 && tick.response() * slow_fraction < period_) return;
     if (!slow_.push(tick)) dropped_.fetch_add(tick.missed > 0 ? 1 : 0, std::memory_order_relaxed);
 }
@@ -100,11 +98,11 @@ LateTicks ThreadWatch::finish() {
 void ThreadWatch::run(const Counters& counters) {
     while (!is_ending_) {
         if (samples_.size() == max_samples) samples_.erase(samples_.begin(), samples_.begin() + dropped_samples);
-        samples_.push_back(counters.sample(ticks_.load(std::memory_order_relaxed)));
+        samples_.push_back(counters.sample(sleeps_));
         explain_until(samples_.back().at, false);
         std::this_thread::sleep_for(std::chrono::nanoseconds(period_));
     }
-    samples_.push_back(counters.sample(ticks_.load(std::memory_order_relaxed)));
+    samples_.push_back(counters.sample(sleeps_));
     explain_until(samples_.back().at, true);
 }
 

@@ -32,6 +32,10 @@ public:
 
     /// Starts to watch the calling thread.   [the watched thread, before its first tick] allocates
     void watch_this_thread();
+    /// Reports that the clock sleeps next.   [haptic, nonblocking]
+    void report_sleep() noexcept {
+        sleeps_.store(sleeps_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+    }
     /// Reports a tick that ended.   [haptic, nonblocking]
     void report(const TickTrace& tick) noexcept;
     /// Ends the watch and returns what it found.   [main]
@@ -46,7 +50,8 @@ private:
 
     std::int64_t period_;
     SpscRing<TickTrace> slow_{1024};
-    std::atomic<std::uint64_t> ticks_{0}, dropped_{0};
+    std::atomic<std::int64_t> sleeps_{0};
+    std::atomic<std::uint64_t> dropped_{0};
     std::atomic<bool> is_ending_{false};
     std::vector<ThreadSample> samples_;  ///< of the last seconds
     TickTrace last_{};                   ///< the slow tick explained last

@@ -35,6 +35,7 @@ WallClock::WallClock(double period, ThreadWatch* watch) noexcept
 std::uint32_t WallClock::wait() noexcept {
     std::int64_t now = monotonic_time();
     due_ = due_ == 0 ? now + period_ : due_ + period_;
+    if (watch_ != nullptr) watch_->report_sleep();
     sleep_until(std::max(due_ - spin, now + 1));
     while ((now = monotonic_time()) < due_) {
     }

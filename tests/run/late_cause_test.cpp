@@ -39,8 +39,7 @@ std::vector<ThreadSample> samples(std::int64_t from, std::int64_t waited, int ex
         ThreadSample& one = all.emplace_back();
         one.at = i * ms;
         one.waited = one.at <= from ? 0 : std::min<std::int64_t>(one.at - from, waited);
-        one.switched = static_cast<std::uint64_t>(i + (one.at > from ? extra_switches : 0));
-        one.ticks = static_cast<std::uint64_t>(i);
+        one.extra_switches = one.at > from ? extra_switches : 0;
         one.faults = one.at > from ? 7 : 0;
     }
     return all;
@@ -66,7 +65,7 @@ TEST(LateCause, IsComputingIfTheTickComputed) {
 }
 
 TEST(LateCause, IsASleepInsideTheTickIfTheThreadGaveItsCoreAway) {
-    EXPECT_EQ(explain(tick(0, 5 * ms, 40 * us), nullptr, samples(100 * ms, 0, 2), period).cause, LateCause::blocked);
+    EXPECT_EQ(explain(tick(0, 5 * ms, 40 * us), nullptr, samples(100 * ms, 0, 1), period).cause, LateCause::blocked);
 }
 
 TEST(LateCause, OfATickAfterALongOneIsThatOfTheLongOne) {
