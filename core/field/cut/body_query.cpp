@@ -17,7 +17,7 @@ void in_blocks(std::uint32_t count, const Query& query) noexcept {
         query(first, std::min(block_capacity, count - first));
 }
 
-/// Writes a sample in air. Member by member: clearing the whole struct took longer than all other stages of a query.
+/// Writes a sample in air, member by member: clearing the whole struct takes longer than all other stages of a query.
 void write_air(kerf_bone_sample& s) noexcept {
     s.engagement = s.gap = 0.0;
     for (double& weight : s.weight) weight = 0.0;
@@ -60,8 +60,7 @@ void BodyQuery::sample_block(const Vec3* points, std::size_t count, Directions d
         return;
     }
 
-    // The gap is computed point by point, for points in bone alone; these are usually all. Tissues are computed for all
-    // points of the block.
+    // Compute gaps only for points in bone, usually all of them, and tissues for all points of the block.
     BlockValues gap;
     if (engaged_count == count) {
         tracker_->gap(body_from_tool_, points, count, directions, gap);

@@ -8,8 +8,8 @@
 
 /// The bone of one body at one tick, as a plugin queries it: batch queries in the tool frame, valid for any point.
 ///
-/// Queries are computed in blocks, stage by stage: indices in the grid, surface and cut there, then tissues, or pending
-/// cuts where they may concern a point. Each point gets the same bits as in a query of its own.
+/// Queries are computed in blocks, stage by stage: cells of the grid, then surface and cut, then tissues, or pending
+/// cuts where they may change an answer. Each point gets the same bits as in a query of its own.
 namespace kerf {
 
 class BodyQuery {
@@ -26,7 +26,7 @@ public:
     BodyQuery(const BodyQuery&) = delete;
     BodyQuery& operator=(const BodyQuery&) = delete;
 
-    /// Sets the body index that samples report.
+    /// Sets the body index that answers report.
     void name(std::int32_t body_id) noexcept { body_id_ = body_id; }
     /// Sets the pose at which points are queried, until the next call.   [haptic, nonblocking]
     void place(const Pose& body_from_tool) noexcept {
@@ -36,15 +36,16 @@ public:
     }
     [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
 
-    /// Samples edges: the committed cut, the gap to the front, tissues.   [haptic, nonblocking]
+    /// Samples points of edges in the tool frame: engagement in the committed cut, gap to the front, tissues. The gap
+    /// is measured along the point's direction.   [haptic, nonblocking]
     void sample(const Vec3* points, std::uint32_t count, Directions directions, kerf_bone_sample* out) const noexcept;
     void sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
         sample(points, count, Directions::one(direction), out);
     }
-    /// Returns the present surface at contact points.   [haptic, nonblocking]
-    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
-    /// Returns the signed distance to the present surface [m], negative inside, at a point of the body frame.
+    /// Writes distance, normal and body of the present surface for contact points in the tool frame.
     /// [haptic, nonblocking]
+    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
+    /// Returns the signed distance to the present surface [m], negative inside, within ± clamp.   [haptic, nonblocking]
     [[nodiscard]] double present_distance(Vec3 point_in_body) const noexcept;
 
 private:

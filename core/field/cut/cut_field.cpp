@@ -29,7 +29,7 @@ public:
     }
     [[nodiscard]] bool is_full() const noexcept { return points_.count == block_capacity; }
 
-    /// Calls `what` for each sample that the sweep contains, and empties the block.
+    /// Calls `what(brick, sample)` for each sample that the sweep contains, and empties the block.
     template <class Do>
     void for_each_contained(const Do& what) noexcept {
         std::array<bool, block_capacity> may_contain;
@@ -228,7 +228,7 @@ std::size_t CutField::stamp_pose(const Pose& body_from_tool, const ToolSolid& so
     const Grid& g = grid();
     const BrickBox box = bricks_near(solid, body_from_tool, PoseStamp::band(g.spacing));
 
-    // Test a block of bricks with bone at a time: does the solid reach them?
+    // Collect bricks with bone in blocks: `stamp_bricks` tests a whole block at a time.
     PoseStamp stamp(g, solid, body_from_tool, &memory_);
     PointBlock centres;
     std::array<std::array<int, 3>, block_capacity> brick_coordinates_of_block;
@@ -256,14 +256,14 @@ std::size_t CutField::stamp_pose(const Pose& body_from_tool, const ToolSolid& so
 
 std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, const CutRecord& record,
                                    std::size_t next, int maximum, int& touched) noexcept {
-    // A sample on a ridge lies a little outside of a sub-pose. A sub-pose that raised samples has allocated the bricks.
+    // A sample on a ridge lies just outside of a sub-pose. So that sub-pose has already stored the sample's brick.
     const Grid& g = grid();
     const auto below = [&](double depth) {
         return static_cast<std::int16_t>(-std::min(static_cast<int>(depth / quantum_) + 2, 32767));
     };
     const std::int16_t lowest_anywhere = below(sweep.step());
-    // Before the solid's back end, few samples were deeper at any instant of the motion than at its end: only samples
-    // from which a face has receded.
+    // Ahead of the back end of the solid at the last pose, a sample of the sweep lies outside the last pose only if a
+    // face has receded from it. This bounds how far outside it lies.
     const Pose end_from_body = inverse(record.to);
     const std::int16_t lowest_before_end =
         !solid.is_convex()
@@ -344,7 +344,7 @@ std::size_t CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres,
         if (touched >= maximum) return n;
         const std::size_t index = grid().brick_index(i, j, k);
         if (start_[index] == uncut) open_brick(index);
-        ++touched;  // also for full bricks, so that the allowance of a tick does not depend on earlier cuts
+        ++touched;  // also for full bricks, so that the count does not depend on earlier cuts
         if (is_full_[index] != 0) continue;
         std::int16_t* samples = brick(start_[index]);
         BrickCells& cells = cells_of(index);

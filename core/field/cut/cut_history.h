@@ -12,8 +12,8 @@
 
 namespace kerf {
 
-/// The records that have cut a piece, in their order. Copies store their common part once: the history of an image, or
-/// of a separated piece, costs one pointer.   [worker] A copy may be passed to another thread.
+/// The records that have cut a piece, in their order. Copies store their common records once, so a copy costs one
+/// pointer.   [worker] A copy may be passed to another thread.
 class CutHistory {
 public:
     CutHistory() = default;
@@ -40,11 +40,11 @@ public:
         for (std::size_t n = all.size(); n > 0; link = link->before.get()) all[--n] = link->record;
         return all;
     }
-    /// Returns whether this history begins with all records of `earlier`.
+    /// Returns whether this history is a copy of `earlier`, with or without further records.
     [[nodiscard]] bool continues(const CutHistory& earlier) const noexcept {
         return earlier.count_ <= count_ && first(earlier.count_).last_ == earlier.last_;
     }
-    /// Returns the longest common beginning of both histories.
+    /// Returns the longest history that both continue.
     [[nodiscard]] CutHistory common_with(const CutHistory& other) const noexcept {
         CutHistory mine = first(std::min(count_, other.count_)), theirs = other.first(mine.count_);
         while (mine.last_ != theirs.last_) {

@@ -13,19 +13,19 @@
 namespace kerf {
 
 namespace {
-constexpr double aside_voxels = 0.2;        ///< sideways motion that closes a record: nearly always one sub-pose
-constexpr double along_voxels = 1.0;        ///< slide that closes a record, where the solid covers its slide
-constexpr double test_voxels = 0.05;        ///< motion after which the open stretch is tested again
-constexpr double reversal_voxels = 0.0005;  ///< a smaller reversal is rounding
-constexpr double bend_voxels = 0.02;        ///< detour that a record, which is straight, may leave out
-constexpr double stray_voxels = 0.04;  ///< detour sideways that it may leave out: < 1/20 voxel off the straight path
-constexpr double wall_voxels = 0.03;   ///< accuracy of the committed wall of an earlier cut
-constexpr double end_voxels = 0.25;    ///< its accuracy at a blade's narrow ends, near which two sides lie
-constexpr double rounding = 1e-9;      ///< [m] of distances that are compared with bounds
+constexpr double aside_voxels = 0.2;        ///< `Travel::aside` that closes a record, nearly always in one sub-pose
+constexpr double along_voxels = 1.0;        ///< `Travel::along` that closes a record
+constexpr double test_voxels = 0.05;        ///< motion between two tests whether the open stretch removes bone
+constexpr double reversal_voxels = 0.0005;  ///< a smaller turn is rounding
+constexpr double bend_voxels = 0.02;        ///< by which a path may be longer than its straight record
+constexpr double stray_voxels = 0.04;       ///< the same for the path apart from slides: it strays by < 1/20 voxel
+constexpr double wall_voxels = 0.03;        ///< error of the committed wall of an earlier cut
+constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow ends, where both sides are near
+constexpr double rounding = 1e-9;           ///< [m] bound on the rounding error of a depth
 
-/// Returns the apparent depth [m] in bone that a point of the outline, `radius` from the axis, may have in its own
-/// earlier cut. A tool that re-enters its hole slides along the wall that the widest end of its segment has cut; that
-/// end has the radius `widest` [m].
+/// Returns the depth [m] in bone that a point of the outline may seem to have although the tool already cut there. The
+/// point has the radius `radius` [m]. The wider end of its segment, of radius `widest` [m], cut the wall, and a tool
+/// that re-enters its hole slides along that wall. `h`: spacing [m].
 double wall_error(const ToolSolid& solid, bool is_at_narrow_end, double radius, double widest, double h) noexcept {
     if (solid.is_prism()) return (is_at_narrow_end ? end_voxels : wall_voxels) * h;
     return wall_voxels * h + std::max(0.0, wall_sagitta(widest, h) - (widest - radius));
@@ -132,7 +132,7 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
 
     last_removing_ = to;
     has_removed_ = true;
-    if (pending_count_ + 1 == pending_capacity) {  // without a call of commit_passed: commit early, lose no record
+    if (pending_count_ + 1 == pending_capacity) {  // full: commit early, so that no record is lost
         ++early_commits_;
         commit_oldest();
     }
@@ -155,7 +155,7 @@ void CutTracker::set_newest_pose(const Pose& body_from_tool) noexcept {
 
 void CutTracker::commit_passed(const Pose& now, bool is_at_front, int maximum) {
     const double h = body_->grid().spacing;
-    // A tool drawn back from a record's end has passed that end only if it has moved sideways as well.
+    // A tool drawn back from a record's end has passed that end only if it has also moved sideways by a voxel.
     const auto is_passed = [&](std::size_t i) {
         const Pose& end = pending(i).to;
         if (!is_at_front || largest_motion(*solid_, end, now) < h) return false;
@@ -166,8 +166,8 @@ void CutTracker::commit_passed(const Pose& now, bool is_at_front, int maximum) {
         return i < pending_count_ && (pending_count_ - i > pending_limit || is_passed(i));
     };
 
-    // A few bricks for each waiting record, and more if many wait, so that stamping keeps up with the tool; the full
-    // allowance beyond the limit.
+    // Allow a few bricks for each waiting record, so that stamping keeps up with the tool, and `maximum` beyond
+    // `pending_limit`.
     int waiting = progress_.has_begun() ? 1 : 0;
     while (waiting * bricks_per_record < 2 * maximum && is_due(static_cast<std::size_t>(waiting))) ++waiting;
     const int few = std::min(waiting * bricks_per_record, bricks_per_tick);
@@ -198,7 +198,7 @@ void CutTracker::drop_oldest() noexcept {
 }
 
 std::size_t CutTracker::first_with_gap() const noexcept {
-    // Without a reversal, the last solid is the farthest along; the others lie behind it.
+    // Without a turn of the path, the last solid is the farthest along, and the others lie behind it.
     const bool has_turned = pending_count_ > 0 && last_reversal_ > pending(0).sequence;
     return has_turned ? 0 : solid_count() - std::min<std::size_t>(solid_count(), 1);
 }
@@ -221,8 +221,8 @@ double CutTracker::depth_in_pending(Vec3 point) const noexcept {
 void CutTracker::gap(const Pose& body_from_tool, const Vec3* points, std::size_t count, Directions directions,
                      BlockValues& gaps) const noexcept {
     std::fill_n(gaps.begin(), count, 0.0);
-    // A point that is outside of a convex solid after the gap found so far leaves it before that gap, by far more than
-    // rounding.
+    // A point that lies outside a convex solid after moving by the gap found so far has already left it: that solid
+    // does not raise the gap.
     PointBlock in_solid, ahead;
     BlockValues depth;
     for (std::size_t i = solid_count(), first = first_with_gap(); i-- > first;) {
@@ -253,10 +253,10 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
     if (!is_in_reach_of_bone(*body_, *solid_, at, body_->grid().clamp(), CutOnly::yes)) return false;
     if (!has_removed_) return true;
 
-    // Ahead of the deepest front so far it removes new bone, however thin the slice.
+    // Ahead of the last pose that removed bone, along the axis, it removes new bone, however thin the slice.
     if ((inverse(last_removing_) * at).position.z > 1e-9) return true;
 
-    // Elsewhere: is the outline in present bone, deeper than the accuracy of the wall?
+    // Elsewhere, test whether the outline lies in present bone by more than the error of its wall.
     const double h = body_->grid().spacing;
     const auto& outline = solid_->outline();
     for (std::size_t azimuth = 0; azimuth < solid_->around(0.0, 0.0).size(); ++azimuth)
@@ -264,7 +264,7 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
             const double dz = outline[i + 1].z - outline[i].z, dr = outline[i + 1].radius - outline[i].radius,
                          segment_length = std::hypot(dz, dr);
             const double widest = std::max(outline[i].radius, outline[i + 1].radius);
-            // No bone is nearer than the distance, so the step is the distance, and at least a voxel.
+            // No bone is nearer than `distance`, so step by it, but at least by a voxel.
             for (double s = 0.0;;) {
                 const double t = segment_length > 0.0 ? s / segment_length : 0.0;
                 const double radius = outline[i].radius + t * dr;

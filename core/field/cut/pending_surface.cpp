@@ -31,9 +31,10 @@ void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox
     const CutTracker::Spread& spread = tracker_->spread();
     const bool is_convex = solid.is_convex();
 
-    // Can any point be as deep in any solid as the least distance? Tested with their box in the newest solid's frame.
+    // Return early if no point can be deeper in any solid than `minimum`. Tested with the points' box in the newest
+    // solid's frame.
     const Frame& f = newest_from_tool_;
-    const double far = 10.0;  // [m] points beyond lie in no solid, and would make the sums inexact
+    const double far = 10.0;  // [m] points beyond it lie in no solid, and would make the sums inexact
     const auto kept = [far](const double(&v)[3]) {
         return Vec3{std::clamp(v[0], -far, far), std::clamp(v[1], -far, far), std::clamp(v[2], -far, far)};
     };

@@ -11,15 +11,17 @@ namespace kerf {
 
 /// Made once for all points that are queried at one pose.
 ///
-/// Where a point is deeper in a pending solid than its distance to the committed surface, that solid is its surface.
-/// Depths are computed in single precision, relative to the tool's origin: 2 nm at 10 mm, a tenth of the quantum of a
-/// stored distance.
+/// The present distance of a point is the larger of its signed distance to the committed surface and its depth in any
+/// pending solid. Depths are computed in single precision, relative to the tool's origin. Their error is 2 nm at 10 mm,
+/// a tenth of the quantum of a stored distance.
 class PendingSurface {
 public:
     PendingSurface(const CutTracker& tracker, const Pose& body_from_tool) noexcept;
 
-    /// Raises the answers of `count` ≤ `block_capacity` points of the tool, which lie in `box`. No distance is less
-    /// than `minimum` [m]. If `may_rise` is given, only answers with true may change.   [haptic, nonblocking]
+    /// Raises the distance of each answer to the depth of its point in a pending solid, where that is larger. Sets its
+    /// normal and body accordingly. The `count` ≤ `block_capacity` points, tool frame, lie in `box`. Pre: no distance
+    /// in `answers` is less than `minimum` [m]. If `may_rise` is given, only answers with true change.
+    /// [haptic, nonblocking]
     void raise(const Vec3* points, std::size_t count, const PointBox& box, double minimum, const bool* may_rise,
                kerf_surface_point* answers) noexcept;
 

@@ -24,8 +24,8 @@ struct Block {
                     eight << (bx * brick_edge);
             }
     }
-    /// Returns the samples grown by one: over faces, or over edges and corners too. Alternating, the two approximate a
-    /// Euclidean distance.
+    /// Returns the samples and their neighbours: over faces alone, or over edges and corners too. Alternating, the two
+    /// approximate a Euclidean distance.
     [[nodiscard]] Block grown(bool over_corners) const noexcept {
         const auto along_x = [](Row r) { return (r | r << 1 | r >> 1) & all_in_row; };
         Block result;
@@ -60,7 +60,8 @@ struct Block {
     }
 };
 
-/// Returns samples of the middle brick: the samples of `others`, and air nearer to them within the stored distances.
+/// Returns the samples of the middle brick that are bone of `others`, or air that is nearer to `others` than to `own`,
+/// up to the clamp of the fields.
 BrickBits nearer_to_others(Block own, Block others) noexcept {
     BrickBits removed = others.middle();
     BrickBits settled = removed;

@@ -13,8 +13,8 @@ namespace {
 bool uses_memory(const ToolSolid& solid) noexcept { return solid.is_convex() && !solid.is_prism(); }
 
 constexpr int rounding = 2;  // [quanta]
-/// Returns whether a test can succeed. With a smaller reserve, rounding uses it up: a cell that rose with the last
-/// stamp most likely rises with this one.
+/// Returns whether comparing a cell with an earlier stamp may pay off. A cell with less to spare rose with that stamp,
+/// and most likely rises again.
 bool is_worth_testing(std::int16_t spare) noexcept { return spare > rounding; }
 
 }  // namespace
@@ -80,7 +80,7 @@ const PoseStamp::Motion* PoseStamp::motion_since(std::uint32_t number) noexcept 
         const Pose then_from_now = then->tool_from_body * inverse(tool_from_body_);
         const Quat& q = then_from_now.rotation;
         motion.shift = -then_from_now.position;
-        motion.turn = (q.w < 0.0 ? 2.0 : -2.0) * Vec3{q.x, q.y, q.z};  // sine instead of angle
+        motion.turn = (q.w < 0.0 ? 2.0 : -2.0) * Vec3{q.x, q.y, q.z};  // 2 sin(θ/2) instead of θ
         motion.turned = length(motion.turn);
         motion.error = motion.turned * motion.turned;
         motion.is_known = motion.turned < 0.1;
@@ -118,8 +118,8 @@ bool PoseStamp::raise_cells(std::int16_t* samples, BrickCells& cells, int i, int
     const Motion* since = motion_since(cells.compared);
     SampleCell cell = cell_at(i, j, k);
 
-    // Upper bound of the depth of a cell's samples: by a plane that touches the solid; or, as the distance is
-    // 1-Lipschitz, by the depth of the cell's centre plus the distance from there.
+    // Compute upper bounds of the depth of each cell's samples. For a convex solid: from its tangent plane at the
+    // cell's centre. Else: the depth of the centre plus the distance from there, as the depth is 1-Lipschitz.
     PointBlock middles;
     for (std::size_t n = 0; n < BrickCells::count; ++n) {
         const CellPosition at = CellPosition::of(n);
@@ -183,7 +183,7 @@ bool PoseStamp::raise(std::int16_t* samples, BrickCells& cells, int i, int j, in
         is_all_within = is_all_within && low[axis] >= first[axis] && low[axis] + brick_edge <= last[axis];
     if (is_all_within) return raise_cells(samples, cells, i, j, k);
 
-    // Some samples must not change: raise a copy, and take over the others from it.
+    // Samples outside `first` … `last` must not change: raise a copy, and take only the others from it.
     std::array<std::int16_t, stored_samples> raised;
     std::copy_n(samples, stored_samples, raised.data());
     if (!raise_cells(raised.data(), cells, i, j, k)) return false;

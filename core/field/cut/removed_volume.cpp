@@ -8,21 +8,21 @@
 namespace kerf {
 
 namespace {
-/// Returns the fraction of a voxel inside a surface at distance `d` voxels from its centre.
+/// Returns the fraction of a voxel inside a surface. `d` [voxels]: signed distance of its centre, negative inside.
 double inside_fraction(double d) noexcept { return std::clamp(0.5 - d, 0.0, 1.0); }
 
-/// Returns the fraction of a voxel that two half spaces have in common, which alone have the fractions `a` and `b`. The
-/// cosine between their inward directions is `cosine`. For parallel directions it is the smaller fraction, for
-/// perpendicular ones the product, for opposite ones the overlap max(0, a + b − 1). In between it is linear in the
-/// cosine. An edge of a cut has perpendicular directions: treated as opposite, it would lose a twelfth of a voxel's
-/// area for each length of edge.
+/// Returns the fraction of a voxel inside both of two half spaces, which contain the fractions `a` and `b` of it.
+/// `cosine` is that of the angle between their inward directions. The result for parallel directions is the smaller
+/// fraction, for perpendicular ones the product, for opposite ones the overlap max(0, a + b − 1). In between it is
+/// linear in the cosine. At an edge of a cut the directions are perpendicular. The overlap would be too small there by
+/// h²/12 per length of edge, with h the spacing.
 double common_fraction(double a, double b, double cosine) noexcept {
     const double across = a * b;
     return cosine > 0.0 ? across + cosine * (std::min(a, b) - across)
                         : across + cosine * (across - std::max(0.0, a + b - 1.0));
 }
-/// Returns the cosine between the inward directions of bone and cut, by differences to the next samples along each
-/// axis; −1 where the bone has no stored samples.
+/// Returns the cosine of the angle between the inward directions of bone and cut, from differences to the next sample
+/// along each axis. Returns −1 if the bone has no stored samples or a gradient is zero.
 double cosine_of(const std::int16_t* bone, const std::int16_t* cut) noexcept {
     if (bone == nullptr) return -1.0;
     double common = 0.0, of_bone = 0.0, of_cut = 0.0;
@@ -35,7 +35,8 @@ double cosine_of(const std::int16_t* bone, const std::int16_t* cut) noexcept {
     return of_bone > 0.0 && of_cut > 0.0 ? common / std::sqrt(of_bone * of_cut) : -1.0;
 }
 
-/// Fractions of a voxel per sample of a brick: bone before all cuts, and bone lost to the cut.
+/// For each sample of a brick, the fraction of its voxel that was bone before any cut, and the fraction that the cut
+/// removed.
 class BrickFractions {
 public:
     BrickFractions(const Body& body, const CutField& cut, std::size_t brick) noexcept
@@ -52,7 +53,7 @@ public:
         if (has_cavity_) before = std::max(before, -(cavity_ != nullptr ? cavity_[sample] : uniform_cavity_));
         return inside_fraction(voxels_per_quantum_ * before);
     }
-    /// Returns the fraction lost at a sample, of its fraction of bone `bone`.
+    /// Returns the fraction of the sample's voxel that is removed bone. `bone` is the fraction from `bone(sample)`.
     [[nodiscard]] double lost(int sample, double bone) const noexcept {
         const double cut = removed_ != nullptr ? inside_fraction(-voxels_per_quantum_ * removed_[sample]) : 0.0;
         if (bone <= 0.0 || cut <= 0.0) return 0.0;

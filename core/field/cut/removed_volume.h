@@ -10,17 +10,17 @@
 
 namespace kerf {
 
-/// Volume of removed bone by tissue, updated brick by brick.
+/// Volume of removed bone by material, updated brick by brick.
 class RemovedVolume {
 public:
     explicit RemovedVolume(const Body& body) : body_(&body), per_brick_(body.grid().brick_count()) {}
 
-    /// Recounts the bricks that changed since the last call.   [worker]
+    /// Recounts the bricks of `cut.take_changed()`.   [worker]
     void update(CutField& cut) { update(cut, cut.take_changed()); }
-    /// Recounts the bricks `changed`.   [worker]
+    /// Recounts the bricks with the indices `changed`.   [worker]
     void update(const CutField& cut, std::span<const std::size_t> changed);
-    /// Starts to count the removal of a separated piece: the removed part of `cut` at this time belongs to other pieces
-    /// and does not count.   [worker]
+    /// Starts the count for a separated piece: what `cut` has removed so far belongs to other pieces and does not
+    /// count.   [worker]
     void reset_baseline(const CutField& cut);
 
     /// Returns the removed volume of material `m` [m³].
@@ -36,7 +36,7 @@ private:
     std::array<double, KERF_MAX_TISSUES> total_{};
 };
 
-/// Returns the volume of bone [m³] that remains in the body's region, with partial voxels counted by their fraction.
+/// Returns the volume of bone [m³] that remains in the body's region. Voxels partly in bone count by their fraction.
 /// [worker] pure.
 [[nodiscard]] double bone_volume(const Body& body, const CutField& cut) noexcept;
 

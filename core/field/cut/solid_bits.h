@@ -9,11 +9,11 @@
 
 namespace kerf {
 
-/// Returns the samples of a brick that are bone: both distances are negative, as in the surface mesh, and the sample
-/// lies strictly within the body's region.   [any] pure, nonblocking.
+/// Returns the samples of a brick that are bone. There surface and cut are both negative, as in the surface mesh, and
+/// the sample lies strictly within the body's region.   [any] pure, nonblocking.
 [[nodiscard]] BrickBits solid_bits(const Body& body, const CutField& cut, std::size_t brick_index) noexcept;
 
-/// Returns the samples of a brick that are bone, for a brick that no face of the region crosses.
+/// Returns the samples where both of a brick's fields (9³ samples each) are negative, without a test of the region.
 [[nodiscard]] BrickBits solid_bits(const std::int16_t* surface, const std::int16_t* cut) noexcept;
 
 }  // namespace kerf

@@ -9,8 +9,8 @@
 namespace kerf {
 
 double largest_motion(const ToolSolid& solid, const Pose& from, const Pose& to) noexcept {
-    // The distance moved is a convex function of the point. So its maximum is at the ends of the bounding cylinder, or
-    // at a corner of the box.
+    // The distance moved is a convex function of the point. So its maximum is at a corner of a prism's box, or on a rim
+    // of the bounding cylinder, here sampled at four azimuths.
     const Frame a = frame_of(from), b = frame_of(to);
     const Vec3 origin = b.origin - a.origin, along_x = solid.largest_radius() * (b.x - a.x), along_z = b.z - a.z;
     const Vec3 along_y = (solid.is_prism() ? 0.5 * solid.thickness() : solid.largest_radius()) * (b.y - a.y);
@@ -97,8 +97,8 @@ void Sweep::may_contain(const PointBlock& points, double tolerance,
             before = after;
             continue;
         }
-        // The path of a point relative to the solid is nearly straight. No point of it is deeper than the plane that
-        // touches the solid at its end.
+        // Relative to the solid, the path of a point is nearly straight. The tangent plane at its end bounds the depth
+        // along it; `bend` allows for its curvature.
         transform(inverse(next), points, at_end);
         solid_->tangents(at_end, after, gradient);
         const Quat turn = conjugate(last.rotation) * next.rotation;
@@ -116,7 +116,7 @@ void Sweep::may_contain(const PointBlock& points, double tolerance,
 
 bool Sweep::contains_between(const Instant& a, const Instant& b, Vec3 point, double tolerance) const noexcept {
     const double step_length = slack * motion_ * (b.t - a.t);
-    constexpr double finest = 1e-7;  // [m] for points outside, whose depth may be nearly constant along the path
+    constexpr double finest = 1e-7;  // [m] of motion: the depth may be nearly constant
     if (0.5 * (a.depth + b.depth + step_length) <= tolerance || step_length <= (tolerance < 0.0 ? finest : tolerance))
         return false;
     const Instant middle = at(0.5 * (a.t + b.t), point);

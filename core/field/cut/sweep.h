@@ -11,16 +11,17 @@ namespace kerf {
 /// Returns the largest distance that any point of the solid moves between two poses [m].   [any] pure.
 [[nodiscard]] double largest_motion(const ToolSolid& solid, const Pose& from, const Pose& to) noexcept;
 
-/// Parts of a solid's motion: a slide along its axis leaves no ridges between sub-poses, the rest does.
+/// A solid's motion in two parts: a slide along its axis, which leaves no ridges between sub-poses, and the rest, which
+/// does.
 struct Travel {
     double motion = 0.0;  ///< [m] `largest_motion`
-    double along = 0.0;   ///< [m] slide along its own axis, which the solid covers
-    /// [m] Largest motion of any of its points apart from the slide, doubled: during a slide only the pose ahead of a
-    /// point can cover it. At most `motion`.
+    double along = 0.0;   ///< [m] slide along the axis; 0 if the solid does not cover slides
+    /// [m] Twice the largest motion of any point apart from the slide, at most `motion`. Doubled, because during a
+    /// slide only the sub-pose ahead of a point can cover it.
     double aside = 0.0;
 };
-/// Returns the parts of a motion. `depth` [m] is the largest depth inside the solid that is evaluated: a land covers a
-/// slide only if it is longer by twice that.   [any] pure.
+/// Returns the parts of a motion. `depth` [m]: up to this depth, the union of the sub-poses must be as deep as the
+/// sweep. So the solid covers slides only if its land is longer than twice `depth`.   [any] pure.
 [[nodiscard]] Travel travel(const ToolSolid& solid, const Pose& from, const Pose& to, double depth) noexcept;
 
 /// Returns the pose at fraction `t` of the motion from `from` to `to`.   [any] pure.

@@ -149,7 +149,7 @@ double ToolSolid::distance(double r, double z) const noexcept {
     for (const OutlineSegment& s : segments_) depth = std::min(depth, to_face(s));
     if (!(depth < 0.0)) return -depth;
 
-    // Outside, the nearest point of that plane may lie beyond the face's edges.
+    // Outside, the nearest point of the nearest plane may lie beyond its face's edges.
     bool is_next_to_face = (front.z - z == depth && r <= front.radius) || (z - back.z == depth && r <= back.radius);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
         const OutlineSegment& s = segments_[i];
@@ -161,21 +161,21 @@ double ToolSolid::distance(double r, double z) const noexcept {
 }
 
 double ToolSolid::max_depth_gain(Vec3 middle, Vec3 half, Vec3 moved, double spread, double deepest) const noexcept {
-    // Inside, the depth is the minimum over the planes of its faces, and concave. It grows by no more than at its
-    // former point, along the steepest of the faces that may have been the nearest. Outside of several faces, the
-    // direction to their edge lies between their normals.
+    // Inside, the depth is the smallest one below the planes of all faces, and so it is concave. It grows by at most
+    // the motion along the inward normal of a face that was nearest to the former point. Outside, next to an edge, the
+    // direction to the edge lies between the normals of its faces.
     const double size = length(moved) + spread, r = radius_of(middle);
     const double aside = std::sqrt(square(half.x) + square(half.y)) + size, along = half.z + size;
     const double lateral = std::sqrt(square(moved.x) + square(moved.y));
     double outwards = -lateral;  // lower bound
-    if (aside < 0.7 * r) {       // an angle of at most asin(aside / r)
+    if (aside < 0.7 * r) {       // azimuths in the box differ by at most asin(aside / r)
         const double in_the_middle = (middle.x * moved.x + middle.y * moved.y) / r;
         outwards = std::max(outwards, in_the_middle - 1.11 * aside / r * lateral);
     }
     outwards -= spread;
 
     struct Plane {
-        double depth, out, on, gain;  // out, on: components of its normal away from the axis and along it
+        double depth, out, on, gain;  // out, on: components of its outward normal away from the axis and along it
     };
     Plane nearest{HUGE_VAL, 0, 0, 0};
     const auto for_each_plane = [&](const auto& what) {
@@ -200,9 +200,9 @@ double ToolSolid::max_depth_gain(Vec3 middle, Vec3 half, Vec3 moved, double spre
 }
 
 double ToolSolid::max_depth_gain_outside(const Pose& moved) const noexcept {
-    // Depth is concave: it grows by no more than the motion into the solid, along the direction from the nearest point
-    // of the solid. Before the back end this direction leads forwards or sideways, unless a face points backwards. A
-    // rotation moves a point that ends inside by at most its chord about the origin, and rotates the direction.
+    // Depth is concave. So it grows by at most the motion against the direction from the solid's nearest point to the
+    // former position. Ahead of the back end this direction points forwards or sideways, unless a face points
+    // backwards. A rotation moves a point that ends inside by at most its chord about the origin.
     const Vec3 shift = moved.position;
     const bool has_backward_face =
         std::any_of(segments_.begin(), segments_.end(), [](const OutlineSegment& s) { return s.normal_z < 0.0; });
@@ -353,8 +353,8 @@ Vec3 ToolSolid::inward_direction(Vec3 p) const noexcept {
 }
 
 SingleOutline ToolSolid::faces_near(SingleOutline whole, double x, double spread, double reach) const noexcept {
-    // The nearest point of the surface is offset along x by at most its distance. The plane of a face is nearest only
-    // at points of the face itself.
+    // Along x, a point's nearest surface point is at most as far away as the surface. So the nearest face lies within
+    // `far` of `x`.
     const double far = spread + reach, low = std::abs(x) - far, high = std::abs(x) + far;
     std::size_t first = 0, last = segments_.size();
     while (first + 1 < last && outline_[first + 1].radius < low) ++first;
