@@ -36,7 +36,8 @@ public:
     /// Removes the oldest row. Pre: `front()` returned a row.   [consumer]
     void pop() noexcept { tail_.store(tail_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
-    /// Returns the number of waiting rows; exact only on the two threads of the queue.   [producer or consumer]
+    /// Returns the number of waiting rows: on the producer's thread an upper bound, on the consumer's a lower bound.
+    /// [producer or consumer]
     std::size_t size() const noexcept {
         const std::size_t tail = tail_.load(std::memory_order_acquire);
         return head_.load(std::memory_order_acquire) - tail;

@@ -99,8 +99,8 @@ public:
 
     /// Returns an upper bound of the gain in depth [m] of a point: former distance plus present depth. It is valid for
     /// a point that was outside, ahead of the solid's back end, and is inside at `moved` · former position. It is also
-    /// valid at any instant of a straight motion to there with uniform rotation. Pre: convex.   [any] pure,
-    /// nonblocking.
+    /// valid at any instant of a straight motion to there with uniform rotation. Pre: convex.
+    /// [any] pure, nonblocking.
     [[nodiscard]] double max_depth_gain_outside(const Pose& moved) const noexcept;
 
     /// Returns whether an edge of the outline or of the solid's ends may be within `distance` [m] of a point of a box.

@@ -5,7 +5,7 @@
 
 namespace kerf {
 
-/// A box along the axes. Its user defines unit and frame.
+/// A box along the axes of a frame. Its user defines unit and frame.
 struct Box {
     Vec3 low{}, high{};
 };

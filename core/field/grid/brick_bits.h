@@ -8,7 +8,7 @@
 /// The 8³ samples that a brick owns, one bit each.
 namespace kerf {
 
-/// Word z, bit 8y + x.
+/// Sample (x, y, z) is bit 8y + x of `slice[z]`.
 struct BrickBits {
     std::array<std::uint64_t, 8> slice{};
 
@@ -62,7 +62,7 @@ struct BrickBits {
     friend constexpr bool operator==(const BrickBits&, const BrickBits&) = default;
 };
 
-/// Returns whether samples of `a` and `b` touch along `axis`, where `b` belongs to the next brick in that direction.
+/// Returns whether a sample of `a` and one of `b` are neighbours. `b` belongs to the next brick along `axis`.
 [[nodiscard]] constexpr bool touch_along(std::size_t axis, const BrickBits& a, const BrickBits& b) noexcept {
     constexpr std::uint64_t first_column = 0x0101010101010101u;
     if (axis == 2) return (a.slice[7] & b.slice[0]) != 0;
@@ -72,7 +72,8 @@ struct BrickBits {
     return any != 0;
 }
 
-/// Returns all samples of `among` that are connected to `grown` over faces of voxels, within the brick.
+/// Returns all samples of `among` that are connected to `grown` over faces of voxels, within `among`. Pre: `among`
+/// contains `grown`.
 [[nodiscard]] constexpr BrickBits grown_within(BrickBits grown, const BrickBits& among) noexcept {
     constexpr std::uint64_t first_column = 0x0101010101010101u, last_column = first_column << 7;
     for (bool has_grown = true; has_grown;) {
@@ -97,7 +98,8 @@ struct BrickBits {
     return grown;
 }
 
-/// Removes from `left` the samples that are connected to its first one, and returns them. Pre: `left` is not empty.
+/// Removes from `left` its first sample and all that are connected to it over faces of voxels; returns them. Pre:
+/// `left` is not empty.
 [[nodiscard]] constexpr BrickBits take_component(BrickBits& left) noexcept {
     constexpr std::uint64_t first_column = 0x0101010101010101u, last_column = first_column << 7;
     BrickBits component;

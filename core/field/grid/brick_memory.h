@@ -7,18 +7,19 @@
 /// Memory for the samples of bricks.
 namespace kerf {
 
-/// Maps at least `bytes` of address space. A large block uses physical memory only where it has been touched, and huge
-/// pages where the system has them. Throws std::bad_alloc.   [main, worker]
+/// Allocates `bytes`. A block of 2 MiB or more uses physical memory only where it has been touched, and huge pages if
+/// the system has them. Throws std::bad_alloc.   [main, worker]
 [[nodiscard]] void* map_brick_memory(std::size_t bytes);
 void unmap_brick_memory(void* memory, std::size_t bytes) noexcept;
-/// Requests huge pages for other memory, much of which will soon be touched for the first time.   [main, worker]
+/// Requests huge pages for a block of 2 MiB or more from another allocator, much of which will soon be used for the
+/// first time.   [main, worker]
 void prefer_huge_pages(void* memory, std::size_t bytes) noexcept;
 
-/// Number of bytes that may be read after the last sample: a kernel loads more than it needs.
+/// Number of bytes after the last sample that a kernel may read: it loads more than it needs.
 inline constexpr std::size_t brick_slack = 32;
 
-/// Allocator for std::vector. Reserved memory costs nothing before it is used, so a vector can reserve its largest size
-/// and grow without moving.
+/// Allocator for std::vector. Reserved memory costs nothing before it is used. So a vector can reserve its largest size
+/// and never move.
 template <class Sample>
 struct BrickAllocator {
     using value_type = Sample;

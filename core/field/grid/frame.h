@@ -4,7 +4,7 @@
 #include "core/field/grid/kernel/block_kernel.h"
 #include "kerf/math.hpp"
 
-/// Poses as matrices with an offset: cheaper than quaternions for many points, and with a scale.
+/// Poses as matrices with an offset. For many points they are cheaper than quaternions, and they can scale.
 namespace kerf {
 
 [[nodiscard]] inline Frame frame_of(const Pose& a_from_b) noexcept {
@@ -12,14 +12,15 @@ namespace kerf {
     return {rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0}), rotate(q, {0, 0, 1}), a_from_b.position};
 }
 
-/// Returns the point in frame a: a_from_b * point_in_b. The order of the sums is fixed: block queries use the same.
+/// Returns the point in frame a: a_from_b * point_in_b. Block queries add in the same order, so they give the same
+/// bits.
 [[nodiscard]] constexpr Vec3 operator*(const Frame& f, Vec3 p) noexcept {
     return {((f.x.x * p.x + f.y.x * p.y) + f.z.x * p.z) + f.origin.x,
             ((f.x.y * p.x + f.y.y * p.y) + f.z.y * p.z) + f.origin.y,
             ((f.x.z * p.x + f.y.z * p.y) + f.z.z * p.z) + f.origin.z};
 }
 
-/// Returns a direction of b in a (`turned`), or of a in b (`turned_back`). Pre: a frame that does not scale.
+/// Rotates a direction from frame b to a (`turned`), or from a to b (`turned_back`). Pre: the frame does not scale.
 [[nodiscard]] constexpr Vec3 turned(const Frame& a_from_b, Vec3 v) noexcept {
     return v.x * a_from_b.x + v.y * a_from_b.y + v.z * a_from_b.z;
 }
@@ -33,7 +34,7 @@ namespace kerf {
             {of(f.origin.x), of(f.origin.y), of(f.origin.z)}};
 }
 
-/// Returns the frame `f`, followed by a shift of the origin to `from` and a scaling.
+/// Returns the frame that maps a point p to scale (f * p − from).
 [[nodiscard]] constexpr Frame scaled_from(const Frame& f, Vec3 from, double scale) noexcept {
     return {scale * f.x, scale * f.y, scale * f.z, scale * (f.origin - from)};
 }

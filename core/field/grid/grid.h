@@ -13,12 +13,13 @@
 /// The isotropic grid of all fields of a body, divided into bricks of 8³ samples.
 namespace kerf {
 
-inline constexpr int brick_edge = 8;                                            ///< samples owned per axis
-inline constexpr int stored_edge = brick_edge + 1;                              ///< with the apron of one
+inline constexpr int brick_edge = 8;                ///< samples that a brick owns per axis
+inline constexpr int stored_edge = brick_edge + 1;  ///< samples that it stores: its own and the next brick's first
 inline constexpr int stored_samples = stored_edge * stored_edge * stored_edge;  ///< 729
-/// Maximum number of bricks that one field can store: indices of samples have 31 bits, and two are for uniform bricks.
+/// Maximum number of bricks that one field can store. Indices of samples have 31 bits, and two more bricks are uniform
+/// ones.
 inline constexpr std::size_t max_stored_bricks = std::numeric_limits<std::int32_t>::max() / stored_samples - 2;
-/// Distances are stored up to this many voxels from the surface.
+/// Stored distances are clamped to ± this many voxels.
 inline constexpr double clamp_voxels = 4.0;
 
 struct Grid {
@@ -45,15 +46,16 @@ struct Grid {
         return origin + spacing * Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
     }
     [[nodiscard]] double clamp() const noexcept { return clamp_voxels * spacing; }
-    /// Returns the size of one int16 step [m].
+    /// Returns the size of one step of a stored distance [m]; clamp() is 32767 of them.
     [[nodiscard]] double quantum() const noexcept { return clamp() / 32767.0; }
 
-    /// Returns the smallest grid of whole bricks that covers the box.
+    /// Returns a grid of whole bricks from `low` on that covers the box, with one brick to spare along each axis.
+    /// Lengths in [m].
     static Grid covering(Vec3 low, Vec3 high, double spacing);
 };
 
-/// A point in the grid: its brick, cell and fractions. `is_inside` is false outside the grid; then no other member is
-/// valid.
+/// A point in the grid: its brick, its cell and the fractions [–] along the cell. `is_inside` is false outside the
+/// grid; then no other member is valid.
 struct LocatedPoint {
     bool is_inside = false;
     std::size_t brick = 0;
@@ -68,8 +70,8 @@ struct LocatedPoint {
     return std::min(23, 31 - static_cast<int>(std::bit_width(static_cast<unsigned>(longest - 1))));
 }
 
-/// Returns the cell of coordinates in voxels times 2^bits. A coordinate less than one unit below the first sample
-/// counts as on it.
+/// Returns the cell of a point, given by coordinates from the first sample in voxels times 2^bits. A coordinate between
+/// −1 and 0 counts as 0.
 [[nodiscard]] inline LocatedPoint locate_fixed(const Grid& grid, int bits, double gx, double gy, double gz) noexcept {
     const double one = static_cast<double>(std::int64_t{1} << bits);
     // NaN compares false: outside.
@@ -98,8 +100,8 @@ struct LocatedPoint {
     return locate_fixed(grid, bits, gx, gy, gz);
 }
 
-/// Returns the trilinear value of one brick's stored samples. In float: for integers up to 32767 the error is less than
-/// a hundredth.
+/// Returns the trilinear value of a brick's 9³ stored samples at a point. Computed in float: for integers up to 32767
+/// the error is less than 0.01.
 template <class Sample>
 [[nodiscard]] inline float trilinear(const Sample* brick, const LocatedPoint& at) noexcept {
     constexpr int y = stored_edge, z = stored_edge * stored_edge;

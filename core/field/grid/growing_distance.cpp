@@ -10,7 +10,8 @@ namespace kerf {
 
 namespace {
 
-/// Returns the distance at a point whose neighbours along the axes lie `near` [m] from the border: |∇d| = 1, upwind.
+/// Returns the distance [m] at a point by |∇d| = 1, upwind. `near` [m]: the smaller distance of its two neighbours
+/// along each axis.
 double solve_eikonal(std::array<double, 3> near, std::array<double, 3> spacing) {
     for (std::size_t a = 0; a < 2; ++a)  // nearest first
         for (std::size_t b = 0; b < 2 - a; ++b)
@@ -37,8 +38,7 @@ double solve_eikonal(std::array<double, 3> near, std::array<double, 3> spacing) 
 void grow_distances(const std::array<int, 3>& size, const std::array<double, 3>& spacing,
                     const std::vector<std::uint8_t>& is_fixed, double farthest, std::vector<double>& distance) {
     const std::array<std::ptrdiff_t, 3> stride{1, size[0], static_cast<std::ptrdiff_t>(size[0]) * size[1]};
-    // Eight sweeps, one per octant in which the nearest border can lie. A second round for winding bone, if the first
-    // changed a value.
+    // Eight sweeps, one per octant in which the nearest fixed point can lie. The second round is for winding bone.
     for (int round = 0; round < 2; ++round) {
         bool has_changed = false;
         for (int sweep = 0; sweep < 8; ++sweep) {

@@ -7,11 +7,11 @@
 
 namespace kerf {
 
-/// Extends distances on a lattice from fixed points by |∇d| = 1, with first-order upwind differences: fast sweeping
-/// (Zhao 2005, eqs. 2.3–2.4). Being first order, it makes distances around an edge slightly too large.
+/// Computes distances on a lattice from the distances at fixed points. Solves |∇d| = 1 by fast sweeping (Zhao 2005,
+/// eqs. 2.3–2.4). The differences are upwind and of first order, so distances around an edge become slightly too large.
 ///
-/// `size` points along each axis, x fastest, `spacing` [m] apart. Where `distance` [m] is not fixed, it is HUGE_VAL at
-/// the start. Distances of `farthest` [m] and more are not extended.   [main, worker]
+/// `size` points along each axis, x fastest, `spacing` [m] apart. Where `distance` [m] is not fixed, it must be
+/// HUGE_VAL at the start. A point whose neighbours all have `farthest` [m] or more keeps its value.   [main, worker]
 void grow_distances(const std::array<int, 3>& size, const std::array<double, 3>& spacing,
                     const std::vector<std::uint8_t>& is_fixed, double farthest, std::vector<double>& distance);
 

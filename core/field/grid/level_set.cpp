@@ -23,7 +23,7 @@ LevelSet LevelSet::build(const Grid& grid, DistanceSource& distance) {
     set.samples_.resize(first_stored, -32767);
     set.signs_.assign(grid.brick_count(), outside);
 
-    // A brick is uniform if its centre is farther from the surface than half of its diagonal plus the band.
+    // A brick is uniform if its centre is farther from the surface than half of its diagonal plus the clamp.
     const double reach = (0.5 * brick_edge * std::sqrt(3.0) + clamp_voxels) * grid.spacing;
     constexpr std::int32_t to_be_stored = -1;
     std::size_t stored = 0;

@@ -16,8 +16,9 @@ namespace kerf {
 
 class LevelSet {
 public:
-    /// Samples `distance` (body frame [m] → [m], negative inside, 1-Lipschitz) at every grid node near its zero.
-    /// Throws std::length_error, before it takes memory, if more than `max_stored_bricks` are near it.   [main]
+    /// Samples `distance` (body frame [m] → [m], negative inside, 1-Lipschitz) in every brick that may have a sample
+    /// within the clamp. Throws std::length_error, before it allocates samples, if these are more than
+    /// `max_stored_bricks`.   [main]
     static LevelSet build(const Grid& grid, DistanceSource& distance);
     static LevelSet build(const Grid& grid, const std::function<double(Vec3)>& distance);
 
@@ -27,12 +28,13 @@ public:
         if (start < first_stored) return start == air ? clamp_ : -clamp_;
         return quantum_ * static_cast<double>(trilinear(brick(start), place));
     }
-    /// Returns the trilinear distance [quanta].
+    /// Returns the trilinear distance [quanta], within ± 32767; outside the grid 32767.
     [[nodiscard]] float quanta_at(const LocatedPoint& place) const noexcept {
         const std::int32_t start = place.is_inside ? start_[place.brick] : air;
         return start < first_stored ? static_cast<float>(*brick(start)) : trilinear(brick(start), place);
     }
-    /// Writes the trilinear distance of a block of cells [m] or [quanta].   [any] pure, nonblocking.
+    /// Writes the trilinear distances at a block of points: `at` in [m], `quanta_at` in [quanta].
+    /// [any] pure, nonblocking.
     void at(const LocatedBlock& places, BlockValues& distances) const noexcept {
         block_kernel().metres(shape(), places.count, places.places(), quantum_, clamp_, distances.data());
     }
@@ -40,7 +42,7 @@ public:
         block_kernel().values(shape(), places.count, places.places(), quanta.data());
     }
     [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored, solid}; }
-    /// Returns the stored sample (i, j, k) [quanta]; outside the grid the largest value.
+    /// Returns sample (i, j, k) of the grid [quanta]; outside the grid 32767.
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
 
     [[nodiscard]] bool is_all_air(std::size_t brick_index) const noexcept { return start_[brick_index] == air; }
@@ -55,7 +57,7 @@ public:
     [[nodiscard]] std::int16_t uniform_value(std::size_t brick_index) const noexcept {
         return start_[brick_index] == air ? std::int16_t{32767} : std::int16_t{-32767};
     }
-    /// Returns whether any of a brick's 9³ samples is negative (`has_inside`), or is not (`has_outside`).
+    /// Returns whether any of a brick's 9³ samples is negative (`has_inside`), or any is not negative (`has_outside`).
     [[nodiscard]] bool has_inside(std::size_t brick_index) const noexcept {
         return (signs_[brick_index] & inside) != 0;
     }
@@ -69,19 +71,20 @@ public:
     }
 
 private:
-    // Uniform bricks use common samples, one brick of each kind: interpolation needs no special case.
+    // All air bricks use one common brick of samples, and all solid bricks another: interpolation needs no special
+    // case.
     static constexpr std::int32_t air = 0, solid = stored_samples, first_stored = 2 * stored_samples;
     static constexpr std::uint8_t inside = 1, outside = 2;
     [[nodiscard]] const std::int16_t* brick(std::int32_t start) const noexcept { return samples_.data() + start; }
 
     Grid grid_;
     double clamp_ = 0.0, quantum_ = 0.0;
-    std::vector<std::int32_t> start_;  ///< first sample of each brick; the last entry is for points outside the grid
+    std::vector<std::int32_t> start_;  ///< first sample of each brick; the last entry: outside the grid
     BrickSamples<std::int16_t> samples_;
     std::vector<std::uint8_t> signs_;  ///< of each brick's samples: `inside` and `outside` bits
 };
 
-/// Returns the nearest quantum of a distance [m], clamped.
+/// Returns a distance [m] in quanta: rounded to the nearest, and clamped to ± 32767. `quantum` in [m].
 [[nodiscard]] inline std::int16_t quantised(double distance, double quantum) noexcept {
     const double q = distance * (1.0 / quantum);
     if (q >= 32767.0) return 32767;

@@ -10,16 +10,18 @@
 #include "core/field/grid/kernel/block_kernel.h"
 #include "core/field/grid/region.h"
 
-/// Points that are queried together. One array per coordinate, so that each step is done for many points at once.
+/// Points that are queried together. Each coordinate has its own array, so that each step processes many points at
+/// once.
 ///
-/// Each stage does for every point the operations of the scalar function with the same name: the same bits.
+/// A block function does for every point the operations of the scalar function of the same name, and gives the same
+/// bits.
 namespace kerf {
 
 inline constexpr std::size_t block_capacity = 256;
 using BlockValues = std::array<double, block_capacity>;
 using FloatBlock = std::array<float, block_capacity>;
 
-/// At most `block_capacity` points. The function that takes them defines the frame; coordinates may be NaN.
+/// At most `block_capacity` points. The frame is that of the function that takes them. Coordinates may be NaN.
 struct PointBlock {
     std::size_t count = 0;
     BlockValues x, y, z;
@@ -35,13 +37,14 @@ struct PointBlock {
     [[nodiscard]] Coordinates writable() noexcept { return {x.data(), y.data(), z.data()}; }
 };
 
-/// Unit directions of points that are queried together: one for all of them, or one each.
+/// Unit directions of points that are queried together: one for all points, or one for each. Refers to the caller's
+/// array.
 class Directions {
 public:
     [[nodiscard]] static Directions one(const Vec3& direction) noexcept { return {&direction, true}; }
     [[nodiscard]] static Directions each(const Vec3* directions) noexcept { return {directions, false}; }
-    /// Returns the directions of a plugin's query of `points` points: one each if their number is equal, else the first
-    /// for all.
+    /// Returns the directions of a plugin's query of `points` points. With `count` = `points` each point has its own;
+    /// else the first is for all. Without any, it is the tool's axis.
     [[nodiscard]] static Directions given(const Vec3* directions, std::uint32_t count, std::uint32_t points) noexcept {
         static constexpr Vec3 along_the_shaft{0, 0, 1};
         return count == 0 ? one(along_the_shaft) : count == points ? each(directions) : one(*directions);
@@ -64,7 +67,7 @@ void transform(const Pose& a_from_b, const PointBlock& points_in_b, PointBlock& 
 /// Transforms `count` ≤ `block_capacity` points.
 void transform(const Frame& a_from_b, const Vec3* points_in_b, std::size_t count, PointBlock& points_in_a) noexcept;
 
-/// As `LocatedPoint`, for a block. The last point is repeated up to a multiple of eight.
+/// As `LocatedPoint`, for a block. Behind the last point, its copies fill the arrays up to a multiple of eight.
 struct LocatedBlock {
     std::size_t count = 0;
     /// Outside the grid `brick` is Grid::brick_count(), and no other member is valid.
@@ -75,23 +78,23 @@ struct LocatedBlock {
         return {brick.data(), offset.data(), fx.data(), fy.data(), fz.data()};
     }
 };
-/// Transforms points of a frame to cells of a grid; made once for all points of a query.
+/// Transforms points of a frame to cells of a grid. Made once for all points of a query.
 class GridFrame {
 public:
     GridFrame(const Grid& grid, const Region& region, const Frame& body_from_points) noexcept;
 
-    /// Writes the cells of `count` ≤ `block_capacity` points; a point outside the region is moved to its nearest face.
-    /// [any] pure, nonblocking.
+    /// Writes the cells of `count` ≤ `block_capacity` points. A point outside the region gets the cell of the region's
+    /// nearest point.   [any] pure, nonblocking.
     void locate(const Vec3* points, std::size_t count, LocatedBlock& places) const noexcept {
         place(points, count, places, nullptr);
     }
-    /// Writes the cells, and returns the bounding box of the points.
+    /// Writes the cells as `locate`. Returns the bounding box of the points in their own frame.
     [[nodiscard]] PointBox locate_box(const Vec3* points, std::size_t count, LocatedBlock& places) const noexcept {
         PointBox box;
         place(points, count, places, &box);
         return box;
     }
-    /// Returns a point in voxels times 2^bits, not moved to the region.
+    /// Returns a point's coordinates from the first sample, in voxels times 2^bits, also outside the region.
     [[nodiscard]] Vec3 operator*(Vec3 point) const noexcept { return fixed_from_points_ * point; }
     [[nodiscard]] const Lattice& lattice() const noexcept { return lattice_; }
 
@@ -102,7 +105,7 @@ private:
     Lattice lattice_;
 };
 
-/// Values of a field and their gradients [quanta per voxel], from trilinear interpolation.
+/// Values of a field [quanta] and their gradients [quanta per voxel], from trilinear interpolation.
 struct SlopeBlock {
     alignas(32) FloatBlock value, x, y, z;
 

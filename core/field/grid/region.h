@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-/// The box that was imaged, body frame [m]. Outside, bone continues as on its nearest face; it is solid there and
-/// cannot be cut. Without bounds the body lies wholly in its grid.
+/// The box in which a body can be cut, body frame [m]. Outside, bone continues as at the nearest point of the box, and
+/// cannot be cut. A region without bounds contains everything; then the grid contains all of the bone.
 struct Region {
     static constexpr double nowhere = std::numeric_limits<double>::infinity();
     Vec3 low{-nowhere, -nowhere, -nowhere}, high{nowhere, nowhere, nowhere};
@@ -19,7 +19,7 @@ struct Region {
     [[nodiscard]] bool is_everywhere() const noexcept {
         return low == Vec3{-nowhere, -nowhere, -nowhere} && high == Vec3{nowhere, nowhere, nowhere};
     }
-    /// Returns whether a point is strictly inside: nothing is cut on a face.
+    /// Returns whether a point is strictly inside. Points on a face are not: they cannot be cut.
     [[nodiscard]] bool contains(Vec3 p) const noexcept {
         return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z;
     }
@@ -32,7 +32,7 @@ struct Region {
     [[nodiscard]] Vec3 nearest(Vec3 p) const noexcept {
         return {std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y), std::clamp(p.z, low.z, high.z)};
     }
-    /// Returns the distance of a point outside the region [m]; 0 inside, and for NaN, so that NaN causes no force.
+    /// Returns the distance of a point to the region [m]; 0 inside, and for NaN, so that NaN causes no force.
     /// [any] pure, nonblocking.
     [[nodiscard]] double distance_outside(Vec3 p) const noexcept {
         // In this order of arguments NaN counts as 0.

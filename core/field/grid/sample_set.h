@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// A set of samples, by brick. Full bricks take no bits.
+/// A set of samples, by brick. A brick with all samples is stored as its index alone.
 class SampleSet {
 public:
     void add(std::size_t brick, const BrickBits& bits) {
@@ -24,12 +24,12 @@ public:
         some_.reserve(others);
     }
     void add_full(std::size_t brick) { full_.push_back(static_cast<std::uint32_t>(brick)); }
-    /// Adds the samples of another set, which has none of these; afterwards a brick may occur twice.
+    /// Adds the samples of another set. Pre: no sample is in both. A brick may then occur twice in `for_each`.
     void add(const SampleSet& others) {
         full_.insert(full_.end(), others.full_.begin(), others.full_.end());
         some_.insert(some_.end(), others.some_.begin(), others.some_.end());
     }
-    /// Calls `what(brick, bits)` for each brick, full ones first.
+    /// Calls `what(brick, bits)` for each brick with samples, full ones first.
     template <class Do>
     void for_each(const Do& what) const {
         for (const std::uint32_t brick : full_) what(std::size_t{brick}, BrickBits::full());

@@ -8,8 +8,8 @@
 
 #include "core/field/grid/kernel/block_kernel.h"
 
-/// Arithmetic on four or eight points at a time, for the files that are compiled with -mavx2. Without linkage: no other
-/// file may get functions that were compiled for AVX2.
+/// Arithmetic on four or eight points at a time, for the files that are compiled with -mavx2. In an unnamed namespace,
+/// so that no other file links to functions compiled for AVX2.
 namespace kerf {
 namespace {
 
@@ -18,9 +18,9 @@ constexpr std::size_t lanes = 4;
 constexpr int brick_bits = 3, stored = 9;  // of core/field/grid/grid.h: 8 samples a brick and axis, 9 with the apron
 
 inline Four all(double v) noexcept { return _mm256_set1_pd(v); }
-/// a < b ? a : b, also for NaN, as the instruction defines it.
+/// Returns a < b ? a : b; so b if either is NaN.
 inline Four min_of(Four a, Four b) noexcept { return _mm256_min_pd(a, b); }
-/// a > b ? a : b.
+/// Returns a > b ? a : b; so b if either is NaN.
 inline Four max_of(Four a, Four b) noexcept { return _mm256_max_pd(a, b); }
 inline Four less(Four a, Four b) noexcept { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
 inline Four not_less(Four a, Four b) noexcept { return _mm256_cmp_pd(a, b, _CMP_GE_OQ); }
@@ -54,7 +54,7 @@ struct FourFrame {
     }
 };
 
-/// The points of a query, `step` at a time; the last step is filled up with copies of the last point.
+/// The points of a query, `step` at a time. Copies of the last point fill the last step.
 template <std::size_t step>
 class Steps {
 public:

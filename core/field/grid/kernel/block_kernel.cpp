@@ -10,7 +10,7 @@ extern const BlockKernel avx2_kernel_table;
 #endif
 
 namespace {
-// Chosen at the first use, not before main: so objects that are constructed before main can use it.
+// Chosen at the first use, so that objects constructed before main can use it too.
 std::atomic<const BlockKernel*> in_use{nullptr};
 }  // namespace
 

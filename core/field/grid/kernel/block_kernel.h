@@ -16,9 +16,9 @@
 /// with wider instructions than its stores, and would wait for those stores.
 namespace kerf {
 
-/// A coordinate transform of nine factors and an offset; `frame.h` applies it to one point.
+/// A coordinate transform from frame b to a, of nine factors and an offset. `frame.h` applies it to one point.
 struct Frame {
-    kerf_vec3 x, y, z;  ///< b's axes in a
+    kerf_vec3 x, y, z;  ///< b's axes in a, with the scale
     kerf_vec3 origin;   ///< of b in a
 };
 
@@ -43,7 +43,7 @@ struct Coordinates {
 
 /// The part of a grid that locates points. Coordinates: voxels times 2^bits, as in `locate_fixed`.
 struct Lattice {
-    double low[3], high[3];  ///< points outside are moved to the nearest point inside, if `is_bounded`
+    double low[3], high[3];  ///< region; if `is_bounded`, a point outside moves to its nearest point
     std::uint32_t end[3];    ///< samples per axis times 2^bits
     int bits;
     bool is_bounded;
@@ -67,7 +67,7 @@ struct FieldShape {
     const std::int32_t* start;
     const std::int16_t* samples;
     std::int32_t first_stored;
-    std::int32_t lowest;  ///< first sample of the uniform brick that is deep in bone, or uncut
+    std::int32_t lowest;  ///< first sample of the uniform brick of −32767: deep in bone, or uncut
 };
 struct Slopes {
     float *value, *x, *y, *z;  ///< [quanta], and per voxel
@@ -81,11 +81,11 @@ struct Surface {
     float in_tool[3][3];    ///< the grid's axes in the tool frame
 };
 
-/// Samples for edges, one array per value. Tissues from number `tissues` on have weight and density 0.
+/// Samples for edges, one array per value. Tissues with the number `tissues` or above get weight and density 0.
 struct SampleColumns {
     const float* engagement;        ///< [–] 0 … 1
     const double* gap;              ///< [m]
-    const float *weight, *density;  ///< [–], [kg/m³], of tissue m from m · `stride` on
+    const float *weight, *density;  ///< [–], [kg/m³]; those of tissue m begin at m · `stride`
     std::size_t stride, tissues;
     std::int32_t body;
 };
@@ -103,8 +103,8 @@ inline constexpr std::size_t max_gaps = KERF_MAX_GAPS;
 /// |x| for a prism.
 struct OutlineSegment {
     double along_r, along_z, inverse_length2;
-    double slope;                       ///< [–] growth of the radius backwards
-    double normal_r, normal_z, offset;  ///< of its line: normal_r r + normal_z z = offset; unit, outwards
+    double slope;                       ///< [–] growth of the radius along −z
+    double normal_r, normal_z, offset;  ///< of its line normal_r r + normal_z z = offset; unit normal, outwards
 };
 /// An outline from the tip backwards, `count` points and `count − 1` segments.
 struct OutlineShape {
@@ -136,26 +136,26 @@ struct SingleOutline {
     std::size_t gaps;
 };
 
-/// Samples of a brick: three layers of three rows of nine. Sample (x, y, z) of them lies, in the tool frame [m], at
+/// Cell of a brick: samples in three layers of three rows of nine. Its sample (x, y, z) lies, in the tool frame [m], at
 ///
 ///     ((origin + (first[0] + x) along[0]) + (first[1] + y) along[1]) + (first[2] + z) along[2]
 ///
-/// For all bricks, `first` counts from one sample of the grid, so that a sample of two bricks has the same position in
-/// both.
+/// For all bricks, `first` counts from the same sample of the grid. So a sample that belongs to two bricks has the same
+/// position in both.
 struct SampleCell {
     float origin[3], along[3][3], first[3];
-    bool has_edges;  ///< true if any of them may be outside and nearer to an edge of the outline than to a face
+    bool has_edges;  ///< true if a sample may lie outside, nearer to an edge of the outline than to a face
 };
 
-/// Results of `deepest`.
+/// Arguments and results of `deepest`, one array element per point.
 struct Walls {
     float* depth;         ///< [m]
     std::int32_t* which;  ///< index of the solid
     float *x, *y, *z;     ///< inward direction, in the frame of the points; valid where the depth is not negative
 };
 
-/// Samples −1 … 9 of a brick along each axis, which the surface of its cells needs. The *slot* of sample (x, y, z) is
-/// (x + 1) | (y + 1) << 4 | (z + 1) << 8.
+/// The surface in the cells of a brick needs its samples −1 … 9 along each axis. The *slot* of sample (x, y, z) is its
+/// index in their array: (x + 1) | (y + 1) << 4 | (z + 1) << 8.
 inline constexpr int slot_row = 16, slot_layer = 256;
 /// The first of the 9³ samples of a brick and of its neighbours at −x, +x, −y, +y, −z, +z; also for a uniform brick.
 struct BrickAround {
@@ -166,7 +166,7 @@ struct SurfaceVertex {
     float position[3];  ///< [m] body frame
     float normal[3];    ///< unit, outwards
 };
-/// Positions of a brick's samples: origin + spacing (first + (x, y, z)).
+/// Positions of a brick's samples, body frame: origin + spacing (first + (x, y, z)).
 struct SampleFrame {
     float origin[3], spacing;  ///< [m]
     std::int32_t first[3];     ///< of the brick's first own sample, in samples of the grid
@@ -175,61 +175,65 @@ struct SampleFrame {
 struct BlockKernel {
     const char* name;
 
-    /// As pose · point, for a block.
+    /// Writes pose · point for a block of points.
     void (*transform)(const kerf_pose& a_from_b, std::size_t count, const ConstCoordinates& in_b,
                       const Coordinates& in_a) noexcept;
-    /// As frame · point, for a block.
+    /// Writes frame · point for a block of points.
     void (*move)(const Frame& a_from_b, std::size_t count, const kerf_vec3* in_b, const Coordinates& in_a) noexcept;
-    /// As `locate_fixed` of frame · point. If `box` is not null, writes the bounding box of the points in their own
-    /// frame; the box is arbitrary if a coordinate is NaN.
+    /// Writes `locate_fixed` of frame · point, moved into the region. If `box` is not null, also writes the bounding
+    /// box of the points in their own frame; the box is arbitrary if a coordinate is NaN.
     void (*place)(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
                   const LocatedArrays& places, PointBox* box) noexcept;
-    /// As `trilinear` [quanta].
+    /// Writes `trilinear` [quanta].
     void (*values)(const FieldShape& field, std::size_t count, const ConstLocatedArrays& places,
                    float* values) noexcept;
-    /// As `trilinear` [m]; values of uniform bricks are exactly ± `clamp`.
+    /// Writes `trilinear` [m]; values of uniform bricks are exactly ± `clamp`.
     void (*metres)(const FieldShape& field, std::size_t count, const ConstLocatedArrays& places, double quantum,
                    double clamp, double* values) noexcept;
-    /// As `trilinear` of floats; `elsewhere` in bricks that begin at −1.
+    /// Writes `trilinear` of floats; `elsewhere` in bricks whose `start` is −1.
     void (*densities)(const std::int32_t* start, const float* samples, std::size_t count,
                       const ConstLocatedArrays& places, float elsewhere, float* values) noexcept;
-    /// Writes the larger of two fields, with its gradient. Returns the least of the values.
+    /// Writes, per point, the larger of two fields and its gradient. Returns the smallest value written [quanta].
     float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstLocatedArrays& places,
                     const Slopes& larger) noexcept;
-    /// Writes the surface point of a contact query: the distance, and the normal where a surface is in reach.
+    /// Writes the answers of a contact query: the distance [m] and, if it is within the clamp, the normal in the tool
+    /// frame and body 0. Else the normal is zero and the body −1.
     void (*answer)(const Surface& surface, std::size_t count, const ConstSlopes& slopes,
                    kerf_surface_point* answers) noexcept;
     /// Writes the columns as rows.
     void (*rows)(const SampleColumns& columns, std::size_t count, kerf_bone_sample* samples) noexcept;
-    /// As minus `ToolSolid::distance` [m], points in the tool frame.
+    /// Writes minus `ToolSolid::distance` [m] of points in the tool frame.
     void (*depths)(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool,
                    double* depths) noexcept;
-    /// Writes for each point a plane that a convex solid does not cross. Nearby, no point is deeper than
-    /// depth + gradient · (offset from the point) [m], [–].
+    /// Writes for each point its depth [m] below a plane that a convex solid does not cross, and the gradient [–] of
+    /// this depth. At any offset from the point, the depth in the solid is at most depth + gradient · offset.
     void (*tangents)(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* depths,
                      const Coordinates& gradients) noexcept;
-    /// Finds the deepest of several poses of one solid, in single precision. Where a point is deeper in one of them
-    /// than `walls.depth`, it writes depth, index and inward direction.
+    /// Compares each point with a solid at several poses, in single precision. If its depth at any pose exceeds
+    /// `walls.depth`, writes the largest depth, the index of its pose, and the inward direction there.
     void (*deepest)(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids,
                     std::size_t count, const kerf_vec3* points, const Walls& walls) noexcept;
-    /// As `sample = max(sample, depth)` [quanta], rounded, where a sample is at most `band` [m] outside; `samples`
-    /// points to the cell's first. Returns whether any sample was raised, and if so writes the range of the cell's
-    /// samples. If `spare` is not null, it gets a depth [quanta]: if the solid were deeper everywhere by less, no other
-    /// sample would be raised. Kernels may differ in `spare`.
+    /// Sets each of a cell's samples to max(sample, depth) [quanta], rounded, unless it is more than `band` [m]
+    /// outside. `samples` points to the cell's first. Returns whether any sample was raised, and if so writes the range
+    /// of the cell's samples. If `spare` is not null, writes 0 if a sample was raised. Else it writes a depth [quanta]:
+    /// if the solid were deeper everywhere by less than this, still no sample would rise. Kernels may differ in
+    /// `spare`.
     bool (*raise)(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum,
                   std::int16_t* samples, std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept;
     /// Finds the samples of a SampleCell within low … high, both included. Bit n of `found[layer]` is for sample n of
     /// the 27 of a layer: rows of nine, x fastest.
     void (*find)(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept;
-    /// Writes the larger of two fields at samples 0 … 8 of a brick along y and z, −1 … 9 along x, to `samples[slot]`.
-    /// Bit x + 1 of `inside[slot >> 4]` is 1 if sample x of the row, 0 … 8, is negative.
+    /// Writes the larger of two fields to `samples[slot]`, at samples −1 … 9 of a brick along x and 0 … 8 along y and
+    /// z. Bit x + 1 of `inside[slot >> 4]` is 1 if sample x of the row, 0 … 8, is negative.
     void (*larger_rows)(const BrickAround& a, const BrickAround& b, std::int16_t* samples,
                         std::uint16_t* inside) noexcept;
-    /// Writes the larger of two fields at samples −1 and 9 along y and z, 0 … 8 along the other axes.
+    /// Writes the larger of two fields beyond four sides of a brick: at samples −1 and 9 along y, and along z, each
+    /// with samples 0 … 8 along the other two axes.
     void (*larger_border)(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept;
-    /// Writes a vertex for each slot: the zero of the field on the grid's edge from that sample along `axis`, by linear
-    /// interpolation. The normal is the gradient there, from central differences at both ends. Reads up to seven slots
-    /// after the last, writes as many vertices, and eight bytes more. Pre: one end negative, the other not.
+    /// Writes a vertex for each slot in `places`: the zero of the field on the grid's edge from that sample along
+    /// `axis`, by linear interpolation. The normal is the unit gradient there, from central differences at both ends of
+    /// the edge. May read seven slots after the last, and write seven vertices and eight bytes after the last. Pre: one
+    /// end negative, the other not.
     void (*crossings)(const std::int16_t* samples, const std::uint16_t* places, std::size_t count, int axis,
                       const SampleFrame& frame, SurfaceVertex* vertices) noexcept;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Four points at a time, eight in single precision, each with the operations of the portable kernel in the same order.
-// Compiled with -mavx2 and called only where the processor has AVX2. Without fused multiply-add, which would round
-// differently.
+// Compiled with -mavx2, and called only if the processor has AVX2. Compiled without fused multiply-add, which would
+// round differently.
 #include <immintrin.h>
 
 #include <cstddef>
@@ -142,8 +142,8 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
         place_there.template operator()<false>();
 }
 
-/// The first samples of the bricks of eight points. `are_uniform` and `are_all` test the first brick alone before all
-/// of them: usually it fails already.
+/// The first samples of the bricks of eight points. `are_uniform` and `are_all` first test the first brick alone, as it
+/// usually decides.
 struct Starts {
     std::int32_t of[wide];
 
@@ -189,7 +189,7 @@ private:
     const Sample* corner_[wide];
 };
 
-/// Two neighbours along x, for each of eight points: the lower one, and the difference to the upper one.
+/// Two samples next to each other along x, for each of eight points: the lower one, and the upper one minus the lower.
 struct Pairs {
     Eight low, rise;
 };
@@ -244,8 +244,8 @@ template <class Sample>
                 lerp(along_x(above.first), along_x(above.second), f.y), f.z);
 }
 
-/// Returns the first sample of each brick, which usually is the same brick for all. Not inlined, so that none of its
-/// work is scheduled before the branch is known.
+/// Returns the value of each point's uniform brick, which is usually the same brick for all points. Not inlined, so
+/// that none of its work is scheduled before the branch is known.
 [[gnu::noinline]] Eight uniform_values(const FieldShape& field, const ConstLocatedArrays& places,
                                        std::size_t i) noexcept {
     const Starts starts(field.start, places, i);
@@ -289,7 +289,7 @@ private:
 void metres(const FieldShape& shape, std::size_t count, const ConstLocatedArrays& places, double quantum, double clamp,
             double* values) noexcept {
     const FieldShape field = shape;
-    // First all values, then their conversion to metres: one pass took slightly longer.
+    // First all values, then their conversion to metres: a single pass takes slightly longer.
     constexpr std::size_t stretch = 64;
     alignas(32) float quanta[stretch];
     for (std::size_t first = 0; first < count; first += stretch) {
@@ -349,7 +349,7 @@ float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::siz
         const EightFractions f(places, i);
         const bool is_deep = Starts(bone.start, places, i).are_all(bone.lowest);
         EightSlopes found = slopes_of(cut, places, i, f);
-        if (is_deep) {  // the result of the code below where the cut is never larger and is level
+        if (is_deep) {  // bone is −32767 and level: as the code below, without reading it
             const Eight is_cut = less(eight(-32767.0f), found.value);
             found = {found.value, _mm256_and_ps(found.x, is_cut), _mm256_and_ps(found.y, is_cut),
                      _mm256_and_ps(found.z, is_cut)};

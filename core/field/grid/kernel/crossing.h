@@ -8,13 +8,13 @@
 
 namespace kerf {
 
-/// The change of a field at a sample along x, y, z, from the sample before to the sample after [quanta per two voxels].
+/// The change of a field along x, y, z from the sample before a sample to the one after it [quanta per two voxels].
 struct SampleSlope {
     int along[3];
 };
 
-/// Returns the vertex on an edge of the grid, from sample `at` of a brick one step along `axis`. On the edge the field
-/// changes from `low` to `high`, one negative, the other not. Without a gradient, the normal points outwards along the
+/// Returns the vertex on the edge of the grid from sample `at` of a brick to the next one along `axis`. The samples are
+/// `low` and `high`: one is negative, the other not. Where the gradient is zero, the normal points outwards along the
 /// edge.
 [[nodiscard]] inline SurfaceVertex crossing(int low, int high, const SampleSlope& about_low,
                                             const SampleSlope& about_high, int axis, const int (&at)[3],

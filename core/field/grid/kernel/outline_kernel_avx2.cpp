@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Four points at a time, eight in single precision, each with the operations of the portable kernel in the same order.
-// Compiled with -mavx2 and called only where the processor has AVX2. Without fused multiply-add, which would round
-// differently.
+// Compiled with -mavx2, and called only if the processor has AVX2. Compiled without fused multiply-add, which would
+// round differently.
 #include <immintrin.h>
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace kerf {
 
 namespace {
 
-/// Returns the squared distance to the flat disc of a rim.
+/// Returns the squared distance to the flat disc inside a rim.
 inline Four to_cap2(Four r, Four z, const kerf_profile_point& rim) noexcept {
     const Four dr = max_of(r - all(rim.radius), _mm256_setzero_pd()), dz = z - all(rim.z);
     return dr * dr + dz * dz;
@@ -33,7 +33,7 @@ inline Four wall_at(const OutlineShape& outline, Four z) noexcept {
     return wall;
 }
 
-/// Returns the squared distance to the nearest point of the outline.
+/// Returns the squared distance to the nearest point of the outline or of its flat ends.
 inline Four squared_distance(const OutlineShape& outline, Four r, Four z) noexcept {
     const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
     Four nearest2 = all(1e300);
@@ -62,13 +62,14 @@ inline Four with_sign(Four v, Four is_positive) noexcept {
 inline Four to_face(const OutlineSegment& s, Four r, Four z) noexcept {
     return all(s.offset) - (all(s.normal_r) * r + all(s.normal_z) * z);
 }
-/// Returns the depth to the plane of the nearest face; in a convex solid an upper bound of the depth.
+/// Returns the depth below the nearest face's plane: in a convex solid an upper bound of the depth.
 inline Four depth_of_planes(const OutlineShape& outline, Four r, Four z) noexcept {
     Four depth = min_of(z - all(outline.point[outline.count - 1].z), all(outline.point[0].z) - z);
     for (std::size_t n = 0; n + 1 < outline.count; ++n) depth = min_of(to_face(outline.segment[n], r, z), depth);
     return depth;
 }
-/// Returns the depth in a convex solid from that: equal inside and next to the face, less beyond its edges.
+/// Returns the depth in a convex solid from `depth_of_planes`: equal inside and in front of the face, less beyond its
+/// edges.
 inline Four convex_depth(const OutlineShape& outline, Four r, Four z, Four depth) noexcept {
     const Four is_outside = less(depth, _mm256_setzero_pd());
     if (_mm256_movemask_pd(is_outside) == 0) return depth;
@@ -209,7 +210,8 @@ inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
         deep = min_of(magnitude(z - eight(o.gap[n].middle)) - eight(o.gap[n].half), deep);
     return deep;
 }
-/// Returns the depth in a convex solid from the depth to the nearest plane.
+/// Returns the depth in a convex solid from `depth_at_most`: equal inside and in front of the face, less beyond its
+/// edges.
 inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) noexcept {
     const Eight zero = _mm256_setzero_ps(), is_outside = less(depth, zero);
     Eight is_beside = _mm256_or_ps(_mm256_and_ps(same(eight(o.front_z) - z, depth), not_less(eight(o.front_radius), r)),
@@ -232,7 +234,8 @@ struct EightPoints {
 inline Eight radius_of(const SingleOutline& o, const EightPoints& p) noexcept {
     return o.half_thickness > 0.0f ? magnitude(p.x) : _mm256_sqrt_ps(p.x * p.x + p.y * p.y);
 }
-/// Returns the bound for a solid of revolution or a prism, with `r` from `radius_of` and `y` across a prism.
+/// Returns an upper bound of the depth in a solid of revolution or a prism. `r` is from `radius_of`, `y` is across a
+/// prism.
 inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight y, Eight z) noexcept {
     const Eight flat = depth_at_most(o, r, z);
     return o.half_thickness > 0.0f ? min_of(eight(o.half_thickness) - magnitude(y), flat) : flat;
@@ -334,13 +337,13 @@ void avx2::deepest(const SingleOutline& outline, const SingleFrame* solid_from_p
 
 namespace {
 
-/// Returns the nearest quantum, the even one of two, clamped to ± 32767.
+/// Returns a depth in quanta: rounded to the nearest, ties to even, and clamped to ± 32767.
 inline EightInts quantised(Eight depth, Eight per_quantum) noexcept {
     const Eight q = depth * per_quantum;
     return _mm256_cvtps_epi32(max_of(min_of(q, eight(32767.0f)), eight(-32767.0f)));
 }
 
-// The 27 samples of a cell's layer are contiguous: four steps, of which the last repeats five samples.
+// The 27 samples of a cell's layer are contiguous. Four steps of eight process them; the last one repeats five samples.
 constexpr int steps_of_layer = 4, step_start[steps_of_layer] = {0, 8, 16, 19};
 struct LanePlaces {
     float x[steps_of_layer][wide], y[steps_of_layer][wide];
@@ -356,8 +359,8 @@ struct LanePlaces {
 };
 alignas(32) constexpr LanePlaces lane_places;
 
-/// A cell's 81 samples in steps of eight. Each function goes over all of them: a question whether any sample rises,
-/// asked at every step, would be guessed wrong too often.
+/// A cell's 81 samples in steps of eight. Each function processes all steps: a branch at every step on whether a sample
+/// rises would be mispredicted too often.
 struct CellSteps {
     static constexpr int count = 3 * steps_of_layer;
     Eight radius[count], across[count], height[count], depth[count];
@@ -368,7 +371,7 @@ struct CellSteps {
         return reinterpret_cast<__m128i*>(samples + layer * stored * stored + step_start[n % steps_of_layer]);
     }
 
-    /// Sets `radius`, `across` and `height`.
+    /// Sets `radius`, `across` and `height` to the samples' r, y and z in the tool frame [m].
     [[gnu::always_inline]] void place(const SingleOutline& outline, const SampleCell& cell) noexcept {
         const auto& along = cell.along;
         EightPoints up[3];
@@ -398,7 +401,7 @@ struct CellSteps {
                              not_less(depth[n], farthest));
     }
 
-    /// The least that a sample is above its value; 0 if one rises.
+    /// Returns the smallest max(sample, end of the band) − value [quanta] of all samples below 32767; at least 0.
     [[gnu::always_inline]] std::int16_t spare(float band, float per_quantum) const noexcept {
         const EightInts full = all_ints(32767), end_of_band = all_ints(static_cast<std::int32_t>(-band * per_quantum));
         EightInts min_spare = full;
@@ -414,7 +417,7 @@ struct CellSteps {
         return static_cast<std::int16_t>(least < 0 ? 0 : least);
     }
 
-    /// Stores what rises, and the range of the samples then. Returns whether one rises.
+    /// Stores the samples that rise and the range of all samples. Returns whether any rises.
     [[gnu::always_inline]] bool store(Eight farthest, std::int16_t* samples, std::int16_t& lowest,
                                       std::int16_t& highest) const noexcept {
         __m128i min_value = _mm_set1_epi16(32767), max_value = _mm_set1_epi16(-32767);
@@ -463,7 +466,8 @@ bool avx2::raise(const SingleOutline& outline, const SampleCell& cell, float ban
     }
     if (outline.is_convex && cell.has_edges && any(may_rise_outside))
         for (int n = 0; n < CellSteps::count; ++n) {
-            // A sample that the planes do not raise does not rise, and inside there is nothing to correct.
+            // The depth below planes is an upper bound, and exact inside: correct it only for samples outside that it
+            // would raise.
             if (!any(_mm256_and_ps(steps.rises(n, farthest), less(steps.depth[n], zero)))) continue;
             steps.depth[n] = depth_from(outline, steps.radius[n], steps.across[n], steps.height[n], steps.depth[n]);
             steps.value[n] = quantised(steps.depth[n], scale);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference: in loops that a compiler takes for several points at a time.
+// The reference implementation, in loops that a compiler can vectorize over points.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace kerf {
 
 namespace {
 
-/// Writes the squared distances to the nearest point of the outline.
+/// Writes the squared distances to the nearest point of the outline or of its flat ends.
 void squared_distances(const OutlineShape& outline, std::size_t count, const BlockValues& r, const double* __restrict z,
                        BlockValues& nearest2) noexcept {
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
@@ -112,7 +112,8 @@ void portable::depths(const OutlineShape& outline, std::size_t count, const Cons
     if (outline.is_convex) return convex_depths(outline, count, r, z, depths);
     squared_distances(outline, count, r, z, nearest2);
 
-    // The outline's radius at the point's z. From the back, so that the first segment that contains it wins.
+    // The outline's radius at each point's z. From the back, so that the first segment that contains z overrides the
+    // others.
     for (std::size_t n = outline.count - 1; n > 0; --n) {
         const auto a = outline.point[n - 1], b = outline.point[n];
         if (a.radius == b.radius) {  // a cylinder: nothing to divide
@@ -192,7 +193,7 @@ inline float to_face(const OutlineFace& f, float r, float z) noexcept {
     return f.offset - (f.normal_r * r + f.normal_z * z);
 }
 
-/// Returns the squared distance to the nearest point of the outline.
+/// Returns the squared distance to the nearest point of the outline or of its flat ends.
 float squared_distance(const SingleOutline& o, float r, float z) noexcept {
     float nearest2 = 1e30f;
     for (std::size_t n = 0; n < o.count; ++n) {
@@ -209,7 +210,8 @@ float squared_distance(const SingleOutline& o, float r, float z) noexcept {
     if (o.front_radius > 0.0f) nearest2 = smaller(to_cap2(o.front_radius, o.front_z), nearest2);
     return smaller(to_cap2(o.back_radius, o.back_z), nearest2);
 }
-/// Returns the depth to the plane of the nearest face in a convex solid; the depth itself in any other.
+/// Returns an upper bound of the depth. In a convex solid it is the depth below the nearest face's plane, in any other
+/// the depth itself.
 float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
     if (o.is_convex) {
         float depth = smaller(z - o.back_z, o.front_z - z);
@@ -227,8 +229,8 @@ float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
     for (std::size_t n = 0; n < o.gaps; ++n) depth = smaller(std::abs(z - o.gap[n].middle) - o.gap[n].half, depth);
     return depth;
 }
-/// Returns the depth, given that plane depth: in a convex solid it is less outside, beyond the edges of the nearest
-/// face.
+/// Returns the depth, given `depth` from `depth_at_most`. It is less only outside a convex solid, beyond the edges of
+/// the nearest face.
 float depth_from(const SingleOutline& o, float r, float z, float depth) noexcept {
     if (!o.is_convex || !(depth < 0.0f)) return depth;
     bool is_beside = (o.front_z - z == depth && o.front_radius >= r) || (z - o.back_z == depth && o.back_radius >= r);
@@ -246,7 +248,7 @@ struct SinglePoint {
 inline float radius_of(const SingleOutline& o, SinglePoint p) noexcept {
     return o.half_thickness > 0.0f ? std::abs(p.x) : std::sqrt(p.x * p.x + p.y * p.y);
 }
-/// Returns the bound for a solid of revolution or a prism, with `r` from `radius_of`.
+/// Returns an upper bound of the depth in a solid of revolution or a prism. `r` is from `radius_of`.
 float depth_at_most(const SingleOutline& o, SinglePoint p, float r) noexcept {
     const float flat = depth_at_most(o, r, p.z);
     return o.half_thickness > 0.0f ? smaller(o.half_thickness - std::abs(p.y), flat) : flat;
@@ -264,7 +266,7 @@ SinglePoint moved(const SingleFrame& f, SinglePoint p) noexcept {
     };
     return {along(0), along(1), along(2)};
 }
-/// Returns a direction of the solid in the frame of the points. Pre: a rotation.
+/// Rotates a direction from the solid's frame to that of the points. Pre: `f` does not scale.
 SinglePoint turned_back(const SingleFrame& f, SinglePoint d) noexcept {
     const auto along = [&](int n) { return (f.axis[n][0] * d.x + f.axis[n][1] * d.y) + f.axis[n][2] * d.z; };
     return {along(0), along(1), along(2)};
@@ -328,7 +330,7 @@ void portable::deepest(const SingleOutline& outline, const SingleFrame* solid_fr
 
 namespace {
 
-/// Returns the nearest quantum, the even one of two, clamped to ± 32767.
+/// Returns a depth in quanta: rounded to the nearest, ties to even, and clamped to ± 32767.
 std::int32_t quantised(float depth, float per_quantum) noexcept {
     return static_cast<std::int32_t>(std::lrint(larger(smaller(depth * per_quantum, 32767.0f), -32767.0f)));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One row of a brick or eight vertices at a time, with the operations of the portable stages in the same order.
-// Compiled and dispatched as block_kernel_avx2.cpp.
+// Compiled and called as block_kernel_avx2.cpp.
 #include <immintrin.h>
 
 #include <cstddef>
@@ -27,7 +27,7 @@ using Eight = __m256;
 using EightInts = __m256i;
 
 inline EightInts shifted(EightInts slots, int by) noexcept { return _mm256_add_epi32(slots, _mm256_set1_epi32(by)); }
-/// Loads the samples at eight slots; the upper half of each lane is the next sample of its row.
+/// Loads the samples `by` after eight slots. The lower half of each lane is that sample, the upper half the next one.
 inline EightInts pairs(const std::int16_t* samples, EightInts slots, int by) noexcept {
     return _mm256_i32gather_epi32(reinterpret_cast<const int*>(samples + by), slots, 2);
 }
@@ -35,7 +35,7 @@ inline EightInts first(EightInts two) noexcept { return _mm256_srai_epi32(_mm256
 inline EightInts second(EightInts two) noexcept { return _mm256_srai_epi32(two, 16); }
 inline Eight difference(EightInts a, EightInts b) noexcept { return _mm256_cvtepi32_ps(_mm256_sub_epi32(a, b)); }
 
-/// The two samples of an edge, and the change of the field at each along x, y and z.
+/// For eight edges of the grid: the samples at both ends, and the field's change about each as in `SampleSlope`.
 struct EightEdges {
     EightInts low, high;
     Eight low_slope[3], high_slope[3];

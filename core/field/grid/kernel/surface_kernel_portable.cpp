@@ -16,7 +16,7 @@ constexpr int slot_of(int x, int y, int z) noexcept { return (z + 1) * slot_laye
 
 inline std::int16_t larger(std::int16_t a, std::int16_t b) noexcept { return a > b ? a : b; }
 
-/// Writes the larger of two fields for the nine samples of a row.
+/// Writes the larger of two fields at each of the nine samples of a row.
 inline void larger_row(const std::int16_t* a, const std::int16_t* b, std::int16_t* samples) noexcept {
     for (int x = 0; x < stored_edge; ++x) samples[x] = larger(a[x], b[x]);
 }
