@@ -262,8 +262,8 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
         return static_cast<std::int16_t>(-std::min(static_cast<int>(depth / quantum_) + 2, 32767));
     };
     const std::int16_t lowest_anywhere = below(sweep.step());
-    // Ahead of the back end of the solid at the last pose, a sample of the sweep lies outside the last pose only if a
-    // face has receded from it. This bounds how far outside it lies.
+    // A sample that the sweep passed can lie outside the last pose. Ahead of the solid's back end this happens only if
+    // a face has receded from the sample, which bounds its distance to the last pose.
     const Pose end_from_body = inverse(record.to);
     const std::int16_t lowest_before_end =
         !solid.is_convex()

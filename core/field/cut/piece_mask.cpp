@@ -60,8 +60,8 @@ struct Block {
     }
 };
 
-/// Returns the samples of the middle brick that are bone of `others`, or air that is nearer to `others` than to `own`,
-/// up to the clamp of the fields.
+/// Returns the samples of the middle brick that are bone of `others`, or air nearer to `others` than to `own`. Air
+/// beyond the clamp of the fields does not count.
 BrickBits nearer_to_others(Block own, Block others) noexcept {
     BrickBits removed = others.middle();
     BrickBits settled = removed;

@@ -58,8 +58,9 @@ public:
     /// revolution, for which `depths_of` excludes as many bricks. A blade is thinner than a brick: of the bricks that
     /// `depths_of` does not exclude, it misses half.
     [[nodiscard]] bool may_reach(int i, int j, int k) const noexcept;
-    /// Raises the 9³ samples of brick (i, j, k) [quanta] to the solid's depth, within `first` … `last` (samples of the
-    /// grid), and updates their cells. Returns whether any sample was raised.   [haptic, nonblocking]
+    /// Raises the 9³ samples of brick (i, j, k) [quanta] to the solid's depth where that is larger, and updates
+    /// `cells`. Changes only samples `first` … `last` of the grid. Returns whether any sample was raised.
+    /// [haptic, nonblocking]
     bool raise(std::int16_t* samples, BrickCells& cells, int i, int j, int k, const std::array<int, 3>& first,
                const std::array<int, 3>& last) noexcept;
 

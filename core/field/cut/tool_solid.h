@@ -104,8 +104,8 @@ public:
     [[nodiscard]] double max_depth_gain_outside(const Pose& moved) const noexcept;
 
     /// Returns whether an edge of the outline or of the solid's ends may be within `distance` [m] of a point of a box.
-    /// If not, every point of the box that is at most half of `distance` outside a convex solid is nearest to the
-    /// interior of a face.   [any] pure.
+    /// If not, any point of the box that is outside a convex solid by at most `distance` / 2 is nearest to a face's
+    /// interior.   [any] pure.
     [[nodiscard]] bool has_edge_within(Vec3 middle_in_tool, Vec3 half_extent, double distance) const noexcept;
 
     /// Returns the unit vector along which a point's depth grows fastest: inside, away from the nearest surface;

@@ -15,18 +15,18 @@ namespace kerf {
 
 namespace {
 
-/// Returns the present distance [m], positive in air, up to the clamp of the fields.
+/// Returns the signed distance to a piece [m], negative inside, within ± the clamp of its fields.
 double distance_to(const CutBone& piece, Vec3 p) {
     const LocatedPoint place = locate(*piece.bone, p);
     if (!place.is_inside) return piece.bone->grid().clamp();
     return std::max(piece.bone->surface.at(place), piece.cut->at(place));
 }
 
-/// Distances to a piece at a grid's samples. Near the piece its stored distances are used. Farther away these are
-/// clamped, or too small, as near a cut edge: there the distances are extended.
+/// Distances to a piece [m] at a grid's samples. Below 1.5 voxels they are the stored ones. Farther out, stored
+/// distances are clamped, or too small as near an edge of a cut. There `grow_distances` computes them.
 class FarDistances {
 public:
-    /// `near` returns the stored distance [m] at a point of the grid's frame.
+    /// `near(point)` returns the stored distance [m]; the point is in the frame of the grid.
     template <class Near>
     FarDistances(const Grid& grid, const Near& near) : grid_(grid) {
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -63,7 +63,7 @@ std::optional<Bridge> bridge_between(const CutBone& a, const CutBone& b, const P
     const auto to_a = [&](Vec3 p) { return distance_to(a, p); };
     const auto to_b = [&](Vec3 p) { return distance_to(b, b_from_a * p); };
 
-    // Find the box in which both distances are below their clamps,
+    // Find the box around the samples outside both pieces at which both distances are below their clamps.
     Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
     for (int k = 0; k < grid.bricks[2] * brick_edge; ++k)
         for (int j = 0; j < grid.bricks[1] * brick_edge; ++j)
@@ -78,7 +78,7 @@ std::optional<Bridge> bridge_between(const CutBone& a, const CutBone& b, const P
             }
     if (!(low.x <= high.x)) return std::nullopt;
 
-    // and the smallest sum of both distances in it.
+    // Find the smallest sum of both distances in this box and a margin.
     const double margin = 6.0 * h;
     const Vec3 around{margin, margin, margin};
     const Grid own = Grid::covering(low - around, high + around, h);

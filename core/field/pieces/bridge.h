@@ -15,13 +15,13 @@ struct CutBone {
 
 struct Bridge {
     Body bone;
-    double span;  ///< [m] the smallest distance that it spans
+    double span;  ///< [m] smallest sum of the distances of a point to both pieces
 };
 
-/// Returns the bone that grows between two pieces that face each other. It fills the points outside of both pieces
-/// where the sum of the two distances is at most 1.05 times its minimum plus half a voxel. It is in the frame of `a`,
-/// consists of its base material, and has its list of materials. Returns nothing if the pieces are farther apart than
-/// their fields store, twice four voxels.   [main]
+/// Returns bone that fills the gap between two pieces. It contains a point outside both pieces if the sum of its
+/// distances to them is at most 1.05 times the minimum plus half a voxel. It is in the frame of `a`, lists the
+/// materials of `a`, and consists of the last one, the base. Returns nothing if no point outside both is nearer than
+/// four voxels to each.   [main]
 [[nodiscard]] std::optional<Bridge> bridge_between(const CutBone& a, const CutBone& b, const Pose& b_from_a);
 
 }  // namespace kerf

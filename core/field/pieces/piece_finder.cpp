@@ -29,7 +29,7 @@ void begin_apart(std::vector<std::uint32_t>& parent, std::size_t count) {
     for (std::size_t n = 0; n < count; ++n) parent[n] = static_cast<std::uint32_t>(n);
 }
 
-/// Joins components that touch between a brick and the next one along an axis.
+/// Joins each component of a brick with those that it touches in the next brick along an axis.
 void join_along(std::vector<std::uint32_t>& parent, std::size_t axis, std::span<const BrickBits> low,
                 std::uint32_t low_node, std::span<const BrickBits> high, std::uint32_t high_node) noexcept {
     for (std::size_t a = 0; a < low.size(); ++a)
@@ -118,8 +118,8 @@ void PieceFinder::update_contact(std::size_t axis, std::size_t low, std::size_t 
     put(sides_[high].needs_components, 2 * axis, needs_components);
 }
 
-/// Returns whether a dirty brick cannot have split its piece: it is one component as before, and still touches all
-/// neighbours that it touched. Only decided if its neighbours are one component each, too.
+/// Returns whether a dirty brick cannot have split its piece: it had and has one component, and still touches all
+/// neighbours that it touched. Returns false if a neighbour has several components.
 bool PieceFinder::is_unsplit(const Dirty& dirty) const noexcept {
     const Sides &was = dirty.sides, &is = sides_[dirty.brick];
     return dirty.components.empty() && count_[dirty.brick] == 1 && (was.needs_components | is.needs_components) == 0 &&
@@ -161,7 +161,8 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
     }
     if (parts_of.empty()) return {};
 
-    // Two components of the box may have been one piece outside of it: join the lists that have a part in common.
+    // Two components of a box may belong to one piece, connected outside the box: join lists that have a part in
+    // common.
     std::vector<std::vector<std::uint32_t>> pieces;
     for (auto& [first, roots] : parts_of) {
         std::vector<std::uint32_t> all = roots;
@@ -187,7 +188,7 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
 }
 
 std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector<std::uint32_t>>& pieces) {
-    // Find the size of each part,
+    // Find the size of each part.
     size_.assign(parent_.size(), {0, 0, 0, none});
     for (std::size_t b = 0; b < bits_.size(); ++b) {
         if (count_[b] == 0) continue;
@@ -205,7 +206,7 @@ std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector
         }
     }
 
-    // and collect the parts that are not the largest.
+    // Collect all parts except the largest of each piece.
     std::vector<LoosePart> loose;
     for (const auto& piece : pieces) {
         const std::uint32_t stays =
@@ -231,7 +232,7 @@ std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector
         for (std::size_t c = 0; c < all.size(); ++c) {
             const std::uint32_t part = part_of(c);
             if (part == none) continue;
-            // Components of a brick that are connected outside of it are added once.
+            // Add components of a brick together if they are connected outside of it.
             BrickBits together = all[c];
             bool is_first = true;
             for (std::size_t other = 0; other < all.size(); ++other) {
@@ -245,8 +246,8 @@ std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector
     return loose;
 }
 
-/// Removes from `left` a brick, and others while the boxes around them meet; returns them. Distant cuts are processed
-/// separately.
+/// Removes from `left` one brick and, repeatedly, all bricks at most two bricks away from the box around those removed.
+/// Returns them. So distant cuts are processed separately.
 std::vector<PieceFinder::Dirty> PieceFinder::take_neighbours(std::vector<Dirty>& left) {
     std::vector<Dirty> near;
     near.push_back(std::move(left.back()));
@@ -275,7 +276,7 @@ std::vector<PieceFinder::Dirty> PieceFinder::take_neighbours(std::vector<Dirty>&
     return near;
 }
 
-/// Finds components of the box around dirty bricks that were connected before and are several components now.
+/// Finds the components of the box around dirty bricks that have split. Adds their parts to `split_components_`.
 void PieceFinder::search_box(const std::vector<Dirty>& dirty) {
     Box box{grid_.brick_coordinates(dirty.front().brick), grid_.brick_coordinates(dirty.front().brick)};
     for (const Dirty& d : dirty) {
@@ -297,7 +298,7 @@ void PieceFinder::search_box(const std::vector<Dirty>& dirty) {
                                  box.first[2] + static_cast<int>(n / extent(0) / extent(1)));
     };
 
-    // `part_of` is the index of a brick in `dirty`; bricks that are not dirty are unchanged.
+    // `part_of` is the index in `dirty` of each brick of the box, or `none` if the brick is unchanged.
     box_.part_of.assign(bricks, none);
     for (std::size_t d = 0; d < dirty.size(); ++d) {
         const auto at = grid_.brick_coordinates(dirty[d].brick);
@@ -325,7 +326,7 @@ void PieceFinder::search_box(const std::vector<Dirty>& dirty) {
     joined(before, box_.first_before, box_.before);
     joined(after, box_.first_after, box_.after);
 
-    // Each present component lies in one former component. Two in the same former component have been separated.
+    // Each present component lies in one former component. If a former component contains two, it has split.
     const auto for_each_component = [&](const auto& what) {  // what(brick, component, former root, present root)
         for (std::size_t n = 0; n < bricks; ++n) {
             const auto was = before(n), is = after(n);
@@ -379,7 +380,7 @@ void PieceFinder::join_everything() {
     constexpr unsigned next_along[3] = {1u << 1, 1u << 3, 1u << 5},
                        next = next_along[0] | next_along[1] | next_along[2];
     std::array<std::pair<std::uint32_t, std::uint32_t>, 3>
-        joined;  // the last pair joined along each axis: two rows meet in many bricks
+        joined;  // the last pair joined along each axis, as two rows meet in many bricks
     joined.fill({none, none});
     for (std::size_t b = 0; b < bits_.size(); ++b) {
         const unsigned touches = sides_[b].touches, needs_components = sides_[b].needs_components;
@@ -403,7 +404,7 @@ void PieceFinder::remove_bone(const SampleSet& bone) {
             update_contacts(brick);
             return;
         }
-        // The brick has one component: remove it, and all its contacts.
+        // The brick has one component, which is removed: remove all its contacts too.
         count_[brick] = samples_[brick] = 0;
         is_full_[brick] = 0;
         sides_[brick] = {};

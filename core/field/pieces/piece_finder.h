@@ -11,43 +11,44 @@
 #include "core/field/cut/solid_bits.h"
 #include "core/field/grid/sample_set.h"
 
-/// Finds connected bone, and the moment at which it comes apart.
+/// Finds connected pieces of bone, and detects when a cut separates one.
 namespace kerf {
 
-/// A part that has separated from a piece.
+/// A part that a cut has separated from a piece.
 struct LoosePart {
     std::size_t samples = 0;
     SampleSet bone;
 };
 
-/// Bone is connected over faces of voxels, as in our surface mesh: parts that touch only across an edge or a corner are
+/// Bone is connected over faces of voxels, as in the surface mesh: parts that touch only across an edge or a corner are
 /// two pieces.
 ///
-/// Components are labelled brick by brick. Where a cut has removed samples, the finder compares the components of the
-/// bricks around it before and after. If no component of this box has split, no piece has, because all paths around the
-/// box still exist. Only otherwise it searches the graph of all bricks. This is exact: the result equals a flood fill
-/// of the whole volume.
+/// Components are labelled brick by brick. Where a cut has removed samples, the finder compares the components in the
+/// box of bricks around it before and after. If none of them has split, no piece has, because all paths outside the box
+/// still exist. Otherwise it searches the graph of all bricks. This is exact: the result equals a flood fill of the
+/// whole volume.
 class PieceFinder {
 public:
     /// Labels all bone.   [worker]
     PieceFinder(const Body& body, const CutField& cut);
 
     /// Processes the bricks `changed` since the last call. Pre: they changed by cutting alone, so samples were only
-    /// removed. Returns the parts that separated from each piece, without its largest part (of equal parts, the one
-    /// with the first sample), which stays. Empty: nothing came apart. Returned parts no longer belong to this finder's
-    /// bone. [worker]
+    /// removed. Returns the parts into which pieces have split, without the largest part of each piece, which stays. Of
+    /// equally large parts, the one with the first sample stays. Empty: no piece has split. Returned parts no longer
+    /// belong to this finder's bone. [worker]
     [[nodiscard]] std::vector<LoosePart> update(const CutField& cut, std::span<const std::size_t> changed);
 
-    /// Returns all bone.
+    /// Returns all bone that this finder has left.
     [[nodiscard]] SampleSet bone() const;
     [[nodiscard]] BrickBits bits(std::size_t brick_index) const noexcept {
         return count_[brick_index] != 0 ? bits_[brick_index] : BrickBits{};
     }
     [[nodiscard]] std::size_t samples() const noexcept;
-    /// Returns the number of pieces. Searches the whole graph.
+    /// Returns the number of connected pieces. Searches the whole graph.
     [[nodiscard]] std::size_t count_pieces();
 
-    /// Returns how often the whole graph was searched because the box did not suffice.
+    /// Returns how often the whole graph was searched: by `update`, if a component in the box had split, and by
+    /// `count_pieces`.
     [[nodiscard]] std::uint64_t whole_searches() const noexcept { return whole_searches_; }
 
 private:
@@ -56,8 +57,8 @@ private:
     };
     /// Contacts of a brick with its six neighbours: −x, +x, −y, +y, −z, +z, one bit each.
     struct Sides {
-        std::uint8_t touches = 0;           ///< both have one component, and these touch
-        std::uint8_t needs_components = 0;  ///< one of them has several components: compare these
+        std::uint8_t touches = 0;           ///< both bricks have one component, and these touch
+        std::uint8_t needs_components = 0;  ///< both have bone, and one has several components: compare these
     };
     struct Dirty {
         std::size_t brick;
@@ -89,18 +90,18 @@ private:
     [[nodiscard]] std::vector<LoosePart> loose_parts_of(const std::vector<std::vector<std::uint32_t>>& pieces);
 
     Grid grid_;
-    std::array<std::size_t, 3> step_;   ///< index distance to the next brick along an axis
-    std::vector<BrickBits> bits_;       ///< of bricks that have bone
+    std::array<std::size_t, 3> step_;   ///< difference of index to the next brick along an axis
+    std::vector<BrickBits> bits_;       ///< of each brick; valid if it has bone
     std::vector<std::uint16_t> count_;  ///< components of a brick
     std::vector<std::uint16_t> samples_;
     std::vector<Sides> sides_;
     std::vector<std::uint8_t> is_full_;
-    std::vector<std::int32_t> slot_;  ///< of a brick with several components: index into `many_`
+    std::vector<std::int32_t> slot_;  ///< index into `many_` of a brick with several components; else −1
     std::vector<std::vector<BrickBits>> many_;
     std::vector<std::int32_t> free_slots_;
 
-    // The whole graph. A row of bricks that touch along x is one node. For each brick its first node; for each node its
-    // parent, which is its root after a search.
+    // The whole graph. A node is a component of a brick; a row of bricks with one component that touch along x is a
+    // single node. Stored: for each brick its first node; for each node its parent, which is its root after a search.
     std::vector<std::uint32_t> first_node_, parent_;
     struct Size {
         std::uint32_t samples = 0, full_bricks = 0, others = 0, part = 0;
@@ -108,7 +109,8 @@ private:
     std::vector<Size> size_;  ///< by root
     std::uint64_t whole_searches_ = 0;
 
-    // The box. For each component that split in it: one brick and component of each of its parts.
+    // Results of `search_box`. For each component of a box that has split: a brick and the number of a component in
+    // each part.
     std::vector<std::vector<std::pair<std::size_t, std::size_t>>> split_components_;
     struct Scratch {
         std::vector<std::uint32_t> before, after, first_before, first_after, part_of;

@@ -129,7 +129,7 @@ Separation PresentBone::part(std::uint16_t body, const CutRecord& record, const 
     separation.tick = record.tick;
     separation.parent = body;
 
-    // All bone at the moment of the separation.
+    // All bone of the parent just before the separation.
     SampleSet stays = parent.finder->bone();
     SampleSet all = stays;
     for (const LoosePart& part : loose) all.add(part.bone);
@@ -167,7 +167,7 @@ Separation PresentBone::part(std::uint16_t body, const CutRecord& record, const 
     }
     parent.cut = CutField(whole, *separation.parts.front().mask, 0);
     parent.removed.reset_baseline(parent.cut);
-    for (std::size_t b = 0; b < g.brick_count(); ++b)  // its surface has changed where the separated parts were
+    for (std::size_t b = 0; b < g.brick_count(); ++b)  // where parts separated, its surface has changed
         if (separation.parts.front().mask->removed_extent(b) != PieceMask::RemovedExtent::nothing)
             parent.changed.add(b);
     return separation;

@@ -17,21 +17,21 @@ namespace kerf {
 
 inline constexpr std::size_t max_bodies = 16;
 
-/// The separation of a body, at the record of the last cut before it.
+/// The split of a body into parts by the cut of one record.
 struct Separation {
-    std::uint64_t sequence = 0, tick = 0;  ///< of the record, in the parent's count
+    std::uint64_t sequence = 0, tick = 0;  ///< of the record
     std::uint16_t parent = 0;
     struct Part {
-        std::uint16_t body;  ///< the parent first, then the separated parts: ids in the order of their first sample
+        std::uint16_t body;  ///< the parent first, then the parts that separated, with new ids
         double volume;       ///< [m³]
         std::shared_ptr<const PieceMask> mask;
     };
     std::vector<Part> parts;
-    std::size_t crumbs = 0;     ///< pieces too small to keep: removed from every body
+    std::size_t crumbs = 0;     ///< parts too small to keep: deleted from all bodies
     double crumb_volume = 0.0;  ///< [m³]
 };
 
-/// A list of bricks without duplicates.
+/// A list of brick indices without duplicates.
 class BrickList {
 public:
     explicit BrickList(std::size_t brick_count) : is_listed_(brick_count, 0) {}
@@ -46,7 +46,7 @@ private:
     std::vector<std::size_t> bricks_;
 };
 
-/// A snapshot of a piece.
+/// A snapshot of a `PresentPiece`.
 struct PieceImage {
     const Body* bone;
     CutField cut;
@@ -56,41 +56,42 @@ struct PieceImage {
     CutHistory history;
 };
 
-/// A snapshot of all bone. Snapshots use common copies of pieces that did not change between them.
+/// A snapshot of all bone. A piece that did not change between snapshots is stored once for all of them.
 struct BoneImage {
     std::vector<std::shared_ptr<const PieceImage>> pieces;
     std::size_t crumbs = 0, refused = 0;
     double crumb_volume = 0.0, added = 0.0;
 };
 
-/// One of several bodies that use the same fields of bone.
+/// A body: a `Body` with its own cut. Bodies that separated from each other use the same `Body`.
 struct PresentPiece {
     PresentPiece(const Body& whole, CutField field);
 
     const Body* bone;
-    CutField cut;                              ///< without lag
-    RemovedVolume removed;                     ///< cut from it since it became a body, except in
-    BrickList uncounted;                       ///< these changed bricks
-    std::optional<PieceFinder> finder;         ///< only if pieces are searched for
+    CutField cut;                              ///< with all records, without lag
+    RemovedVolume removed;                     ///< volume cut from it since it became a body, except in `uncounted`
+    BrickList uncounted;                       ///< changed bricks that `removed` does not yet include
+    std::optional<PieceFinder> finder;         ///< set after `find_pieces`
     BrickList changed;                         ///< since `take_changed`
-    std::optional<std::uint16_t> recorded_as;  ///< until adoption, records of its cuts name this body
-    std::uint16_t separated_from = 0;          ///< the body from which it separated
-    CutHistory history;                        ///< the records that changed it and its former bodies
-    std::shared_ptr<const PieceImage> image;   ///< its present state, once a snapshot was taken
+    std::optional<std::uint16_t> recorded_as;  ///< body that records of its cuts name, until it is adopted
+    std::uint16_t separated_from = 0;          ///< the body from which it separated; else its own id
+    CutHistory history;                        ///< records that changed it, also as a part of former bodies
+    std::shared_ptr<const PieceImage> image;   ///< snapshot of its present state; null: none yet
 };
 
 class PresentBone {
 public:
-    /// Makes body 0 from all of `body`; `reserve` bricks are allocated.   [main]
+    /// Makes body 0 from all of `body`, and allocates `reserve` bricks for its cut.   [main]
     PresentBone(const Body& body, std::size_t reserve);
 
-    /// Starts the search for pieces: bone that separates becomes a body, if it is larger than `crumb` [m³].   [main]
+    /// Starts the search for pieces. From now on, a part that separates becomes a body. If its volume is below `crumb`
+    /// [m³], it is deleted and counted. Beyond `max_bodies`, it stays with its parent and is counted.   [main]
     void find_pieces(double crumb);
 
-    /// Stamps a record into its body, and into separated parts of that body that have not been adopted. Makes bodies of
-    /// parts that it separates, and returns the separations.   [worker]
+    /// Stamps a record on the body that it names, and on parts of that body that are not yet adopted. Makes bodies of
+    /// parts that this separates. Returns the separations.   [worker]
     std::vector<Separation> apply(const CutRecord& record, const ToolSolid& solid);
-    /// Marks a separation as adopted: later records name its parts themselves.   [worker]
+    /// Marks the parts of a separation as adopted: later records of their cuts name these parts.   [worker]
     void mark_adopted(const Separation& separation);
 
     /// Adds another body, which must outlive this object. Returns its id. Pre: fewer than `max_bodies`.   [worker]
@@ -98,29 +99,29 @@ public:
 
     /// Returns a snapshot for `restore`.   [worker]
     [[nodiscard]] BoneImage image();
-    /// Restores a snapshot bit for bit; bodies that are newer than it are removed.   [worker]
+    /// Restores a snapshot bit for bit. Removes bodies that it does not contain.   [worker]
     void restore(const BoneImage& image);
 
     [[nodiscard]] std::size_t count() const noexcept { return pieces_.size(); }
     [[nodiscard]] const PresentPiece& piece(std::size_t body) const noexcept { return *pieces_[body]; }
     [[nodiscard]] PresentPiece& piece(std::size_t body) noexcept { return *pieces_[body]; }
     [[nodiscard]] const CutField& cut(std::size_t body = 0) const noexcept { return pieces_[body]->cut; }
-    /// Returns the bricks of a body that changed since the last call, ascending.   [worker]
+    /// Returns the indices of the bricks of a body that changed since the last call, ascending.   [worker]
     [[nodiscard]] std::vector<std::size_t> take_changed(std::size_t body) { return pieces_[body]->changed.take(); }
 
-    /// Allocates memory for the cuts of a tick.   [main, worker]
+    /// Makes at least `bricks` bricks free in the cut of every body.   [main, worker]
     void reserve(std::size_t bricks);
 
-    /// Returns the volume cut from all bodies [m³]; in total or of one material. Counts the changes since the last
-    /// call. [worker]
+    /// Returns the volume cut from all bodies so far [m³], in total or of material `m`. First counts bricks that
+    /// changed since the last call. [worker]
     [[nodiscard]] double removed();
     [[nodiscard]] double removed_of_material(std::size_t m);
     [[nodiscard]] double crumb_volume() const noexcept { return crumb_volume_; }
     [[nodiscard]] std::size_t crumbs() const noexcept { return crumbs_; }
     [[nodiscard]] double added() const noexcept { return added_; }  ///< [m³] of bodies added later
-    /// Returns the number of pieces that stayed with their parent because there are sixteen bodies already.
+    /// Returns the number of parts that stayed with their parent because there were already `max_bodies` bodies.
     [[nodiscard]] std::size_t refused() const noexcept { return refused_; }
-    /// Returns the hash over all bodies, in the order of their ids.
+    /// Returns the hash of the cut of a single body, or of the hashes of all bodies' cuts in the order of their ids.
     [[nodiscard]] std::uint64_t hash() const noexcept;
 
 private:

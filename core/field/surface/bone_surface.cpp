@@ -21,7 +21,7 @@ Mesh every_sample(const Body& body, const CutField& cut) {
     std::vector<std::size_t> bricks;
     for (std::size_t brick = 0; brick < body.grid().brick_count(); ++brick)
         if (mesher->may_cross(cut, brick)) bricks.push_back(brick);
-    // Slightly more than the size of a wall through the middle of every brick.
+    // For each brick slightly more than the vertices and triangles of a flat wall through its middle.
     PatchWeld weld(body.grid(), 128 * bricks.size(), 256 * bricks.size());
     for (std::size_t n = 0; n < bricks.size(); ++n) {
         if (n + 1 < bricks.size()) mesher->prefetch(cut, bricks[n + 1]);
@@ -30,7 +30,7 @@ Mesh every_sample(const Body& body, const CutField& cut) {
     return std::move(weld).mesh();
 }
 
-/// Returns the distance beyond the nearest face of the region [m]; negative inside.
+/// Returns the largest distance of a point beyond any face of the region [m]; negative inside.
 double beyond_faces(const Region& region, Vec3 p) noexcept {
     return std::max({region.low.x - p.x, p.x - region.high.x, region.low.y - p.y, p.y - region.high.y,
                      region.low.z - p.z, p.z - region.high.z});
@@ -55,7 +55,7 @@ Mesh some_samples(const Body& body, const CutField& cut, int stride) {
 
     mesh.tissue.resize(mesh.vertices.size());
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        // Half a voxel inwards, so that the border of the shell does not decide.
+        // Sample half a voxel inwards: on the surface, the border of the outermost material would decide.
         double weight[KERF_MAX_TISSUES];
         const Vec3 inside = mesh.vertices[v] - 0.5 * g.spacing * mesh.normals[v];
         material_weights(body, locate(g, inside), weight);

@@ -6,8 +6,8 @@
 
 namespace kerf {
 
-/// Returns the surface of the remaining bone, cut off flat at its region: closed, welded, anticlockwise from outside,
-/// with the material at each vertex (body frame [m]). Uses every `stride`-th sample.   [worker]
+/// Returns the surface of the remaining bone, cut off flat at the faces of its region (body frame [m]). It is closed
+/// and welded, and has the material at each vertex. Uses every `stride`-th sample along each axis.   [worker]
 [[nodiscard]] Mesh bone_surface(const Body& body, const CutField& cut, int stride = 1);
 
 }  // namespace kerf

@@ -13,7 +13,7 @@ namespace kerf {
 
 namespace {
 
-constexpr int outside_grid = 8192;  ///< [quanta] about a voxel
+constexpr int outside_grid = 8192;  ///< [quanta] value of samples outside the grid: about a voxel
 
 constexpr std::array<int, 3> sample_of(int slot) noexcept {
     return {(slot & 15) - 1, (slot >> 4 & 15) - 1, (slot >> 8 & 15) - 1};
@@ -32,7 +32,8 @@ constexpr std::array<SetBits, 256> set_bits = [] {
     return all;
 }();
 
-/// Writes `first` + n for each set bit n of a byte, padded with arbitrary values to eight. Returns the end of the list.
+/// Writes `first` + n for each set bit n of a byte, and arbitrary values up to eight. Returns the end of the list
+/// without these.
 inline std::uint16_t* list(std::uint16_t* to, unsigned byte, int first) noexcept {
     std::array<std::uint16_t, 8> slot_count =
         set_bits[byte & 255].at;  // a copy, so that the compiler can exclude aliasing
@@ -133,7 +134,7 @@ PatchView BrickMesher::mesh(const CutField& cut, std::size_t brick) noexcept {
         cut_off_at_region(at);
     }
 
-    // Samples outside the grid count as outside: clear their bits.
+    // Samples outside the grid are outside bone: clear their bits.
     const auto& bricks = body_->grid().bricks;
     const std::array<int, 3> first{at[0] == 0 ? -1 : 0, at[1] == 0 ? -1 : 0, at[2] == 0 ? -1 : 0};
     const std::array<int, 3> end{at[0] + 1 == bricks[0] ? 8 : 9, at[1] + 1 == bricks[1] ? 8 : 9,
@@ -269,7 +270,7 @@ void BrickMesher::list_edges_and_cells(const std::array<int, 3>& first) noexcept
 }
 
 void BrickMesher::make_triangles() noexcept {
-    // The triangles of a case, by the index distance of their vertices from the number of the cell's slot.
+    // The triangles of each case. A vertex is an offset into `number_`, from the entry of the cell's slot.
     struct Case {
         std::uint32_t count = 0;
         std::array<std::uint16_t, 3 * max_triangles> offset{};
@@ -323,7 +324,8 @@ void BrickMesher::close_at_border(const std::array<int, 3>& at) noexcept {
         std::array<int, 3> high = low;
         ++high[axis];
         const bool is_closing = !is_in_grid(low) || !is_in_grid(high);
-        // Central differences where both neighbours are in the grid, else one-sided. A closing face has its own normal.
+        // Central differences where both neighbours are in the grid, else one-sided. Zero on a closing face: then
+        // `crossing` returns the normal of the face.
         const auto slope = [&](const std::array<int, 3>& s) {
             SampleSlope about{};
             for (std::size_t n = 0; n < 3 && !is_closing; ++n) {
@@ -342,7 +344,7 @@ void BrickMesher::close_at_border(const std::array<int, 3>& at) noexcept {
 }
 
 void BrickMesher::assign_tissues(std::size_t brick) noexcept {
-    // Without a border of a material the brick has one material: the first that contains it.
+    // A brick without a border of a material has one material: the first that contains it.
     const std::size_t last = body_->materials.size() - 1;
     std::size_t only = 0;
     bool is_one = true;
@@ -359,7 +361,7 @@ void BrickMesher::assign_tissues(std::size_t brick) noexcept {
     LocatedBlock at;
     std::array<FloatBlock, KERF_MAX_TISSUES> weight;
     for (std::size_t begin = 0; begin < vertex_count_; begin += block_capacity) {
-        // Half a voxel inwards, so that the border of the shell does not decide.
+        // Sample half a voxel inwards: on the surface, the border of the outermost material would decide.
         const std::size_t count = std::min(block_capacity, vertex_count_ - begin);
         for (std::size_t n = 0; n < count; ++n) {
             const SurfaceVertex& v = vertices_[begin + n];

@@ -13,15 +13,15 @@
 /// Makes the surface of the remaining bone of a body, brick by brick.
 namespace kerf {
 
-/// A view of the surface in the cells of one brick. A brick's cells lie between its samples 0 … 8; in the first bricks
-/// of the grid from −1 on, so that the surface is closed there.
+/// A view of the surface in the cells of one brick. A brick's cells lie between its samples 0 … 8. In the first bricks
+/// of the grid they begin at sample −1, so that the surface is closed there.
 ///
-/// Vertices are in three runs, by the axis of their edge, x first; each run is in the order of z, y, x. So the common
-/// vertices of two bricks have the same order and the same bits in both.
+/// Vertices are in three runs, by the axis of their edge: x, y, z. Each run is sorted by z, then y, then x of the edge.
+/// So vertices that belong to two bricks have the same order and the same bits in both.
 struct PatchView {
     std::span<const SurfaceVertex> vertices;
     std::span<const std::uint8_t> tissue;  ///< per vertex: the material half a voxel inwards
-    std::span<const std::uint16_t> edges;  ///< per vertex: index of the edge's lower sample | axis << 12
+    std::span<const std::uint16_t> edges;  ///< per vertex: slot of its edge's lower sample | axis << 12
     std::span<const std::array<std::uint16_t, 3>> triangles;  ///< anticlockwise seen from outside
 };
 
@@ -34,8 +34,8 @@ public:
     [[nodiscard]] const std::vector<SurfaceVertex>& vertices() const noexcept { return vertices_; }
     [[nodiscard]] const std::vector<std::uint8_t>& tissue() const noexcept { return tissue_; }
     [[nodiscard]] const std::vector<std::array<std::uint16_t, 3>>& triangles() const noexcept { return triangles_; }
-    /// Returns whether the edge of a vertex ends on this side of the brick: −x, +x, −y, +y, −z, +z. Then its normal
-    /// depends on the neighbour.
+    /// Returns whether a vertex lies on an edge that touches side `side` of the brick, 0 … 5: −x, +x, −y, +y, −z, +z.
+    /// Then its normal depends on the neighbour there.
     [[nodiscard]] bool depends_on(int side) const noexcept { return (sides_ >> side & 1) != 0; }
     [[nodiscard]] bool is_same_as(const PatchView& other) const noexcept;
 
@@ -57,11 +57,12 @@ public:
     /// Makes a mesher. The body must outlive it.   [main, worker]
     explicit BrickMesher(const Body& body);
 
-    /// Returns false if no cell of the brick can have a surface, according to its stored ranges.   [worker]
+    /// Returns false if no cell of the brick can have a surface. Decides by the signs of the bone, stored cuts, and the
+    /// position relative to grid and region.   [worker]
     [[nodiscard]] bool may_cross(const CutField& cut, std::size_t brick) const noexcept;
-    /// Prefetches the samples of a brick that `mesh` will need soon.   [worker]
+    /// Prefetches the samples that a following `mesh` of the brick reads.   [worker]
     void prefetch(const CutField& cut, std::size_t brick) const noexcept;
-    /// Returns the patch of a brick; empty if it has no surface. Valid until the next call.   [worker]
+    /// Returns the patch of a brick; empty if it has no surface. Valid until the next `mesh`.   [worker]
     PatchView mesh(const CutField& cut, std::size_t brick) noexcept;
 
 private:
@@ -83,7 +84,8 @@ private:
     const Body* body_;
     GridFrame locator_;
     SampleFrame frame_{};
-    /// Distance beyond the region [quanta] of samples −1 … one past the last along each axis; empty without a region.
+    /// For each axis, the signed distance [quanta] of each sample to the region along it, negative inside. From sample
+    /// −1 to one past the apron. Empty without bounds.
     std::array<std::vector<std::int16_t>, 3> beyond_;
 
     alignas(64) std::array<std::int16_t, margin + 11 * slot_layer + margin> samples_{};
@@ -92,7 +94,7 @@ private:
     std::array<std::size_t, 3> count_along_{};
     std::array<std::uint16_t, max_patch_cells + slack> cells_{};
     std::size_t cell_count_ = 0, vertex_count_ = 0, triangle_count_ = 0;
-    std::array<std::uint16_t, 3 * slot_count> number_{};  ///< index of the vertex on the edge from a slot along an axis
+    std::array<std::uint16_t, 3 * slot_count> number_{};  ///< vertex by axis · slot_count + slot of its edge
     std::array<SurfaceVertex, max_patch_vertices + slack> vertices_{};
     std::array<std::uint16_t, max_patch_vertices + slack> edges_{};
     std::array<std::uint8_t, max_patch_vertices + slack> tissue_{};

@@ -16,13 +16,13 @@ namespace kerf {
 // Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2 & 1). Its edge e runs along axis e / 4 from corner
 // `edge_start[e]`; bit c of a case is 1 if corner c is inside.
 inline constexpr int cell_corners = 8, cell_edges = 12, cell_case_count = 256;
-inline constexpr int max_triangles = 5;  // found while generating; the compiler stops if there are more
+inline constexpr int max_triangles = 5;  // with more, the table does not compile
 inline constexpr std::array<int, cell_edges> edge_start{0, 2, 4, 6, 0, 1, 4, 5, 0, 1, 2, 3};
 
 struct CellCase {
     int count = 0;
     std::array<std::array<std::uint8_t, 3>, max_triangles>
-        triangles{};  ///< by the cell's edges on which their corners lie
+        triangles{};  ///< each vertex by the cell's edge on which it lies
 };
 
 namespace detail {
@@ -54,9 +54,9 @@ constexpr bool lie_on_one_face(int edge_a, int edge_b) {
     return false;
 }
 
-// The outline of a case on the cell's faces: next[e] is the edge after edge e, −1 if the outline does not cross e.
-// On each face one segment cuts off each run of inside corners, so opposite corners stay apart. It runs with the inside
-// on its right, seen from outside the cell. In the neighbouring cell it runs in the opposite direction.
+// The outline of a case on the cell's faces: next[e] is the edge after edge e, −1 if the outline does not cross e. On
+// each face, one segment cuts off each run of inside corners, so opposite corners stay apart. Seen from outside the
+// cell, a segment has the inside on its right. In the neighbouring cell it runs in the opposite direction.
 constexpr std::array<int, cell_edges> outline(int inside) {
     std::array<int, cell_edges> next{};
     next.fill(-1);

@@ -69,9 +69,9 @@ private:
     bool is_inside(Sample s) { return value(s) < 0.0; }
 
     void begin_layer(int k) {
-        // The slice that comes into reach replaces the slice that is no longer needed.
+        // Slice k+2 replaces slice k−2, which is no longer needed.
         samples_[static_cast<std::size_t>(k + 2) % 4].assign(layer_, unknown);
-        // The upper side of the last layer is the lower side of this one.
+        // The upper side of the previous layer is the lower side of this one.
         for (std::size_t axis = 0; axis < 2; ++axis) {
             std::swap(vertex_on_edge_[axis], vertex_on_edge_[axis + 2]);
             vertex_on_edge_[axis + 2].assign(layer_, no_vertex);
@@ -137,9 +137,10 @@ private:
     }
 
     const SampleGrid& grid_;
-    std::size_t row_, layer_;  ///< samples, including one beyond each border
+    std::size_t row_, layer_;  ///< samples in a row and in a layer, with one beyond each border
     std::array<std::vector<float>, 4> samples_;
-    /// Edges along x and y on the lower side of the layer, along x and y on its upper side, and along z.
+    /// The vertex on each edge of a layer. Five lists: along x and y on its lower side, along x and y on its upper
+    /// side, along z.
     std::array<std::vector<std::uint32_t>, 5> vertex_on_edge_;
     Mesh mesh_;
 };

@@ -13,7 +13,7 @@ namespace kerf {
 struct Mesh {
     std::vector<Vec3> vertices;                           ///< [m] LPS
     std::vector<Vec3> normals;                            ///< unit, outward; one per vertex
-    std::vector<std::uint8_t> tissue;                     ///< per vertex: index into Recording::tissues
+    std::vector<std::uint8_t> tissue;                     ///< per vertex: index into Body::materials
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< anticlockwise seen from outside
 };
 

@@ -20,7 +20,7 @@ public:
     /// Makes a table without patches.   [main, worker]
     explicit PatchTable(std::size_t brick_count);
 
-    /// Returns this table with the patches `published` since, bricks ascending.   [worker]
+    /// Returns a copy of this table with the patches in `published` replaced. Pre: bricks ascending.   [worker]
     [[nodiscard]] PatchTable with(std::span<const SurfacePatches::Published> published) const;
 
     /// Returns the patch of a brick; null if it has no surface.   [any] nonblocking

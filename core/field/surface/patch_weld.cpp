@@ -52,7 +52,7 @@ PatchWeld::Numbered PatchWeld::number(std::size_t brick, const PatchView& patch)
     const std::array<bool, 3> has_lower{brick % row != 0, brick % layer >= row, brick >= layer};
     const std::array<std::size_t, 3> below{1, row, layer};
 
-    // Vertices on a lower face are numbered already, in the order in which they appear here too.
+    // Vertices on a face to a lower neighbour already have mesh indices, listed in the same order as here.
     std::array<const std::uint32_t*, 3> known;
     unsigned lower_faces = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -61,7 +61,7 @@ PatchWeld::Numbered PatchWeld::number(std::size_t brick, const PatchView& patch)
         lower_faces |= unsigned{has_lower[axis]} << axis;
     }
 
-    // New vertices: those on no face, and those on faces but on no lower face.
+    // New vertices: first those on no face, then those on upper faces alone.
     const std::size_t count = patch.vertices.size();
     number_.resize(count);
     fresh_.resize(count + 1);
@@ -103,7 +103,7 @@ PatchWeld::Numbered PatchWeld::number(std::size_t brick, const PatchView& patch)
 }
 
 void PatchWeld::append(const PatchView& patch, std::size_t fresh) {
-    // Assembled in small buffers that stay in cache, and then appended in one step.
+    // Assemble in small buffers that stay in cache, then append in one step.
     vertices_.resize(fresh);
     normals_.resize(fresh);
     tissue_.resize(fresh);

@@ -25,8 +25,8 @@ public:
 
 private:
     struct Numbered {
-        std::uint32_t fresh;                            ///< vertices that the mesh did not have
-        std::array<const std::uint32_t*, 3> upper_end;  ///< end of each list of `upper_`
+        std::uint32_t fresh;                            ///< number of vertices that are new to the mesh
+        std::array<const std::uint32_t*, 3> upper_end;  ///< end of the valid part of each list of `upper_`
     };
     /// Fills `number_`, `fresh_` and `upper_` for a patch.
     Numbered number(std::size_t brick, const PatchView& patch);
@@ -35,13 +35,14 @@ private:
 
     Grid grid_;
     Mesh mesh_;
-    /// Numbers of vertices that a brick has in common with its neighbours at +x, +y, +z, in the order of the patch.
+    /// Mesh indices of the vertices that each brick has in common with its neighbours at +x, +y, +z, in its patch's
+    /// order.
     std::vector<std::uint32_t> shared_;
     std::vector<std::array<std::uint32_t, 3>> first_shared_;  ///< by brick
-    std::vector<std::uint32_t> number_;                       ///< in the mesh, of the vertices of the patch
-    std::vector<std::uint32_t> fresh_, on_face_;              ///< vertices of the patch: new ones; ones on a face
-    std::array<std::vector<std::uint32_t>, 3> upper_;         ///< numbers of the vertices on upper faces
-    std::vector<Vec3> vertices_, normals_;                    ///< added by the patch
+    std::vector<std::uint32_t> number_;                       ///< mesh index of each vertex of the patch
+    std::vector<std::uint32_t> fresh_, on_face_;              ///< vertices of the patch: new to the mesh; on a face
+    std::array<std::vector<std::uint32_t>, 3> upper_;         ///< mesh indices of the vertices on its upper faces
+    std::vector<Vec3> vertices_, normals_;                    ///< those that the patch adds
     std::vector<std::uint8_t> tissue_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
 };

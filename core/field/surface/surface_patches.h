@@ -19,17 +19,17 @@ class SurfacePatches {
 public:
     struct Published {
         std::size_t brick;
-        std::shared_ptr<const BrickPatch> patch;  ///< null: no surface any more
+        std::shared_ptr<const BrickPatch> patch;  ///< null: the brick has no surface any more
     };
 
     /// Makes an empty surface. The body must outlive it.   [main, worker]
     explicit SurfacePatches(const Body& body);
 
     /// Meshes the bricks `changed` (as in CutField::take_changed()) and the neighbours whose normals depend on them.
-    /// Returns the patches that differ from the former ones, bricks ascending. Afterwards all patches equal, bit for
-    /// bit, the result of `update_all`.   [worker]
+    /// Returns the patches that differ from their predecessors, bricks ascending. Afterwards all patches are, bit for
+    /// bit, those that `update_all` makes.   [worker]
     std::vector<Published> update(const CutField& cut, std::span<const std::size_t> changed);
-    /// Meshes all bricks. Returns the patches that differ from the former ones.
+    /// Meshes all bricks. Returns the patches that differ from their predecessors, bricks ascending.
     std::vector<Published> update_all(const CutField& cut);
 
     /// Returns the patch of a brick; null if it has no surface.

@@ -223,8 +223,8 @@ struct BlockKernel {
     /// Finds the samples of a SampleCell within low … high, both included. Bit n of `found[layer]` is for sample n of
     /// the 27 of a layer: rows of nine, x fastest.
     void (*find)(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept;
-    /// Writes the larger of two fields to `samples[slot]`, at samples −1 … 9 of a brick along x and 0 … 8 along y and
-    /// z. Bit x + 1 of `inside[slot >> 4]` is 1 if sample x of the row, 0 … 8, is negative.
+    /// Writes the larger of two fields to `samples[slot]`: samples −1 … 9 of a brick along x, 0 … 8 along y and z. Bit
+    /// x + 1 of `inside[slot >> 4]` is 1 if sample x of the row, 0 … 8, is negative.
     void (*larger_rows)(const BrickAround& a, const BrickAround& b, std::int16_t* samples,
                         std::uint16_t* inside) noexcept;
     /// Writes the larger of two fields beyond four sides of a brick: at samples −1 and 9 along y, and along z, each
