@@ -35,13 +35,13 @@ std::string text_at(double x, double y, const std::string& text, const char* att
 class Axes {
 public:
     explicit Axes(const ClockRow& clock) {
-        std::uint64_t most_ticks = 1;
+        std::uint64_t max_ticks = 1;
         for (const ClockRow::Class& one : clock.histogram) {
             if (one.lateness + one.compute > 0) longest_ = std::max(longest_, one.up_to);
-            most_ticks = std::max({most_ticks, one.lateness, one.compute});
+            max_ticks = std::max({max_ticks, one.lateness, one.compute});
         }
         decades_ = std::log10(longest_ / shortest);
-        count_decades_ = std::ceil(std::log10(static_cast<double>(most_ticks)) + 1e-9);
+        count_decades_ = std::ceil(std::log10(static_cast<double>(max_ticks)) + 1e-9);
     }
     [[nodiscard]] double x(double seconds) const {
         return left + (right - left) * std::clamp(std::log10(seconds / shortest) / decades_, 0.0, 1.0);

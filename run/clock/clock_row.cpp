@@ -3,7 +3,9 @@
 
 #include <sys/utsname.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 
 namespace kerf::run {
