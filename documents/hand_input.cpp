@@ -15,7 +15,7 @@ constexpr std::pair<HandInput::Kind, std::string_view> words[] = {
     {HandInput::Kind::undo, "undo"}, {HandInput::Kind::redo, "redo"},         {HandInput::Kind::remove, "remove"},
     {HandInput::Kind::fuse, "fuse"}, {HandInput::Kind::subtract, "subtract"}, {HandInput::Kind::release, "release"}};
 constexpr std::string_view insert = "insert:", place = "place:";
-constexpr std::string_view release_fraction = "regrip:1", take_hold = "regrip:0";
+constexpr std::string_view release_shaft = "regrip:1", grip_shaft = "regrip:0";
 }  // namespace
 
 std::string text_of(const HandInput& input) {
@@ -23,7 +23,7 @@ std::string text_of(const HandInput& input) {
         if (kind == input.kind) return std::string(word);
     if (input.kind == HandInput::Kind::insert) return std::string(insert) + input.id;
     if (input.kind == HandInput::Kind::place) return std::string(place) + input.id;
-    if (input.kind == HandInput::Kind::regrip) return std::string(input.value != 0.0 ? release_fraction : take_hold);
+    if (input.kind == HandInput::Kind::regrip) return std::string(input.value != 0.0 ? release_shaft : grip_shaft);
     char digits[32];
     const auto end = std::to_chars(std::begin(digits), std::end(digits), input.value).ptr;
     return input.id + " " + std::string(digits, end);
@@ -34,8 +34,8 @@ std::optional<HandInput> hand_input(std::string_view text) {
         if (text == word) return HandInput{kind};
     if (text.starts_with(insert)) return HandInput{HandInput::Kind::insert, std::string(text.substr(insert.size()))};
     if (text.starts_with(place)) return HandInput{HandInput::Kind::place, std::string(text.substr(place.size()))};
-    if (text == release_fraction || text == take_hold)
-        return HandInput{HandInput::Kind::regrip, {}, text == release_fraction ? 1.0 : 0.0};
+    if (text == release_shaft || text == grip_shaft)
+        return HandInput{HandInput::Kind::regrip, {}, text == release_shaft ? 1.0 : 0.0};
     const std::size_t space = text.find(' ');
     if (space == 0 || space == std::string_view::npos) return std::nullopt;
     HandInput input{HandInput::Kind::drive, std::string(text.substr(0, space)), 0.0};

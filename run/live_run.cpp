@@ -39,13 +39,15 @@ RunOutcome run_live(const Scene& scene, const PluginRegistry& plugins, const Run
     if (run == nullptr) return outcome;
     ThreadWatch watch(std::llround(Simulation::dt * 1e9));
     WallClock clock(Simulation::dt, &watch);
-    run->time_parts(clock.parts());
+    run->begin_clock(clock.parts());
     LateTicks late;
-    const RealtimeState state = run_in_real_time([&] {
-        watch.watch_this_thread();
-        tick_until_done(*run, clock);
-        late = watch.finish();
-    });
+    const RealtimeState state = run_in_real_time(
+        [&] {
+            watch.watch_this_thread();
+            tick_until_done(*run, clock);
+            late = watch.finish();
+        },
+        [&] { run->pass_progress_on(); });
     run->set_clock(clock_row(Simulation::dt, clock.times(), late, state));
     return run->finish();
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <span>
 #include <utility>
 
 #include "bone/exact/exact_follower.h"
@@ -207,11 +206,9 @@ bool Run::tick(const DeviceSample& reported) {
 /// Returns the tool state that the simulated hand senses after the last tick.
 simulated_hand::SensedTool Run::sensed_tool() const {
     const std::string& awaited = hand_.awaited_event();
-    const auto events = std::span(result_.events).first(result_.event_count);
     return {.world_from_tool = result_.world_from_tool,
             .torque = result_.torque,
-            .has_event = !awaited.empty() && std::any_of(events.begin(), events.end(),
-                                                         [&](const char* event) { return event == awaited; })};
+            .has_event = !awaited.empty() && result_.has_event(awaited)};
 }
 
 void Run::take_tool_of_step() {
@@ -322,10 +319,7 @@ std::optional<RunEnd> Run::end_after_tick() {
     for (RunObserver* observer : observers_) observer->on_tick(row_);
     pass_cuts_on();
     const std::uint64_t ticks = simulation_.ticks();
-    if (ticks % 250 == 0)
-        report_progress(is_replay() ? static_cast<double>(ticks) / static_cast<double>(request_.replay.size())
-                                    : static_cast<double>(hand_.leg()) / static_cast<double>(plan_.intent.legs.size()),
-                        "working, " + std::to_string(ticks / 1000) + " s simulated");
+    if (ticks % 250 == 0) note_progress();
     // The force has faded.
     if (result_.is_quarantined && linear(result_.command.wrench) == Vec3{}) return RunEnd::fault;
     if (monitor_.current() >= scene_->procedure.steps.size()) return RunEnd::steps_done;
@@ -376,6 +370,18 @@ void Run::pass_cuts_on() {
 
 void Run::report_progress(double fraction, const std::string& what) {
     for (RunObserver* observer : observers_) observer->on_progress(fraction, what);
+}
+
+void Run::note_progress() {
+    const std::uint64_t ticks = simulation_.ticks();
+    path_done_ = is_replay() ? static_cast<double>(ticks) / static_cast<double>(request_.replay.size())
+                             : static_cast<double>(hand_.leg()) / static_cast<double>(plan_.intent.legs.size());
+    ticks_done_ = ticks;
+    if (parts_ == nullptr) pass_progress_on();
+}
+
+void Run::pass_progress_on() {
+    report_progress(path_done_, "working, " + std::to_string(ticks_done_ / 1000) + " s simulated");
 }
 
 /// Sets the sleeve of the running step, on the body that owns its axis.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -57,8 +58,11 @@ public:
     /// Returns the exact surface made so far; null if no instrument leaves one.
     [[nodiscard]] bone::ExactFollower* exact() noexcept { return exact_.get(); }
 
-    /// Measures the parts of each tick from now on. Pre: `parts` outlives the run.
-    void time_parts(TickParts& parts) { parts_ = &parts; }
+    /// Prepares ticks on a clock: measures the parts of each tick, and leaves progress to `pass_progress_on`. Pre: no
+    /// tick has run, `parts` outlives the run.
+    void begin_clock(TickParts& parts) { parts_ = &parts; }
+    /// Passes the progress of a run on a clock on to its observers.   [any] also while another thread ticks
+    void pass_progress_on();
     /// Adds the figures of a clock to the summary.
     void set_clock(session::ClockRow clock) { outcome_.summary.clock = std::move(clock); }
     /// Judges the run and writes its results. Pre: called once.
@@ -82,6 +86,7 @@ private:
     void take_separations(std::uint64_t tick);
     void pass_cuts_on();
     void report_progress(double fraction, const std::string& what);
+    void note_progress();
     void lead();
     [[nodiscard]] DeviceSample recorded_reading();
     [[nodiscard]] simulated_hand::SensedTool sensed_tool() const;
@@ -124,7 +129,9 @@ private:
     std::vector<session::MetricRow> left_;  ///< of implants, when their drivers left them
     double back_ = 0.0;                     ///< [m] by which the next tool is retracted: the driver leaves its implant
     TickParts* parts_ = nullptr;            ///< of the clock; null in lock-step
-    bool is_tool_left_ = false;             ///< left with its implant: a step takes another tool
+    std::atomic<std::uint64_t> ticks_done_{0};
+    std::atomic<double> path_done_{0.0};  ///< [–] fraction of the hand's path, or of the recorded ticks
+    bool is_tool_left_ = false;           ///< left with its implant: a step takes another tool
 };
 
 }  // namespace kerf::run

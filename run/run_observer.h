@@ -30,6 +30,7 @@ public:
     /// Receives the row of a tick, after the events of that tick.
     virtual void on_tick(const session::TickRow& /*row*/) {}
     /// Receives the completed fraction of the run [–] and its present activity. Called every 250 ticks and at the end.
+    /// On a clock it is called by another thread than the one that ticks.
     virtual void on_progress(double /*fraction*/, const std::string& /*what*/) {}
     /// Receives the exact surface, before the result, if an instrument leaves one. Returns the error as text, empty on
     /// success.

@@ -59,7 +59,7 @@ std::string number_text(double value) {
     return text;
 }
 
-/// Returns a value in its display unit, as its author wrote it; in SI if the unit is unknown.
+/// Returns a value, given in SI, as text in its display unit; in SI, without a unit, if the display unit is unknown.
 std::string value_text(double value, const char* display_unit) {
     const std::optional<Unit> unit = parse_unit(display_unit);
     const std::string name = unit ? display_unit : "";
@@ -123,7 +123,7 @@ std::string fault_of_size(const char* structure, std::uint32_t size, std::size_t
                "Write `sizeof(" + std::string(structure) + ")`, and build against this Kerf.");
 }
 
-/// Reports the first id that two rows have in common.
+/// Returns the fault of the first id that two rows have in common, or an empty text.
 template <class Row>
 std::string fault_of_duplicates(const Row* rows, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i)
@@ -451,7 +451,7 @@ std::string fault_of_entry_texts(const kerf_entry& entry) {
     return fault_of_text("toolchain", entry.toolchain, max_sentence, false);
 }
 
-/// Returns the fault of an entry that is not of this ABI. If there is one, nothing else in the entry may be read.
+/// Returns why an entry is not of this ABI; empty if it is. With such a fault, nothing else in the entry may be read.
 std::string fault_of_layout(const kerf_entry& entry) {
     const auto differs = [](const std::string& what, std::uint64_t is, std::uint64_t wanted) {
         return what + " is " + std::to_string(is) + ", need " + std::to_string(wanted) +

@@ -9,23 +9,23 @@
 /// Checks of a plugin's tables before the host uses them.
 namespace kerf {
 
-/// Maximum number of rows that the host reads: a larger count is a fault.
+/// Maximum number of rows of a table. A plugin with a larger count is refused.
 inline constexpr std::uint32_t max_table_rows = 256;
 inline constexpr std::uint32_t max_state_size = 64u << 20, max_state_align = 4096;
 
-/// Returns `plugin peck.so (path): `, with which every refusal begins.   [any]
+/// Returns the text with which every refusal begins, such as `plugin peck.so (path): `.   [any]
 [[nodiscard]] std::string named_plugin(const std::string& path);
 
-/// Returns the reason why this host cannot use an entry, with plugin, path, component, field, value and remedy; empty
-/// if it can. Reads the memory that the tables point to: an invalid pointer ends the process.   [any]
+/// Returns the reason why this host cannot use an entry: plugin, path, component, field, value and remedy. Returns an
+/// empty text if it can. Reads the memory that the tables point to: an invalid pointer ends the process.   [any]
 [[nodiscard]] std::string refusal_of(const kerf_entry& entry, const std::string& path);
-/// Returns the reason without plugin and path.   [any]
+/// Returns the same reason without plugin and path.   [any]
 [[nodiscard]] std::string fault_of(const kerf_entry& entry);
 
-/// Returns whether this host knows components of a kind. It skips the others.   [any]
+/// Returns whether this host knows a kind of components, KERF_KIND_…. It skips components of other kinds.   [any]
 [[nodiscard]] bool is_known_kind(std::uint32_t kind) noexcept;
 
-/// Returns the id in an entry of this ABI; empty if it has no printable id.   [any]
+/// Returns the plugin's id; empty if the entry is not of this ABI or its id is invalid.   [any]
 [[nodiscard]] std::string plugin_id_of(const kerf_entry& entry);
 
 }  // namespace kerf

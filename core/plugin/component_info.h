@@ -31,10 +31,10 @@ struct SignalInfo {
 struct EventInfo {
     std::string id;
     std::string help;
-    bool is_damage = false;  ///< the step in which it happens fails, unless the procedure allows it
+    bool is_damage = false;  ///< a step in which the event happens fails, unless the procedure allows the event
 };
 
-/// The value of one parameter that switches a feature off (kerf_feature).
+/// One parameter of a feature, and the value that switches the feature off (kerf_feature).
 struct FeatureInfo {
     std::string id, help;
     uint32_t kind = 0;      ///< KERF_FEATURE_EFFECT or KERF_FEATURE_RESOLUTION
@@ -59,7 +59,7 @@ struct ComponentInfo {
     std::vector<SignalInfo> signals;      ///< forces only
     std::vector<EventInfo> events;        ///< forces only
     std::vector<FeatureInfo> features;    ///< optional parts
-    std::vector<std::string> tools;       ///< forces only: the tools of its own plugin that it takes
+    std::vector<std::string> tools;       ///< forces only: ids of the tools of the same plugin that the law takes
     std::vector<NeedInfo> needs;          ///< forces only: requirements on any tool; then `tools` is empty
     std::vector<std::string> strategies;  ///< tools only: remeshing strategies by full id, best first
     uint32_t feed = KERF_FEED_AXIS;       ///< tools only: KERF_FEED_…
@@ -67,9 +67,9 @@ struct ComponentInfo {
     std::string kernel;                   ///< strategies only: library, version and flags on which its results depend
     std::string module;                   ///< path of its shared library; empty for the core's own components
 
-    /// "kerf.burring.displace"
+    /// Returns the id with the plugin's id: "kerf.burring.displace".
     [[nodiscard]] std::string full_id() const { return plugin + "." + id; }
-    /// Returns whether `word` is a strategy's full id or the last words of it: "displace", "burring.displace".
+    /// Returns whether `word` is the full id or its last words, whole words only: "displace", "burring.displace".
     [[nodiscard]] bool matches_id(const std::string& word) const {
         const std::string full = full_id();
         return full == word || full.ends_with("." + word);

@@ -26,15 +26,15 @@ struct Forceps {
     }
     [[nodiscard]] Outline outline() const {
         return revolution({{0.0, 0.0}, {-0.5 * jaw_radius, 0.85 * jaw_radius}, {-jaw_radius, jaw_radius}})
-            .cuts()  // nothing: `grasp` never cuts
+            .cuts()  // the ABI's cutting part; `grasp` never cuts with it
             .to(-jaw_length, jaw_radius)
             .to(-80.0_mm, 4.0_mm)
             .gripped_at(-80.0_mm);
     }
 };
 
-/// Contact of the jaws at rest. When they close, they grip the body at their tip. The core excludes this body from
-/// their contact.
+/// Contact of the jaws with bone. When they close, they grip the body that is nearest to their tip, if it is within
+/// `bite`. A gripped body is no longer part of the bone that they touch.
 struct Grasp {
     double contact_stiffness, bite;
 

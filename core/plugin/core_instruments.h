@@ -5,8 +5,8 @@
 
 namespace kerf {
 
-/// Returns the components that Kerf has without a plugin, in the same tables: `kerf.core` with forceps, which grip the
-/// body at their tip.   [any]
+/// Returns the entry of `kerf.core`, the components that are built into Kerf: forceps, which grip the body at their
+/// tip. [any]
 [[nodiscard]] const kerf_entry& core_instruments() noexcept;
 
 }  // namespace kerf

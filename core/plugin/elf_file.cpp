@@ -43,7 +43,8 @@ std::string name_of_machine(std::uint16_t machine) {
     }
 }
 
-/// Refuses files of other kinds: opening a pipe could block for ever, and a folder is not a file.
+/// Returns the reason to refuse a path that is not a regular file, or an empty text. Opening a pipe could block for
+/// ever.
 std::string refusal_of_kind(const std::string& path) {
     namespace fs = std::filesystem;
     std::error_code error;

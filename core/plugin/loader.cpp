@@ -30,7 +30,7 @@ struct OpenLibrary {
     std::string fault;
 };
 
-/// Returns the linker's error without the path, which every message names already.
+/// Returns the dynamic linker's last error without the path, which the refusal names already.
 std::string linker_error(const std::string& path) {
     const char* reason = dlerror();
     std::string why = reason != nullptr ? reason : "unknown reason";

@@ -38,24 +38,26 @@ private:
 
 struct PluginLoad {
     std::shared_ptr<Plugin> plugin;  ///< empty when refused
-    std::string refusal;             ///< plugin, path, field, got, wanted, remedy
+    std::string refusal;             ///< message: plugin, path, field, value, expected value, remedy
     std::string plugin_id;           ///< id of its entry; empty if it could not be read
 };
 
-/// Loads shared libraries. Returns one result for each path. Files that are not libraries for this machine, or are cut
-/// short, are refused by their headers. The others are loaded in a child process first (loading_trial.h), in which
-/// their static constructors may crash, exit, throw or hang. If this process has several threads, there is no child;
-/// then `LoadingNote` alone names the plugin that ends the process.   [main]
+/// Loads shared libraries. Returns one result for each path, in their order. Files that are not libraries for this
+/// machine, or are cut short, are refused by their headers. The others are loaded in a child process first
+/// (loading_trial.h): a crash, exit, exception or hang of their code ends only the child, and the plugin is refused. If
+/// this process has several threads, there is no child. Then `LoadingNote` prints the name of a plugin that ends the
+/// process.   [main]
 [[nodiscard]] std::vector<PluginLoad> load_plugins(const std::vector<std::string>& paths);
 [[nodiscard]] PluginLoad load_plugin(const std::string& path);
 
-/// Loads a library without that trial, for a process that may end with the library.   [main]
+/// Loads a library without the check of its headers and without a child process. A crash of its code ends this process.
+/// [main]
 [[nodiscard]] PluginLoad load_tried_plugin(const std::string& path);
 
 /// The reason why a file was refused.
 struct PluginRefusal {
-    std::string path, plugin_id;  ///< id of its entry; empty if it could not be read
-    std::string why;              ///< without file and path
+    std::string path, plugin_id;  ///< path of the file; id of its entry, empty if it could not be read
+    std::string why;              ///< the reason, without the plugin's name and path
 };
 
 /// A plugin as its entry describes it.
@@ -63,26 +65,27 @@ struct PluginText {
     std::string id, version, licence;
 };
 
-/// All plugins of some folders, by id, and the core's own. Libraries with strategies alone are described and closed.
-/// [main]
+/// All plugins of some folders, and `kerf.core`. A library with strategies alone is described and closed: strategies
+/// run in another process.   [main]
 class PluginRegistry {
 public:
     PluginRegistry();
-    /// Loads every `*.so` in the folders, in the order of names. Refusals and duplicate ids are reported and not fatal.
+    /// Loads every `*.so` in the folders: folder by folder, in the order of file names. Refused files and duplicate ids
+    /// are left out and listed in `refusals`.
     void scan(const std::vector<std::string>& folders);
 
     [[nodiscard]] const ComponentCatalog& catalog() const noexcept { return catalog_; }
     [[nodiscard]] const std::vector<std::string>& refusals() const noexcept { return refusals_; }
     /// Returns the plugins that stay loaded: they have tools or laws.
     [[nodiscard]] const std::vector<std::shared_ptr<Plugin>>& plugins() const noexcept { return plugins_; }
-    /// Returns notes for people on components that were skipped.
+    /// Returns one line of text for each component of an unknown kind, which was left out.
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
-    /// Returns the refusal of the file of this plugin: found by its id, or by the file's name if the id could not be
-    /// read. Null: no such file was refused.
+    /// Returns the refusal of this plugin's file, or null. It is found by the plugin's id. If that could not be read,
+    /// it is found by a file name that contains the last word of `plugin_id`.
     [[nodiscard]] const PluginRefusal* refusal_for(const std::string& plugin_id) const;
     /// Returns all plugins, the core's own first.
     [[nodiscard]] const std::vector<PluginText>& listed() const noexcept { return listed_; }
-    /// Returns a tool or a law, or null.
+    /// Returns the table of a tool or law (`kind`) of a plugin, or null if there is none.
     [[nodiscard]] const kerf_component* find(const std::string& plugin, std::uint32_t kind,
                                              const std::string& id) const noexcept;
 

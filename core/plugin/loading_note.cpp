@@ -17,7 +17,7 @@ constexpr char ending[] =
     "\n"
     "      Its own code did so while it was loaded. Take it out of its folder, or out of KERF_PLUGIN_PATH.\n";
 
-// A signal handler can reach globals alone; the text is complete before note_size makes it visible.
+// Globals, because a signal handler reads them. `note` is written before `note_size`; 0: no plugin is being loaded.
 char note[4500];
 volatile std::sig_atomic_t note_size = 0;
 

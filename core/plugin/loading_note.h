@@ -7,10 +7,10 @@
 
 namespace kerf {
 
-/// While this object exists, a crash, an abort or an `exit` prints to stderr the name of the plugin that is being
-/// loaded. The process then ends with 3. Loading runs a plugin's own code (static constructors), from which this
-/// process cannot protect itself. So the user must at least see the name of the plugin. An end of the process without a
-/// signal and without `exit`, such as `_exit`, is not noticed.   [main] one at a time
+/// While this object exists, a crash, an abort or an `exit` prints to stderr the path of the plugin that is being
+/// loaded. The process then ends with the exit code 3. Loading runs a plugin's own code (static constructors), from
+/// which this process cannot protect itself. So the user must at least see which plugin it was. Any other end, such as
+/// `_exit`, prints nothing.   [main] one object at a time
 class LoadingNote {
 public:
     explicit LoadingNote(const std::string& path);

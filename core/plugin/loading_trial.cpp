@@ -31,11 +31,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t max_message = 3000;  // [bytes]; with its head, a pipe takes it in one write
-constexpr rlim_t max_written = 1u << 20;   // [bytes] of one file, including the child's own messages
+constexpr std::size_t max_message = 3000;  // [bytes] of text; with its head, a pipe takes it in one write
+constexpr rlim_t max_written = 1u << 20;   // [bytes] maximum size of a file that the child writes, stderr included
 
 #if defined(__SANITIZE_THREAD__)
-constexpr int own_threads = 2;  // the sanitizer has one
+constexpr int own_threads = 2;  // one of them is the sanitizer's
 #else
 constexpr int own_threads = 1;
 #endif
@@ -66,7 +66,7 @@ private:
 
 // ---- in the child --------------------------------------------------------------------------------------------------
 
-int terminate_pipe = -1;  // a terminate handler can reach globals alone
+int terminate_pipe = -1;  // global, because a terminate handler has no arguments
 
 std::string exception_text() {
     try {
@@ -224,7 +224,7 @@ std::vector<Trial> TrialChild::run() {
 /// Reads messages until the child has ended. The end of the pipe does not show this: children of the child may keep it
 /// open, and the child may close it.
 TrialChild::Ended TrialChild::follow(pid_t child, int pipe) {
-    constexpr int slice = 20;  // [ms] max delay until an end without a closed pipe is noticed
+    constexpr int slice = 20;  // [ms] interval between checks whether the child has ended with its pipe open
     Ended ended;
     bool is_open = true, has_ended = false;
     auto deadline = Clock::now() + limit_;
@@ -260,10 +260,10 @@ std::vector<Trial> try_in_child(const std::vector<std::string>& paths, const Try
     TrialChild all(paths, try_one, limit);
     std::vector<Trial> trials = all.run();
     if (all.has_finished() || trials.empty()) {
-        trials.resize(paths.size());  // no child could be started: the caller's own loading reports the fault
+        trials.resize(paths.size());  // without a child: no refusals here, and faults appear when the caller loads
         return trials;
     }
-    // The first plugin was alone in the child already.
+    // If the child ended at the first plugin, no other plugin had run before: that trial counts.
     trials.resize(trials.size() == 1 ? 1 : 0);
     while (trials.size() < paths.size()) {
         const std::vector<std::string> alone{paths[trials.size()]};

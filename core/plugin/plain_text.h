@@ -14,11 +14,12 @@ namespace kerf {
 /// of text.   [any] pure.
 [[nodiscard]] bool is_plain(std::string_view text) noexcept;
 
-/// Returns the text with each byte that is not UTF-8, or part of a control character, as an escape such as `\x1b`.
-/// [any]
+/// Returns the text with escapes such as `\x1b` for each byte that is not UTF-8 and each byte of a control character
+/// (see `is_plain`).   [any]
 [[nodiscard]] std::string plain(std::string_view text);
 
-/// Returns the escaped text between backticks, cut at 60 bytes with "…".   [any]
+/// Returns `plain(text)` between backticks. Of a text above 60 bytes it keeps the first 60, without cutting a
+/// character, and adds "…".   [any]
 [[nodiscard]] std::string quoted_plain(std::string_view text);
 
 }  // namespace kerf

@@ -39,7 +39,7 @@ public:
     CallScope& operator=(const CallScope&) = delete;
 };
 
-/// Ends the program within the call, so that the handler can name it.
+/// Ends the program while the call is still in progress, so that the handler can read it with `call_in_progress`.
 [[noreturn]] void end_by_exception() noexcept {
     const ThrowHandler handler = throw_handler.load();
     if (handler == nullptr) std::terminate();
@@ -54,7 +54,7 @@ public:
     std::terminate();
 }
 
-// An entry of a list that only grows, so that a signal handler may walk it at any time.
+// A node of a list from which nothing is removed, so that a signal handler may walk the list at any time.
 struct RegisteredPlugin {
     PluginName name;
     const kerf_entry* entry;

@@ -17,8 +17,8 @@ enum class PluginCall : std::uint32_t { none, shape, begin, resist, commit, reme
 /// Calls a tool's `shape`.   [main]
 [[nodiscard]] kerf_status call_shape(const kerf_component& tool, const double* parameters,
                                      kerf_tool_shape& out) noexcept;
-/// Calls a law's functions. The overhead is plain stores: no lock, allocation or system call. A plugin that throws ends
-/// the program: see `set_throw_handler`.   [haptic, nonblocking]
+/// Call a law's functions. They add only a few stores to memory: no lock, allocation or system call. An exception of
+/// the plugin ends the program: see `set_throw_handler`.   [haptic, nonblocking]
 void call_begin(const kerf_component& law, const kerf_tick_in& in, void* state) noexcept;
 [[nodiscard]] kerf_status call_resist(const kerf_component& law, const kerf_tick_in& in, const void* state,
                                       kerf_law& out) noexcept;
@@ -33,18 +33,18 @@ void call_begin(const kerf_component& law, const kerf_tick_in& in, void* state) 
 struct CallInProgress {
     PluginCall call = PluginCall::none;
     const kerf_component* component = nullptr;
-    std::uint64_t count = 0;  ///< number of all calls so far; equal numbers are the same call
+    std::uint64_t count = 0;  ///< number of all calls so far, this one included: it identifies the call
 };
 [[nodiscard]] CallInProgress call_in_progress() noexcept;  // [any] async-signal-safe
-/// Returns whether this thread makes the call.   [any] async-signal-safe
+/// Returns whether the calling thread is the one inside the plugin.   [any] async-signal-safe
 [[nodiscard]] bool is_calling_plugin() noexcept;
 
-/// Sets the handler of an exception that leaves a plugin. It gets the exception's text and must not return. Null:
-/// std::terminate().   [main]
+/// Sets the handler of an exception that leaves a plugin's function. The handler gets the exception's text, empty if it
+/// has none, and must not return. Null: std::terminate() is called.   [main]
 using ThrowHandler = void (*)(const char* words);
 void set_throw_handler(ThrowHandler handler) noexcept;
 
-/// The name of a loaded plugin in messages. It outlives the plugin, and has no pointer into the plugin's memory.
+/// The names of a loaded plugin and of its components, for messages. They stay valid after the plugin is unloaded.
 struct PluginName {
     std::string id, file, path;
     std::vector<std::string> components;
@@ -52,7 +52,7 @@ struct PluginName {
 void register_components(const kerf_entry& entry, const std::string& path);  // [main]
 void unregister_components(const kerf_entry* entry) noexcept;                // [main] before it is unloaded
 
-/// The plugin and the id of a component; null for a component of no loaded plugin.
+/// The plugin and the id of a component. `plugin` is null if no loaded plugin has the component.
 struct ComponentName {
     const PluginName* plugin = nullptr;
     const char* component = "";

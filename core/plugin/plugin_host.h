@@ -7,18 +7,19 @@
 
 namespace kerf {
 
-/// The host as one plugin gets it: its services, and the name under which its lines are printed.   [main]
+/// The host as one plugin gets it: the services that it offers, and the plugin's id, printed before each of the
+/// plugin's lines.   [main]
 class PluginHost {
 public:
-    static constexpr int max_lines = 100;         ///< max lines that a plugin may print
-    static constexpr std::size_t max_line = 500;  ///< [bytes]
+    static constexpr int max_lines = 100;         ///< maximum number of lines that a plugin may print
+    static constexpr std::size_t max_line = 500;  ///< [bytes] a longer line is cut off
 
     explicit PluginHost(std::string plugin_id);
     PluginHost(const PluginHost&) = delete;
     PluginHost& operator=(const PluginHost&) = delete;
 
-    /// Calls the `open` of a plugin's entry, if it has one. Returns the reason of a refusal; empty if it is not
-    /// refused.
+    /// Calls the `open` of a plugin's entry, if it has one. Returns the reason to refuse the plugin if `open` failed,
+    /// else an empty text.
     [[nodiscard]] std::string open(const kerf_entry& entry);
 
 private:

@@ -60,7 +60,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-/// Returns the power at the end of "mm3", "mm^3" or "mm³", and removes it from `factor`.
+/// Removes the power, 2 to 4, at the end of a factor such as "mm3", "mm^3" or "mm³" and returns it; 1 if there is none.
 int take_power(std::string_view& factor) {
     int power = 1;
     if (factor.size() < 2) return power;

@@ -24,15 +24,15 @@ struct UnitSymbol {
     kerf_dimension dimension;
 };
 
-/// Maximum number of factors. A unit with more is unknown: no unit needs more, and this bounds the search in long
-/// texts.
+/// Maximum number of factors of a unit. A text with more is no unit: none needs more, and this bounds the time to parse
+/// a long text.
 inline constexpr std::size_t max_unit_factors = 6;
 
 /// Returns all named units.   [any]
 [[nodiscard]] std::span<const UnitSymbol> unit_symbols() noexcept;
 
-/// Parses a unit: "mm", "g/cm3", "N/mm^2", "1/s", "N m"; revolutions count as 1, so "rpm" is a frequency. Returns
-/// nothing if it is unknown.   [any]
+/// Parses a unit such as "mm", "g/cm3", "N/mm^2", "1/s" or "N m". A revolution has no dimension, so "rpm" is a
+/// frequency. Returns no value if the unit is unknown.   [any]
 /// @param further  units in addition to `unit_symbols`
 [[nodiscard]] std::optional<Unit> parse_unit(std::string_view text, std::span<const UnitSymbol> further = {});
 

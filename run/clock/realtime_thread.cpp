@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/clock/realtime_thread.h"
 
+#include <malloc.h>
 #include <pthread.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <future>
 #include <thread>
 
 namespace kerf::run {
@@ -17,12 +22,43 @@ namespace {
 
 constexpr std::size_t touched_stack = 256 * 1024;  // [bytes]
 
-/// Writes each page of the stack that a tick may use, so that no tick takes a page fault there.
+/// Writes each page of a block, so that no tick takes a page fault there. A page that is locked and never written still
+/// costs its first writer time, on a virtual machine.
+void touch(volatile char* block, std::size_t size) noexcept {
+    for (std::size_t i = 0; i < size; i += 4096) block[i] = 0;
+}
+
 void touch_stack() noexcept {
     char pages[touched_stack];
-    volatile char* const written = pages;  // so that the compiler keeps the writes
-    for (std::size_t i = 0; i < touched_stack; i += 4096) written[i] = 0;
+    touch(pages, touched_stack);
 }
+
+/// Keeps written heap memory in the process while it lives, so that an allocation takes no page fault. All threads that
+/// begin meanwhile share it.
+class ReadyHeap {
+public:
+    ReadyHeap() {
+        mallopt(M_ARENA_MAX, 1);
+        mallopt(M_MMAP_MAX, 0);         // large blocks come from the heap
+        mallopt(M_TRIM_THRESHOLD, -1);  // and return to it
+        std::array<void*, 64> blocks{};
+        for (void*& block : blocks) {
+            block = std::malloc(block_size);
+            if (block != nullptr) touch(static_cast<char*>(block), block_size);
+        }
+        for (void* block : blocks) std::free(block);
+    }
+    ~ReadyHeap() {
+        mallopt(M_ARENA_MAX, 0);  // the defaults of the C library
+        mallopt(M_MMAP_MAX, 65536);
+        mallopt(M_TRIM_THRESHOLD, 128 * 1024);
+    }
+    ReadyHeap(const ReadyHeap&) = delete;
+    ReadyHeap& operator=(const ReadyHeap&) = delete;
+
+private:
+    static constexpr std::size_t block_size = 1 << 20;
+};
 
 void take_priority(RealtimeState& state) {
     if (const int error = take_fifo_priority(haptic_priority); error != 0)
@@ -52,9 +88,11 @@ int take_fifo_priority(int priority) noexcept {
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
 }
 
-RealtimeState run_in_real_time(const std::function<void()>& work) {
+RealtimeState run_in_real_time(const std::function<void()>& work, const std::function<void()>& meanwhile) {
     RealtimeState state;
     std::exception_ptr failure;
+    std::promise<void> done;
+    const ReadyHeap heap;
     std::thread thread([&] {
         take_priority(state);
         lock_memory(state);
@@ -64,7 +102,11 @@ RealtimeState run_in_real_time(const std::function<void()>& work) {
         } catch (...) {
             failure = std::current_exception();
         }
+        done.set_value();
     });
+    for (const std::future<void> end = done.get_future();
+         end.wait_for(std::chrono::milliseconds(250)) != std::future_status::ready;)
+        meanwhile();
     thread.join();
     if (state.is_locked) munlockall();
     if (failure) std::rethrow_exception(failure);

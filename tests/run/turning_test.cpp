@@ -179,16 +179,16 @@ TEST(Turning, RegrippingEndsAtTheSameAngle) {
     const double driver = turned_by(a.ticks, &session::TickRow::world_from_tool);
     EXPECT_NEAR(turned_by(b.ticks, &session::TickRow::world_from_tool), driver, max_torque(a.ticks) / wrist);
     EXPECT_NEAR(driver, 7.0 * 2.0 * pi - a.ticks.back().torque / wrist, 5e-3);
-    const auto release_fraction = ticks_of(b, session::hand_input_event, "regrip:1"),
+    const auto releases = ticks_of(b, session::hand_input_event, "regrip:1"),
                hold = ticks_of(b, session::hand_input_event, "regrip:0");
-    EXPECT_GE(release_fraction.size(), 13u);
-    ASSERT_EQ(release_fraction.size(), hold.size());
+    EXPECT_GE(releases.size(), 13u);
+    ASSERT_EQ(releases.size(), hold.size());
     for (const session::EventRow& event : b.events)
         EXPECT_FALSE(event.id == "hand.refused" && event.detail.starts_with("regrip"));
-    for (std::size_t i = 0; i < release_fraction.size(); ++i)
-        for (std::uint64_t tick = release_fraction[i]; tick < hold[i]; ++tick) {
+    for (std::size_t i = 0; i < releases.size(); ++i)
+        for (std::uint64_t tick = releases[i]; tick < hold[i]; ++tick) {
             ASSERT_LT(std::abs(session::sent_torque(b.ticks[tick])), 1e-4) << tick << ": the hand makes no torque";
-            ASSERT_NEAR(turned_by({b.ticks[release_fraction[i]], b.ticks[tick]}, &session::TickRow::world_from_tool),
+            ASSERT_NEAR(turned_by({b.ticks[releases[i]], b.ticks[tick]}, &session::TickRow::world_from_tool),
                         0.0, 1e-3)
                 << tick;
         }

@@ -13,9 +13,9 @@
 /// All bodies near a tool, queried as one bone. Plugins see bone through this view.
 namespace kerf {
 
-/// Answers queries of several bodies. For an edge point it returns the sample of the cuttable body with the largest
-/// engagement. For a contact point it returns the deepest body. The answer contains the body's number. With one body
-/// near, that body's answer is returned unchanged.
+/// Answers queries of several bodies. For each point, `sample` returns the sample of the cuttable body in which the
+/// point has the largest engagement. `nearest` returns the surface point of the body with the smallest signed distance,
+/// metal included. Each answer contains the body's id, −1 if no body is near. Points and answers are in the tool frame.
 class BodiesView {
 public:
     /// Pre: `threads` outlives this view.
@@ -23,8 +23,8 @@ public:
     BodiesView(const BodiesView&) = delete;
     BodiesView& operator=(const BodiesView&) = delete;
 
-    /// Sets the tool pose for the queries until the next call. Selects the bodies near the tool, without the held ones.
-    /// [haptic, nonblocking]
+    /// Sets the tool pose for the queries until the next call. Selects the bodies near the tool that are not held, and
+    /// sets `is_near` of all bodies.   [haptic, nonblocking]
     void place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool,
                const HeldBody& held) noexcept;
     [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
@@ -36,7 +36,7 @@ public:
     }
     void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
     std::uint32_t threads(kerf_thread* out, std::uint32_t capacity) const noexcept;
-    /// Returns the tool's poses in the near bodies that can be cut.
+    /// Returns the poses of the tool in the near bodies that can be cut.
     [[nodiscard]] std::span<const ToolInBody> tool_poses() const noexcept {
         return {tool_poses_.data(), cuttable_count_};
     }

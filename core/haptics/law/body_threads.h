@@ -27,14 +27,15 @@ public:
     /// Copies the used entries only: a loop copies its threads to its scene in each tick.
     BodyThreads& operator=(const BodyThreads& other) noexcept;
 
-    /// Writes the threads of the bodies near a tool, in the tool frame, at most `capacity`. Returns how many there are
-    /// in all. [haptic, nonblocking]
+    /// Writes the threads of the bodies in `near`, in the tool frame, at most `capacity` of them. Returns the number of
+    /// all threads of these bodies, which may be larger.   [haptic, nonblocking]
     std::uint32_t write(std::span<const ToolInBody> near, kerf_thread* out, std::uint32_t capacity) const noexcept;
     /// Stores a thread that a law has cut or changed, given in the tool frame. Returns false, and stores nothing, if it
-    /// is unsound, its body is not near, or the table is full.   [haptic, nonblocking]
+    /// is unsound or its body is not in `near`. Also if it is new and the table is full, or if no thread has its
+    /// number. [haptic, nonblocking]
     [[nodiscard]] bool leave(const kerf_thread& thread, std::span<const ToolInBody> near) noexcept;
-    /// Copies the threads of body `from` to body `to`, which was separated from it, until the table is full.
-    /// [haptic, nonblocking]
+    /// Copies the threads of body `from` to body `to`, which was separated from it, until the table is full. The copies
+    /// do not count in `volume`.   [haptic, nonblocking]
     void inherit(std::uint16_t from, std::uint16_t to) noexcept;
 
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
@@ -46,8 +47,8 @@ public:
 
 private:
     struct StoredThread {
-        kerf_thread thread{};       ///< `tool_from_thread` is `body_from_thread` here
-        bool is_passed_on = false;  ///< true: the volume of its groove is counted in another body
+        kerf_thread thread{};       ///< its member `tool_from_thread` stores body_from_thread here
+        bool is_passed_on = false;  ///< a copy: the volume of its groove is counted with the original
     };
     std::array<StoredThread, KERF_MAX_THREADS> kept_{};  ///< the first `count_` are in use
     std::size_t count_ = 0;

@@ -27,7 +27,8 @@ namespace kerf {
 #endif
 }
 
-/// Measures the duration of one count, from the counts and the time since its construction.
+/// Measures the duration of one count of `clock_count`: the time since the construction, divided by the counts since
+/// then.
 class ClockScale {
 public:
     ClockScale() noexcept : start_(clock_count()), start_time_(std::chrono::steady_clock::now()) {}
@@ -38,7 +39,8 @@ private:
     std::chrono::steady_clock::time_point start_time_;
 };
 
-/// Histogram of durations. A class is at most 1/16 of its duration wide, or one count.
+/// Histogram of the durations of calls, in counts of `clock_count`. A class is at most 1/16 of its duration wide, or
+/// one count.
 class CallTimes {
 public:
     /// [haptic, nonblocking]
@@ -49,13 +51,14 @@ public:
     }
     [[nodiscard]] std::uint64_t calls() const noexcept { return calls_; }
     [[nodiscard]] std::uint64_t longest() const noexcept { return longest_; }
-    /// Returns the number of calls longer than `counts`, without those in the same class.   [any]
+    /// Returns the number of calls in the classes above that of `counts`.   [any]
     [[nodiscard]] std::uint64_t longer_than(std::uint64_t counts) const noexcept;
-    /// Returns the upper end of the class below which `fraction` of the calls lie.   [any]
+    /// Returns a duration that at least `fraction` (0 … 1) of the calls do not exceed: the upper end of a class, or the
+    /// longest call if that is shorter [counts].   [any]
     [[nodiscard]] std::uint64_t within(double fraction) const noexcept;
 
 private:
-    static constexpr int parts = 16;  ///< classes of each power of two
+    static constexpr int parts = 16;  ///< number of classes from each power of two to the next
 
     [[nodiscard]] static std::size_t class_of(std::uint64_t counts) noexcept {
         if (counts < parts) return static_cast<std::size_t>(counts);
@@ -68,8 +71,9 @@ private:
     std::array<std::uint32_t, 62 * parts> classes_{};
 };
 
-/// Returns one line if more than 1 % of this law's `resist` calls took longer than the declared budget, else an empty
-/// text. Fewer overruns are normal, because the operating system can interrupt any call.   [main]
+/// Returns one line of text if more than 1 % of this law's `resist` calls took longer than the budget that it declares.
+/// Else, or if it declares none, returns an empty text. Fewer overruns are normal, because the operating system can
+/// interrupt any call.   [main]
 [[nodiscard]] std::string over_budget(const CallTimes& times, const kerf_component& law, const ClockScale& scale);
 
 }  // namespace kerf

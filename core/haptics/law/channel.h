@@ -14,14 +14,14 @@ struct ChannelForce {
     double slope = 0.0;   ///< [N·s/m] ≥ 0
 };
 
-/// Returns λ(s) of a channel as defined in kerf/abi.h, with the tick `dt` [s]. Non-decreasing in s.   [any] pure,
-/// nonblocking.
+/// Returns λ(s) and its slope for a step of `dt` [s], as defined in kerf/abi.h. `s` [m/s] is the rate along the
+/// channel's direction, dᵀu. λ never falls with s.   [any] pure, nonblocking.
 ///
 /// Source: docs/design/tick.md, "The solve".
 [[nodiscard]] ChannelForce channel_force(const kerf_channel& channel, double s, double dt) noexcept;
 
-/// The first field of a channel that the solve cannot use, and its expected range, both as literals. `field` is null
-/// for a sound channel.
+/// The first field of a channel with a value that the solve cannot use: its name, its expected range and its value.
+/// `field` is null for a sound channel. Both texts are literals.
 struct ChannelFault {
     const char* field = nullptr;
     const char* expected = "";
@@ -33,7 +33,7 @@ struct ChannelFault {
 /// [any] pure, nonblocking.
 [[nodiscard]] inline bool is_sound(const kerf_channel& channel) noexcept { return fault_of(channel).field == nullptr; }
 
-/// Ids of the host's own contact channels, in addition to the plugin's channels.
+/// Ids of the contact channels that the host adds to the plugin's channels.
 enum class OwnContact : std::uint32_t {
     held = 0xfffffe00u /* the first of its octants */,
     guide_front = 0xfffffffcu,
@@ -41,8 +41,8 @@ enum class OwnContact : std::uint32_t {
     metal = 0xfffffffeu,
     region = 0xffffffffu
 };
-/// Returns a contact channel of the host along `d` [–, m]. `depth` [m] is the penetration, negative while the parts are
-/// separated.   [any] pure, nonblocking.
+/// Returns a contact channel of the host along `d` [–, m] with `stiffness` [N/m]. `depth` [m] is the penetration;
+/// negative: minus the distance between the parts.   [any] pure, nonblocking.
 [[nodiscard]] kerf_channel contact_channel(OwnContact what, const Vec6& d, double stiffness, double depth) noexcept;
 
 [[nodiscard]] inline Vec6 direction(const kerf_channel& c) noexcept {

@@ -22,16 +22,16 @@ namespace kerf {
 struct EvaluatedLaw {
     std::array<kerf_channel, max_balance_channels> channel{};
     std::uint32_t count = 0;                            ///< number of channels in use
-    std::uint32_t law_count = 0;                        ///< number of them from the plugin's law; they come first
+    std::uint32_t law_count = 0;                        ///< number of these from the plugin's law; they come first
     Vec6 wrench{};                                      ///< of the law, in addition to its channels, tool frame
-    std::array<unsigned char, KERF_NOTE_BYTES> note{};  ///< from the law, for its commit
+    std::array<unsigned char, KERF_NOTE_BYTES> note{};  ///< passed by the plugin's `resist` to its `commit`
     bool is_at_region_wall = false;
-    int metal_channel = -1;  ///< index of the channel of a body that cannot be cut; −1: none is near
+    int metal_channel = -1;  ///< index of the channel of a body that cannot be cut; −1: none within 0.3 mm
 
     [[nodiscard]] std::span<const kerf_channel> channels() const noexcept { return {channel.data(), count}; }
 };
 
-/// Bodies and walls around the tool.
+/// The tool's pose and outline, and the bodies and walls around it.
 struct Surroundings {
     const BodiesView& view;
     std::span<const std::unique_ptr<LiveBody>> bodies;
@@ -41,9 +41,9 @@ struct Surroundings {
     const Pose& world_from_tool;
 };
 
-/// Evaluates the law at the tool's pose and adds the walls of region, metal, sleeve and held body. Returns the law's
-/// fault, or `What::none` if it is sound. With a fault, `result` has no channels. Adds the duration of the plugin's
-/// call to `times`. [haptic, nonblocking]
+/// Evaluates the law at the tool's pose and adds the contact channels of region, metal, sleeve and held body. Returns
+/// the law's fault, or `What::none` if it is sound. With a fault, `result` has no channels. Adds the duration of the
+/// plugin's call to `times`.   [haptic, nonblocking]
 [[nodiscard]] LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, const void* state,
                                     const Surroundings& around, CallTimes& times, EvaluatedLaw& result) noexcept;
 

@@ -42,7 +42,7 @@ std::size_t guide_wall(const Guide& guide, const ToolSolid& tool, const Pose& to
                        kerf_channel* channels) noexcept {
     const Vec3 mouth = tool_from_body * guide.mouth, along = rotate(tool_from_body.rotation, guide.along);
     if (along.z < 0.5) return 0;  // excludes a tool at more than 60° to the bore
-    // To first order, the tool's axis (z) and the bore's axis are closest where the bore's axis has the same z.
+    // To first order, a point of the tool's axis is nearest to the point of the bore's axis with the same z.
     const auto point_behind_mouth = [&](double behind_mouth) { return mouth - behind_mouth * along; };
     const double front = std::min(mouth.z, first_full_width(tool)), rear = point_behind_mouth(guide.length).z;
     if (front <= rear) return 0;
@@ -54,12 +54,12 @@ std::size_t guide_wall(const Guide& guide, const ToolSolid& tool, const Pose& to
     constexpr std::array ids{OwnContact::guide_front, OwnContact::guide_rear};
     const std::array ends{front, rear};
     for (std::size_t i = 0; i < ends.size(); ++i) {
-        if (ends[i] < tool.end_z()) continue;  // behind the tool's rear end
+        if (ends[i] < tool.end_z()) continue;  // behind the rear end of the tool
         const Vec3 bore = bore_at(ends[i]);
         const double apart = std::hypot(bore.x, bore.y);
         const double depth = apart + radius_at(tool, ends[i]) - guide.bore_radius;
         if (depth < -near_contact || apart < 1e-9) continue;
-        const Vec3 into{-bore.x / apart, -bore.y / apart, 0.0};  // towards the tool's axis
+        const Vec3 into{-bore.x / apart, -bore.y / apart, 0.0};  // from the bore's axis to the tool's
         channels[count++] = contact_channel(ids[i], rate_at({0, 0, ends[i]}, into), stiffness, depth);
     }
     return count;

@@ -12,16 +12,16 @@ namespace kerf {
 struct Guide {
     std::size_t body = 0;      ///< index of the body that it moves with
     Vec3 mouth{};              ///< [m] centre of the end next to the bone, body frame
-    Vec3 along{};              ///< unit, towards the bone
-    double length = 0.0;       ///< [m] from the mouth backwards
+    Vec3 along{};              ///< unit vector along the bore, towards the bone, body frame
+    double length = 0.0;       ///< [m] of the bore, from the mouth backwards
     double bore_radius = 0.0;  ///< [m]
 };
 
 /// Writes the host's contact channels between a bore and a shaft, at most 2, and returns their number. One is at the
-/// rear end. The other is at the mouth, or at the front of the tool while that is still inside the bore. Each pushes
-/// the tool's axis back towards the bore's axis once the play is used up. Writes none for a tool outside the bore. The
-/// bore is smooth: it causes no friction and no axial stop.   [haptic, nonblocking]
-/// @param tool_from_body   takes body coordinates, in which the sleeve is given, to the tool frame
+/// rear end of the bore. The other is at the mouth, or at the foremost full width of the tool while that is inside the
+/// bore. Each pushes the tool's axis back towards the bore's axis once the play is used up. Writes none for a tool
+/// outside the bore, or at more than 60° to it. The bore is smooth: no friction, no axial stop.   [haptic, nonblocking]
+/// @param tool_from_body  takes a point from the frame of the sleeve's body to the tool frame
 [[nodiscard]] std::size_t guide_wall(const Guide& guide, const ToolSolid& tool, const Pose& tool_from_body,
                                      kerf_channel* channels) noexcept;
 

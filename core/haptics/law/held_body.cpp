@@ -16,7 +16,8 @@ namespace {
 
 constexpr double stiffness = 2e5;        // [N/m] bone on bone, per octant [assumed]
 constexpr double near_contact = 0.3e-3;  // [m] no channel beyond this distance
-constexpr double nearly = 20e-6;         // [m] points within this, or half the depth, of the deepest enter its channel
+constexpr double nearly = 20e-6;         // [m] a point enters a channel if less deep than the deepest point by at most
+                                         // this, or by half of the greatest depth if that is more
 
 std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
     std::array<Vec3, 8> corners;
@@ -25,8 +26,7 @@ std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
     return corners;
 }
 
-/// Returns whether the box around `corners` comes within `margin` of a body's box. May return true for a box that does
-/// not.
+/// Returns whether the box with these corners comes within `margin` [m] of the body's bounding box. Errs towards true.
 bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, const Pose& other_from_corners,
                     double margin) noexcept {
     Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
@@ -38,7 +38,8 @@ bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, c
     return other.is_near_box(low, high, margin);
 }
 
-/// Returns the first vertex in each cube of a lattice. Widens the lattice until there are at most `maximum` cubes.
+/// Returns one vertex, the first, of each cube with vertices in a lattice of cubes `apart` [m] wide. Widens the cubes
+/// until at most `maximum` have vertices.
 std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t maximum, double apart) {
     for (;; apart *= 1.25) {
         std::map<std::tuple<int, int, int>, Vec3> cubes;
@@ -141,8 +142,8 @@ std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, ke
             if (query_results_[i].body >= 0 && query_results_[i].normal != Vec3{})
                 t.deepest = std::max(t.deepest, -query_results_[i].distance);
         }
-        // The channel averages all points nearly as deep as the deepest. With a single point, the choice between two
-        // equally deep points would chatter.
+        // The channel averages all points nearly as deep as the deepest. With the deepest alone, the force would jump
+        // between two equally deep points.
         for (std::size_t i = 0; i < queried; ++i) {
             const kerf_surface_point& answer = query_results_[i];
             Touch& t = touch[query_octants_[i]];

@@ -8,7 +8,7 @@
 namespace kerf {
 
 bool metal_wall(const LiveBody& body, const ToolOutline& tool, kerf_channel& channel) noexcept {
-    constexpr double near_contact = 0.3e-3;  // [m] no channel beyond this distance
+    constexpr double near_contact = 0.3e-3;  // [m] no channel from this distance on
     const auto all = [](const std::array<Vec3, 8>&) { return true; };
     const auto entered = [](Vec3, const kerf_surface_point& metal) {
         return metal.body < 0 ? Penetration{} : Penetration{-metal.distance, -metal.normal};

@@ -8,7 +8,8 @@ namespace kerf {
 
 /// Sets one contact channel of the host that keeps a tool out of a body that cannot be cut. The channel is at the
 /// deepest point of the cutting outline, or of an implant's part that stays in bone. Returns false and leaves `channel`
-/// unchanged if the tool is not near. Pre: the body's view is placed at the tool. [haptic, nonblocking]
+/// unchanged if that point is 0.3 mm or more away from the body. Pre: the body's view is placed at the tool.
+/// [haptic, nonblocking]
 [[nodiscard]] bool metal_wall(const LiveBody& body, const ToolOutline& tool, kerf_channel& channel) noexcept;
 
 }  // namespace kerf

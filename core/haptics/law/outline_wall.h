@@ -20,15 +20,14 @@ struct Penetration {
     Vec3 into{};         ///< unit, into the obstacle; zero: no obstacle there
 };
 
-/// Sets one channel at the point of a cutting outline that is deepest in an obstacle. Returns false and leaves
-/// `channel` unchanged if no point is deeper than `minimum`.
-/// @param view     placed at the tool
-/// @param apart    [m] distance between rings of the outline
-/// @param least    [m] smallest depth; a negative value includes near points
-/// @param concerns (ring) -> bool, false if no point of the ring can be deeper: then it is not sampled
-/// @param entered  (point, kerf_surface_point) -> Entered, tool frame
-/// @param is_seat  true: contact with a face across the axis puts the channel on the axis
-/// [haptic, nonblocking]
+/// Sets one contact channel at the point of a cutting outline that is deepest in an obstacle. Returns false and leaves
+/// `channel` unchanged if no point is deeper than `minimum`.   [haptic, nonblocking]
+/// @param view        view of the body, placed at the tool
+/// @param apart       [m] maximum distance between two rings of points on the outline
+/// @param minimum     [m] a negative value includes points at that distance outside the obstacle
+/// @param concerns    (ring) -> bool, false if no point of the ring can be in the obstacle: then it is not sampled
+/// @param entered     (point, kerf_surface_point) -> Penetration of the point, tool frame
+/// @param is_seating  true: contact with a face across the axis puts the channel on the axis
 template <typename Concerns, typename Enters>
 [[nodiscard]] bool outline_wall(OwnContact id, const ToolSolid& cutting, const BodyQuery& view, double apart,
                                 double minimum, const Concerns& concerns, const Enters& entered, kerf_channel& channel,

@@ -20,8 +20,8 @@ bool region_wall(const Body& body, const BodyQuery& view, const ToolSolid& cutti
     const auto leaves = [&](const std::array<Vec3, 8>& ring) {
         return std::any_of(ring.begin(), ring.end(), [&](Vec3 p) { return beyond(p) > 0.0; });
     };
-    // The wall pushes along the shorter of two directions out of that bone: back over the region's face, or to the
-    // bone's own surface beyond it.
+    // The wall pushes along the shorter of two paths out of that bone: back into the region, or to the bone's own
+    // surface outside the region.
     const auto entered = [&](Vec3 point, const kerf_surface_point& bone) -> Penetration {
         const double over = beyond(point), below = -bone.distance;
         if (over <= 0.0 || below <= 0.0) return {};

@@ -6,9 +6,9 @@
 
 namespace kerf {
 
-/// Sets one contact channel of the host that keeps a tool out of bone beyond the body's region, which cannot be cut.
-/// The channel is at the point of the cutting outline that is deepest in that bone. Returns false and leaves `channel`
-/// unchanged if the outline does not enter it. [haptic, nonblocking]
+/// Sets one contact channel of the host that keeps a tool out of the bone outside the body's region, which cannot be
+/// cut. The channel is at the point of the cutting outline that is deepest in that bone. Returns false and leaves
+/// `channel` unchanged if the outline does not enter that bone.   [haptic, nonblocking]
 [[nodiscard]] bool region_wall(const Body& body, const BodyQuery& view, const ToolSolid& cutting,
                                const Pose& body_from_tool, kerf_channel& channel) noexcept;
 

@@ -45,7 +45,7 @@ Vec6 stepped(const Vec6& u, double t, const Vec6& p) noexcept {
     return out;
 }
 
-/// Returns the velocity of the centre from the rate of the tip.
+/// Returns the velocity of the centre [m/s] at the rate `u` of the tool, about the tip.
 Vec3 centre_velocity(const Balance& b, const Vec6& u) noexcept { return linear(u) + cross(angular(u), b.centre); }
 /// Returns the wrench about the tip of a force and a torque at the centre.
 Vec6 at_tip(const Balance& b, Vec3 force, Vec3 torque) noexcept {
@@ -54,15 +54,16 @@ Vec6 at_tip(const Balance& b, Vec3 force, Vec3 torque) noexcept {
 
 using Mat3 = std::array<std::array<double, 3>, 3>;
 
-/// Returns the fraction of a block's drag that the Hessian keeps along a saturated part. Almost none is right near the
-/// solution. If nothing else resists that part, such steps are too long and wander about the kinks of the channels.
-/// Later iterations therefore also try larger fractions.
+/// Returns the fraction of a block's drag that the Hessian keeps in a direction in which the block is at its limit.
+/// Near the solution the exact fraction, nearly 0, is best. If nothing else resists that direction, such steps are too
+/// long and jump to and fro across the kinks of the channels. Later iterations therefore also try larger fractions.
 double saturated_drag_fraction(int iteration) noexcept {
     constexpr double usual = 1e-3, other[] = {1e-3, 0.1, 1.0};
     return iteration <= 12 ? usual : other[iteration % 3];
 }
 
-/// Returns −∂f/∂(rate) of a block: its drag, reduced along y once a limit is reached.
+/// Returns −∂f/∂(velocity) of a block whose force before clamping is `y`: its drag, reduced in the direction of a part
+/// of `y` that is above its limit.
 Mat3 stiffness(const CouplingBlock& block, Vec3 y, double kept_when_saturated) noexcept {
     Mat3 d{};
     d[2][2] = (std::abs(y.z) > block.limit.along ? kept_when_saturated : 1.0) * block.drag.along;
@@ -79,7 +80,7 @@ Mat3 stiffness(const CouplingBlock& block, Vec3 y, double kept_when_saturated) n
     return d;
 }
 
-/// Adds Jᵀ diag(f, t) J, with the lever of the centre, about the tip.
+/// Adds Jᵀ diag(f, t) J to the Hessian `h`, which is about the tip. `f` and `t` are the blocks' drags at the centre.
 void add_coupling(const Balance& b, const Mat3& f, const Mat3& t, Mat6& h) noexcept {
     // centre velocity = v + ω × r = v − [r]ω
     const double r[3][3] = {{0, -b.centre.z, b.centre.y}, {b.centre.z, 0, -b.centre.x}, {-b.centre.y, b.centre.x, 0}};
@@ -98,7 +99,7 @@ void add_coupling(const Balance& b, const Mat3& f, const Mat3& t, Mat6& h) noexc
         }
 }
 
-/// Adds M/T, with the tool's mass matrix M about the tip.
+/// Adds M/T to the Hessian `h`, with the tool's mass matrix M about the tip.
 void add_inertia(const Balance& b, Mat6& h) noexcept {
     const double m = b.inertia.mass / b.dt, c = b.inertia.centre_z, k = b.inertia.gyration;
     for (const std::size_t i : {0u, 1u}) {
@@ -111,10 +112,10 @@ void add_inertia(const Balance& b, Mat6& h) noexcept {
     h[3][1] -= m * c;
 }
 
-/// All forces at one rate: −gradient (the force out of balance) and the terms of the Hessian.
+/// All forces at one rate: their sum, which is −gradient, and the terms of the Hessian.
 struct Evaluation {
-    Vec6 out_of_balance;
-    Vec3 force_pull, torque_pull;
+    Vec6 out_of_balance;                                     ///< sum of all forces about the tip; zero at the solution
+    Vec3 force_pull, torque_pull;                            ///< of the coupling, before clamping
     std::array<ChannelForce, max_balance_channels> channel;  ///< one for each channel of the balance
 };
 
@@ -165,13 +166,13 @@ Mat6 hessian(const Balance& b, const Vec6& u, const Evaluation& at, double kept_
     return h;
 }
 
-/// Result of the line search: the fraction of `step` at which the slope along it is zero. `is_last` means that the last
-/// evaluation was at that fraction.
+/// Result of the line search: the multiple of `step` at which the slope along it is nearly zero. `is_last`: the last
+/// evaluation was at that multiple.
 struct LineSearchResult {
     double fraction;
     bool is_last;
 };
-// The slope falls monotonically: find a bracket, then narrow it.
+// The slope (force out of balance · step) falls monotonically: find a bracket of its zero, then narrow it.
 LineSearchResult exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, double slope_at_start,
                                    Evaluation& last) noexcept {
     const auto slope = [&](double t) {
@@ -206,7 +207,7 @@ LineSearchResult exact_line_search(const Balance& b, const Vec6& u, const Vec6& 
             if (kept_side == -1) low_slope *= 0.5;
             kept_side = -1;
         }
-        if (i % 8 == 7) {  // a kink can stall it: bisect
+        if (i % 8 == 7) {  // a kink can stall regula falsi: bisect
             t = 0.5 * (low + high);
             const double half = slope(t);
             if (half > 0.0) {
@@ -222,7 +223,7 @@ LineSearchResult exact_line_search(const Balance& b, const Vec6& u, const Vec6& 
     return {low > 0.0 ? low : 0.5 * (low + high), false};
 }
 
-/// Stores the forces of all parts at this rate.
+/// Stores the rate, and the forces of coupling, release damper and channels at this rate.
 void store_forces(const Balance& b, const Vec6& rate, const Evaluation& at, Motion& motion) noexcept {
     motion.rate = rate;
     motion.force = clamped(at.force_pull, b.force.limit);
@@ -242,7 +243,8 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
     constexpr double rounding = 1e-6;
     Motion motion;
 
-    // The norm √(xᵀA⁻¹x) of the unsaturated problem makes newtons and newton metres comparable.
+    // The norm √(xᵀA⁻¹x) makes newtons and newton metres comparable. A is the Hessian of coupling and inertia without
+    // limits.
     Mat6 norm{};
     Mat3 force_drag{}, torque_drag{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -256,8 +258,8 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
         const Vec6 y = forward(norm, x);
         return std::sqrt(dot(y, y));
     };
-    // The residual is relative to the sum of the forces' sizes at rest. In contact at rest the forces themselves cancel
-    // to nearly zero.
+    // The residual is relative to the sum of the sizes of all forces at rate 0. Their vector sum is no scale: in
+    // contact at rest it is nearly zero.
     double scale = 1e-9 + size(at_tip(b, b.force.pull, b.torque.pull)) + size(b.following) +
                    size(scaled(1.0 / b.dt, momentum(b.inertia, b.previous_rate)));
     for (const auto& channel : b.channels) {

@@ -5,8 +5,8 @@
 
 namespace kerf {
 
-/// One value across the tool's shaft and one along it. For rotations: about lines across the shaft and about the shaft
-/// itself.
+/// One value for directions across the tool's shaft and one along it. For rotations: one about lines across the shaft
+/// and one about the shaft itself.
 struct Split {
     double across = 0.0, along = 0.0;
 
@@ -20,7 +20,7 @@ struct Split {
 [[nodiscard]] constexpr Split operator+(Split a, Split b) noexcept { return {a.across + b.across, a.along + b.along}; }
 [[nodiscard]] constexpr Split operator/(Split a, Split b) noexcept { return {a.across / b.across, a.along / b.along}; }
 
-/// Returns a tool-frame vector with its two parts scaled separately.
+/// Returns a tool-frame vector with its parts across and along the shaft multiplied by the two values.
 [[nodiscard]] constexpr Vec3 operator*(Split s, Vec3 v) noexcept {
     return {s.across * v.x, s.across * v.y, s.along * v.z};
 }
@@ -29,8 +29,9 @@ struct Split {
     const double size = length(v);
     return size > limit ? (limit / size) * v : v;
 }
-/// Returns `v`, tool frame, with its parts across and along the shaft clamped separately. With a damper that differs by
-/// part, the result is still the gradient of a function. Clamped as one vector it would not be.   [any] pure.
+/// Returns `v`, tool frame, with its parts across and along the shaft clamped separately. So the clamped force of a
+/// damper that differs across and along is still the gradient of a function. Clamped by its length it would not be.
+/// [any] pure.
 [[nodiscard]] inline Vec3 clamped(Vec3 v, Split limit) noexcept {
     const Vec3 across = clamped(Vec3{v.x, v.y, 0.0}, limit.across);
     return {across.x, across.y, v.z > limit.along ? limit.along : v.z < -limit.along ? -limit.along : v.z};

@@ -89,7 +89,7 @@ kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, dou
 
 namespace {
 
-/// Returns the plugin's own reason, with control characters replaced.
+/// Returns the plugin's own reason for refusing the parameters, with spaces for control characters.
 std::string why_refused(const kerf_tool_shape& shape) {
     const char* end = std::find(std::begin(shape.refusal), std::end(shape.refusal), '\0');
     std::string words(shape.refusal, end);
@@ -110,8 +110,8 @@ std::string point(std::uint32_t i, const char* field, double value, const std::s
     return "point " + std::to_string(i) + ": `" + field + "` is " + in_mm(value) + ", expected " + expected + ".";
 }
 
-/// Returns the fault in the bending values, or an empty text. A force bends a shaft in its own direction, and only up
-/// to a limit.
+/// Returns the fault in the bending values, or an empty text. Deflection and slope at the tip are both 0, or both are
+/// positive and at most a limit.
 std::string fault_of_bending(const kerf_tool_shape& shape) {
     constexpr double softest = 0.1, steepest = 10.0;  // [m/N], [rad/N]
     const auto out_of = [](const char* field, double value, double maximum, const char* unit) {
@@ -128,7 +128,7 @@ std::string fault_of_bending(const kerf_tool_shape& shape) {
     return {};
 }
 
-/// Returns the fault in the bore, or an empty text. A bore must leave a wall all around.
+/// Returns the fault in the bore, or an empty text. A bore must be narrower than the cutting part at every point.
 std::string fault_of_bore(const kerf_tool_shape& shape) {
     if (shape.bore == 0.0) return {};
     if (shape.kind != KERF_SOLID_REVOLUTION)
@@ -144,8 +144,8 @@ std::string fault_of_bore(const kerf_tool_shape& shape) {
            ", the narrowest radius of what cuts. Make the tool wider or the bore narrower.";
 }
 
-/// Returns the fault in the gaps, or an empty text. Gaps lie within the cutting part, with a cutting part before,
-/// between and behind them.
+/// Returns the fault in the gaps, or an empty text. A gap lies within the cutting region, with a part that cuts before
+/// it and behind it.
 std::string fault_of_gaps(const kerf_tool_shape& shape) {
     if (shape.gap_count > KERF_MAX_GAPS)
         return "`gap_count` is " + std::to_string(shape.gap_count) + ", expected 0 … " + std::to_string(KERF_MAX_GAPS) +
@@ -166,8 +166,8 @@ std::string fault_of_gaps(const kerf_tool_shape& shape) {
     return {};
 }
 
-/// Returns the fault in the outline, or an empty text. The carver takes every outline that does not turn back along the
-/// axis, whatever its radius (tests/core/field/outline_sweep_test.cpp). So only this is checked.
+/// Returns the fault in the outline, or an empty text. Cutting works with any radii along an outline that does not turn
+/// back along the axis (tests/core/field/outline_sweep_test.cpp). So the radii need not be monotone.
 std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacity) {
     const auto count = [](const char* field, std::uint32_t is, std::uint32_t minimum, std::uint32_t maximum) {
         return std::string("`") + field + "` is " + std::to_string(is) + ", expected " + std::to_string(minimum) +
@@ -204,8 +204,8 @@ std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacit
     return fault_of_bending(shape);
 }
 
-/// Returns the fault in a prism, or an empty text. A prism's faces are planes, so its outline may bend towards the axis
-/// only.
+/// Returns the fault in a prism, or an empty text. A prism must be convex, so its outline may bend towards the axis
+/// only. Its thickness is at most its kerf.
 std::string fault_of_prism(const kerf_tool_shape& shape) {
     for (std::uint32_t i = 2; i < shape.profile_count; ++i) {
         const auto &a = shape.profile[i - 2], &b = shape.profile[i - 1], &c = shape.profile[i];
@@ -221,7 +221,8 @@ std::string fault_of_prism(const kerf_tool_shape& shape) {
     return {};
 }
 
-/// Returns the fault in the thread, or an empty text. A thread is on the part that enters the bone.
+/// Returns the fault in the thread or in the part that stays in bone, or an empty text. A thread is on the cutting
+/// part, and only a tool with a thread can stay.
 std::string fault_of_thread(const kerf_tool_shape& shape) {
     if (shape.thread_radius == 0.0)
         return shape.stay_count == 0 ? ""
@@ -285,7 +286,8 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     out.thread_lead = shape.thread_lead;
     out.thread_count = shape.thread_count;
     out.stay_count = shape.stay_count;
-    if (shape.cutting_count == 0) shape.cutting_count = 2;  // a tool that removes nothing: the tip is enough
+    if (shape.cutting_count == 0)
+        shape.cutting_count = 2;  // the cutting solid of a tool that removes nothing, never used
     out.inertia = {shape.mass, shape.centre_z, shape.gyration};
     const bool has_mass = shape.mass > 0.0 && shape.mass <= heaviest && std::abs(shape.centre_z) < 1.0 &&
                           shape.gyration > 0.0 && shape.gyration < 1.0;

@@ -14,10 +14,10 @@ namespace kerf {
 
 namespace {
 
-constexpr std::size_t max_missing = 8;  // records that an offer may lack
+constexpr std::size_t max_missing = 8;  // records that one field of an offer may lack
 static_assert(CutTracker::recent_capacity > max_missing);
 
-/// The records of a body from number `through` on: a field made before them lacks them.
+/// The bone-removing records of a body from sequence number `through` on. A field made before them lacks them.
 struct MissingRecords {
     std::array<const CutRecord*, max_missing> record{};
     std::size_t count = 0;
@@ -58,7 +58,7 @@ bool LoopBodies::take(Offer& offer, const ToolNow& tool) noexcept {
     return offer.is_history_change() ? take_turn(offer, tool) : take_change(offer, tool);
 }
 
-/// Takes over an undo or redo: all bodies of another time.
+/// Takes over an undo or redo: replaces all bodies by those of a step in the history. Returns as `take`.
 bool LoopBodies::take_turn(Offer& offer, const ToolNow& tool) noexcept {
     if (is_in_reach(tool, 0.0)) return false;
     close_stretches(tool.tick);
@@ -70,12 +70,12 @@ bool LoopBodies::take_turn(Offer& offer, const ToolNow& tool) noexcept {
     }
     exchange_bodies(offer);
     if (offer.body_states.knows_threads) threads_ = offer.body_states.threads;
-    held_.release_fraction();
+    held_.release();
     update_view(tool);
     return true;
 }
 
-/// Takes over any other change: bodies that continue, and new ones.
+/// Takes over any other change: replaces bodies that continue, and adds new ones. Returns as `take`.
 bool LoopBodies::take_change(Offer& offer, const ToolNow& tool) noexcept {
     if (!stamp_missing(offer, tool.tools)) return false;
     continue_bodies(offer);
@@ -98,7 +98,8 @@ bool LoopBodies::take_change(Offer& offer, const ToolNow& tool) noexcept {
     return true;
 }
 
-/// Stamps the last few records, which the trackers still have. Returns false and stamps nothing if there are too many.
+/// Stamps on each offered field the records that it lacks, read from the trackers. Returns false and stamps nothing if
+/// a field lacks more than `max_missing`.
 bool LoopBodies::stamp_missing(const Offer& offer, const LoopTools& tools) noexcept {
     const auto for_each = [&](const auto& use) {
         for (const Offer::NewBody& made : offer.made)
@@ -115,7 +116,7 @@ bool LoopBodies::stamp_missing(const Offer& offer, const LoopTools& tools) noexc
     });
 }
 
-/// Gives bodies that follow another one its pose and its open stretch.
+/// Gives each offered body the pose, presence, threads and open stretch of the body that it follows.
 void LoopBodies::continue_bodies(const Offer& offer) noexcept {
     for (const Offer::NewBody& made : offer.made) {
         if (made.body == nullptr || !made.follows) continue;
@@ -140,7 +141,7 @@ void LoopBodies::start_body(LiveBody& body, const BodyState& body_state, const T
     body.tracker.restart(body.body_from(tool.world_from_tool));
 }
 
-/// Moves replaced and removed bodies into the offer.
+/// Moves the offered bodies into the loop, and the replaced and removed ones into the offer.
 void LoopBodies::exchange_bodies(Offer& offer) noexcept {
     while (bodies_.size() < offer.body_states.count) bodies_.push_back(nullptr);
     const bool has_fewer = offer.is_history_change() && offer.body_states.count < bodies_.size();
@@ -175,13 +176,13 @@ void LoopBodies::place(std::size_t body, const Pose& world_from_body, const Tool
 
 void LoopBodies::show(std::size_t body, bool is_present, const ToolNow& tool) noexcept {
     bodies_[body]->is_present = is_present;
-    if (held_.contains(body) && !is_present) held_.release_fraction();
+    if (held_.contains(body) && !is_present) held_.release();
     update_view(tool);
 }
 
 void LoopBodies::remove_held(const ToolNow& tool) noexcept {
     for (const auto& body : bodies_) body->is_present = body->is_present && !held_.contains(body->id);
-    held_.release_fraction();
+    held_.release();
     update_view(tool);
 }
 

@@ -10,14 +10,14 @@
 namespace kerf {
 
 namespace {
-constexpr double release_from = 5e-3;  // [m/s] the release damper acts above the hand's speed plus this
-constexpr double release_time = 0.15;  // [s] of the release damper: B_x / K_c
-/// [–] Maximum B_x T/m. A damper rendered one tick late shakes a mass m from 0.8 m/T on, and the filtered hand rate is
-/// later still (`kerf stability`).
+constexpr double release_from = 5e-3;  // [m/s] the release damper acts where the tool is faster than the hand by this
+constexpr double release_time = 0.15;  // [s] maximum B_x / K_c of the release damper
+/// [–] Maximum B_x T/m. With a damper rendered one tick late, a mass m oscillates from B_x = 0.8 m/T on. The filtered
+/// hand rate adds more delay (`kerf stability`).
 constexpr double sampled_damper = 0.22;
 constexpr double nominal_period = 1e-3;  // [s]
 constexpr double loose = 0.01;  // [–] fraction of the damping about the shaft that loose fingers keep [assumed]
-/// Maximum change of force by one encoder count. A larger one is heard and felt while the hand is still (S-06).
+/// Maximum change of force by one encoder count. A larger change is heard and felt while the hand is still (S-06).
 constexpr double max_count_force = 0.08;  // [N]
 }  // namespace
 
@@ -28,7 +28,7 @@ CouplingGains gains_for(const DeviceRecord& device, double force_scale, int late
     gains.damping = std::clamp(nominal_period * (max_count_force / device.resolution - gains.stiffness), 0.0,
                                0.5 * device.largest_damping);
     gains.force_limit = device.peak_force;
-    // Without actuated torque the rotation follows through a slip coupling with a negligible limit.
+    // Without actuated torque the limit is negligible: the tool in a clamp turns with the handle.
     gains.has_torque = device.peak_torque > 0.0;
     gains.torque_limit = gains.has_torque ? device.peak_torque : 0.01;
     if (const TorqueAxis& axis = device.axis; axis.peak_torque > 0.0) {
@@ -52,8 +52,8 @@ namespace {
 
 constexpr double handpiece_mass = 0.5, handpiece_gyration = 50e-3;  // [kg], [m] about its centre [assumed]
 
-/// Returns the damping of a handpiece's inertia on a spring, in series with the device's damping `of_device`. 0 if that
-/// is 0.
+/// Returns the damping coefficient at which `inertia` [kg or kg·m²] on a spring of `stiffness` has the hand's damping
+/// ratio. It is put in series with the device's damping `of_device`; returns 0 if that is 0.
 double damped(const HandCompliance& held, double stiffness, double inertia, double of_device) noexcept {
     const double own = 2.0 * held.damping_ratio * std::sqrt(stiffness * inertia);
     return own / (1.0 + own / of_device);
@@ -81,7 +81,7 @@ Spring combined_spring(const CouplingGains& gains, const std::optional<HandCompl
                   .turn_damping = (b / k) * Split(across.turn, about)};
     if (held) {
         constexpr double turning = handpiece_mass * handpiece_gyration * handpiece_gyration;
-        spring.damping = {damped(*held, across.shift, handpiece_mass, b), b};  // along the shaft, hands stiffen
+        spring.damping = {damped(*held, across.shift, handpiece_mass, b), b};  // along: of the device alone
         const double maximum = gains.has_torque ? arm2 * b : HUGE_VAL;
         const double max_about = shaft.is_driven() ? shaft.damping / gains.force_scale : maximum;
         spring.turn_damping = {damped(*held, across.turn, turning, maximum), damped(*held, about, turning, max_about)};
@@ -116,7 +116,7 @@ void Coupling::hold(const Pose& world_from_handle, const Vec6& hand_rate, const 
     if (pull == 0.0) return;
     out.release_along = {0, 0, pull > 0.0 ? 1.0 : -1.0};
     out.release_damping = gains_.release_damping / gains_.force_scale;
-    // The threshold is never below zero: a hand that moves away from a wall is not released by it.
+    // If the hand moves against the spring's pull, the tool is compared with rest instead of with the hand.
     out.release_from = std::max(0.0, dot(out.hand_velocity, out.release_along)) + release_from;
 }
 
@@ -131,13 +131,13 @@ void Coupling::slide(const Pose& world_from_handle, const Pose& tool) noexcept {
         rotation_slip_ = normalized(rotation_slip_ * conjugate(turn_after) * quat_from_rotation_vector(kept));
 }
 
-void Coupling::release_fraction(const Pose& world_from_handle, const Pose& tool) noexcept {
+void Coupling::relax(const Pose& world_from_handle, const Pose& tool) noexcept {
     slip_ = world_from_handle * centre() - tool * centre();
     rotation_slip_ = normalized(conjugate(world_from_handle.rotation) * tool.rotation);
 }
 
 bool Coupling::straighten(double fraction) noexcept {
-    constexpr double straight = 1e-6;  // [m], [–]
+    constexpr double straight = 1e-6;  // [m], [–] a smaller slip is set to zero
     const Pose left = between({slip_, rotation_slip_}, identity_pose(), fraction);
     slip_ = left.position;
     rotation_slip_ = left.rotation;
@@ -159,8 +159,8 @@ double Coupling::stored(const Pose& world_from_handle, const Pose& tool) const n
             clamped(small_rotation_vector(twist(world_from_handle, tool)), maximum / spring_.turn_stiffness);
         energy += 0.5 * dot(turn, spring_.turn_stiffness * turn);
     } else if (gains_.shaft.is_driven() && !is_loose_) {
-        // The motor's torque grows with the turn up to its limit and is constant above: the energy is the area under
-        // it.
+        // The motor's torque grows with the angle up to its limit and is constant above. The energy is the area below
+        // that curve.
         const double stiffness = spring_.turn_stiffness.along, maximum = shaft_limit() / gains_.force_scale;
         const double turn =
             std::min(std::abs(small_rotation_vector(twist(world_from_handle, tool)).z), max_torque().along / stiffness);

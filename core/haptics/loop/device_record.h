@@ -27,10 +27,10 @@ struct DeviceRecord {
     /// ticks of a millisecond late [N/m]. Measured on our model of the device: `kerf stability`, S-02.
     double stiffest_wall[3];
     const char* source;
-    TorqueAxis axis{};  ///< of a device whose peak_torque is 0
+    TorqueAxis axis{};  ///< only for a device whose `peak_torque` is 0
 };
 
-/// Largest latency of a device's forces that is measured [ticks].
+/// Largest latency of a device's forces for which `stiffest_wall` has a value [ticks].
 inline constexpr int max_latency = 2;
 
 /// Returns the record of a known device, or nullptr for an unknown one.

@@ -8,7 +8,7 @@ namespace kerf {
 
 namespace {
 
-/// Returns the used fraction of the limits.
+/// Returns the larger of two ratios: the length of `v` across the shaft, and along it, to its limit.
 double used_fraction(Split limit, Vec3 v) noexcept {
     return std::max(length(Vec3{v.x, v.y, 0.0}) / limit.across, std::abs(v.z) / limit.along);
 }

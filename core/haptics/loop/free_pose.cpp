@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double farthest = 0.3;  // [m]
+constexpr double farthest = 0.3;  // [m] maximum retraction
 
 bool is_free(const Body& body, const ToolSolid& whole, const Pose& at) {
     const double h = body.grid().spacing;

@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double straightening = 0.3;  // [s] in which a hand straightens a new tool in air [assumed]
+constexpr double straightening = 0.3;  // [s] time constant with which a hand straightens a new tool in air [assumed]
 
 PassivityGuard::Port port_of_forces(const CouplingGains& gains) noexcept {
     return {gains.spare_damping, gains.stiffness * gains.resolution * gains.resolution, gains.resolution};
@@ -32,7 +32,7 @@ HandPort::HandPort(const CouplingGains& gains, const ToolGrip& handling, const P
 
 void HandPort::take_tool(const ToolGrip& handling, const Pose& world_from_tool) noexcept {
     coupling_ = Coupling(coupling_.gains(), handling);
-    release_fraction(world_from_tool);
+    relax(world_from_tool);
     is_tool_new_ = true;
     guard_.set_shaft_port(port_of_shaft(coupling_));
     guard_.restart();
@@ -103,13 +103,13 @@ void HandPort::gate(bool is_steady, const Pose& world_from_tool, double dt, Tick
     }
     if (was_closed && !result.is_closed_or_closing) {
         guard_.restart();
-        result.add_event("haptics.anchored_again");
+        result.add_event(TickResult::anchored_again);
     }
-    if (was_closed || result.is_closed_or_closing) release_fraction(world_from_tool);
+    if (was_closed || result.is_closed_or_closing) relax(world_from_tool);
 }
 
-/// Returns the torque that the device makes of one on the hand, device side, world frame. A motor about the shaft makes
-/// only the part about it, about the hand's own z.
+/// Returns the torque that the device makes for the torque `on_hand`, within its limit. Both are world frame, device
+/// side. A motor about the shaft makes only the component about the tool's z, and makes it about the handle's z.
 Vec3 HandPort::torque_for_device(Vec3 on_hand, const Pose& world_from_tool, double dt) noexcept {
     if (!coupling_.gains().shaft.is_driven()) return clamped(on_hand, coupling_.torque_limit());
     const double limit = coupling_.shaft_limit();

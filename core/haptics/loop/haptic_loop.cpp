@@ -10,9 +10,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double fastest = 1.0;     // [m/s] of a tool that bone resists
-constexpr double skidding = 10e-3;  // [m/s] of a tip across its shaft, faster than the hand, to be a skid [assumed]
-constexpr int skidding_parts = 4;   // its edges catch and let go within 3 ms
+constexpr double fastest = 1.0;     // [m/s] maximum speed of a tool that bone resists
+constexpr double skidding = 10e-3;  // [m/s] sideways velocity of the tip relative to the hand that is a skid [assumed]
+constexpr int skidding_parts = 4;   // of a tick in a skid: edges catch and let go within 3 ms
 
 bool is_resisted_by(const Motion& motion, std::uint32_t channels) noexcept {
     return std::any_of(motion.lambda.begin(), motion.lambda.begin() + channels,
@@ -54,7 +54,7 @@ void HapticLoop::start_tool() {
     tools_.begin(bodies_.view().query(), period_, tick_);
     if (const double back = bodies_.distance_out_of_bone(now()); back > 0.0) {
         world_from_tool_ = world_from_tool_ * Pose{{0, 0, -back}, {1, 0, 0, 0}};
-        hand_.release_fraction(world_from_tool_);
+        hand_.relax(world_from_tool_);
         reported_.is_drawn_back = true;
     }
     bodies_.restart_stretches(now());
@@ -183,7 +183,8 @@ int HapticLoop::choose_parts(const Step& step, double travel, bool is_fast, Tick
     return is_skidding(step) ? std::max(parts, skidding_parts) : parts;
 }
 
-/// Returns whether the tip slips sideways on bone by itself, faster than the hand moves.
+/// Returns whether the law resists and the tip's velocity across the shaft differs from the hand's by more than
+/// `skidding`.
 bool HapticLoop::is_skidding(const Step& step) const noexcept {
     if (!is_resisted_by(step.motion, tools_.law().law_count)) return false;
     const Balance& balance = step.balance;
@@ -192,7 +193,8 @@ bool HapticLoop::is_skidding(const Step& step) const noexcept {
     return slip.x * slip.x + slip.y * slip.y > skidding * skidding;
 }
 
-/// Slows a step down to half a voxel, and to `fastest` in bone.
+/// Scales a step's rate so that no point moves farther than half a voxel, nor faster than `fastest` if resisted.
+/// Recomputes the forces for that rate.
 void HapticLoop::limit_speed(Step& step) noexcept {
     const double limit =
         is_resisted_by(step.motion, tools_.law().count) ? std::min(half_voxel(), fastest * step.dt) : half_voxel();
@@ -216,7 +218,8 @@ void HapticLoop::report(const Step& step, double weight, TickResult& result) noe
     add_scaled(step.motion.rate, weight, result.rate);
 }
 
-/// Leaves the tool at its pose. A sound law is still committed, so that its time passes.
+/// Leaves the tool at its pose and sets the forces of the result to zero. A sound law is still committed, at rate zero,
+/// so that its time passes.
 void HapticLoop::rest(TickResult& result) noexcept {
     last_rate_ = {};
     following_.forget();
@@ -260,7 +263,7 @@ void HapticLoop::apply_action(const kerf_action& action, TickResult& result) noe
     if (action.kind == KERF_ACTION_CUT && action.value == KERF_CUT_THREAD) result.is_stripping = outline().has_thread();
     if (action.kind == KERF_ACTION_EVENT && action.value < law.event_count)
         result.add_event(law.events[action.value].id);
-    if (action.kind == KERF_ACTION_RELEASE) bodies_.held().release_fraction();
+    if (action.kind == KERF_ACTION_RELEASE) bodies_.held().release();
     if (action.kind == KERF_ACTION_HOLD && !bodies_.hold(action.value, world_from_tool_))
         result.add_event("haptics.bone_is_whole");
 }
@@ -270,7 +273,7 @@ void HapticLoop::add_contact_events(TickResult& result) noexcept {
     if (law.is_at_region_wall && !std::exchange(reported_.has_left_region, true))
         result.add_event("haptics.left_region");
     if (result.is_at_metal && !std::exchange(reported_.has_met_metal, true)) result.add_event("haptics.met_metal");
-    if (law.metal_channel < 0) reported_.has_met_metal = false;  // the tool is well away from metal
+    if (law.metal_channel < 0) reported_.has_met_metal = false;  // the tool is farther than 0.3 mm from metal
 }
 
 }  // namespace kerf

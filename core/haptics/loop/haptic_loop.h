@@ -22,13 +22,14 @@ namespace kerf {
 
 /// The haptic loop: one tool among bodies, from pose read to force out.
 ///
-/// It knows bone as of its last tick. A `BoneScene` keeps the rest, pieces and undo: it reads `closed` after each tick
-/// and offers changes. `Simulation` runs both in lock-step; `SurfaceWorker` runs the scene on another thread.
+/// The loop has no history and does not find separated pieces: a `BoneScene` does. After each tick the scene reads the
+/// records in `closed`, and it offers changes of bodies. `Simulation` runs both in lock-step; `SurfaceWorker` runs the
+/// scene on another thread.
 class HapticLoop {
 public:
     static constexpr double dt = 1e-3;  ///< [s] default period of a tick
-    /// Minimum number of ticks from the record that parted a body until the loop takes over its parts: the time that a
-    /// worker has to make them.
+    /// Minimum number of ticks from the record that separated a body until the loop takes over its parts. A worker has
+    /// this time to make them.
     static constexpr std::uint64_t adoption_delay = 20;
 
     /// Starts with uncut bone and the tool at `start`, which is also the hand's pose. A tool that starts in bone is
@@ -50,32 +51,34 @@ public:
     /// writes the command to the device.
     ///
     /// Where a point of the tool would move by more than half a voxel with bone in reach, the tick has up to 16 equal
-    /// parts, each with its own law and its fraction of the hand's motion. Beyond 16 parts, beyond 1 m/s in bone, or
-    /// while cut bone waits to be committed (event `haptics.held_back`), the tool lags behind the hand. An invalid
-    /// pose, a jump of the hand, three missed ticks or an unsound law close the force gate: the tool rests, the force
-    /// fades, and hand and tool continue from their poses.   [haptic, nonblocking]
+    /// parts, each with its own law and its fraction of the hand's motion. The tool lags behind the hand if 16 parts
+    /// are not enough, and beyond 1 m/s in bone. It also lags while too much cut bone waits to be committed (event
+    /// `haptics.held_back`). An invalid pose, a jump of the hand, three missed ticks, an unsound law or a failed solve
+    /// close the force gate: the tool rests and the force fades to zero. Afterwards the coupling starts without stretch
+    /// from the poses of hand and tool.   [haptic, nonblocking]
     TickResult tick(const DeviceSample& sample) noexcept;
-    /// Runs one tick of `coupling: direct`: the tool is rigid to the hand, and the law is evaluated at the hand's rate
-    /// without a solve. Shows where direct rendering fails, and prescribes a feed exactly in tests.
-    /// [haptic, nonblocking]
+    /// Runs one tick of `coupling: direct`: the tool is rigid to the hand, and the law is evaluated at the hand's rate,
+    /// without solve and force gate. It shows where direct rendering fails, and tests use it to prescribe an exact
+    /// feed. [haptic, nonblocking]
     TickResult tick_direct(const DeviceSample& sample) noexcept;
     [[nodiscard]] std::uint64_t ticks() const noexcept { return tick_; }
 
     // ---- the tool
 
-    /// Sets a drive from the next tick on, clamped to its range: a pedal, a trigger, a step of the procedure.
+    /// Sets a drive from the next tick on, clamped to its range. Called for a pedal, a trigger or a procedure's step.
     /// [haptic, nonblocking] between ticks
     void command_drive(std::size_t drive, double value) noexcept { tools_.command_drive(drive, value); }
-    /// Lets the tool turn about its shaft from the next tick on, or grips it again (false): a hand that regrips, a
-    /// clutch of a device. The tool's angle stays, and the hand turns without it. A tool that is taken up is held.
+    /// From the next tick on, lets the handle turn about the shaft without turning the tool, or grips the tool again
+    /// (false). Used for a hand that regrips and for a device's clutch. `take_tool` always grips.
     /// [haptic, nonblocking] between ticks
     void loosen_about_shaft(bool is_loose) noexcept { hand_.loosen_about_shaft(is_loose); }
-    /// Takes up a tool at the hand's pose, with its law as at the start, and moves it back along its axis if it lies in
-    /// bone there. Lets go of the held body. Pre: `close_stretches` was called and its records are applied.   [main]
-    /// between ticks
-    /// @param back  [m] by which it is moved back first: a driver that leaves its implant
+    /// Takes up a tool at the pose of the last one and starts its law anew. If it lies in bone there, moves it back
+    /// along its axis, with the event `haptics.started_in_bone`. Releases the held body. Pre: `close_stretches` was
+    /// called, and the scene has applied its records.   [main] between ticks
+    /// @param back  [m] distance by which the tool is moved back along its axis first, such as a driver that leaves its
+    ///              implant
     void take_tool(std::size_t tool, double back = 0.0);
-    /// Leads the tool by a sleeve from the next tick on, or by none.   [main] between ticks
+    /// Sets the sleeve that guides the tool from the next tick on; no value: none.   [main] between ticks
     void lead(const std::optional<Guide>& guide) noexcept { guide_ = guide; }
 
     [[nodiscard]] std::size_t tool() const noexcept { return tools_.in_hand(); }
@@ -101,13 +104,14 @@ public:
     [[nodiscard]] const BodiesView& bone() const noexcept { return bodies_.view(); }
     [[nodiscard]] const CutField& committed(std::size_t body = 0) const noexcept { return bodies_[body].committed; }
     [[nodiscard]] const CutTracker& tracker(std::size_t body = 0) const noexcept { return bodies_[body].tracker; }
-    /// Returns the threads that taps and screws have left in the bone.
+    /// Returns the threads that taps and screws have cut into the bone.
     [[nodiscard]] const BodyThreads& threads() const noexcept { return bodies_.threads(); }
-    /// Returns the held body; −1 for none.
+    /// Returns the index of the held body, or −1 if none is held.
     [[nodiscard]] int held() const noexcept {
         return bodies_.held().is_any() ? static_cast<int>(bodies_.held().body()) : -1;
     }
-    /// Returns whether tool and held body touch no bone, cut or uncut.   [haptic, nonblocking]
+    /// Returns whether the bounding box of the tool meets no brick that had bone before the first cut. The held body's
+    /// box must also meet no other body's. So a tool in its own cut is not clear.   [haptic, nonblocking]
     [[nodiscard]] bool is_clear_of_bone() const noexcept { return !bodies_.is_in_reach(now(), 0.0); }
     [[nodiscard]] BodyStates body_states() const noexcept { return bodies_.body_states(); }
 
@@ -115,25 +119,27 @@ public:
     void place_body(std::size_t body, const Pose& world_from_body) noexcept {
         bodies_.place(body, world_from_body, now());
     }
-    /// Takes a body out of the scene, or puts it back.   [haptic, nonblocking] between ticks
+    /// Puts a body into the scene, or takes it out (false).   [haptic, nonblocking] between ticks
     void show_body(std::size_t body, bool is_present) noexcept { bodies_.show(body, is_present, now()); }
     /// Takes the held body and all that is fused to it out of the scene.   [haptic, nonblocking] between ticks
     void remove_held() noexcept { bodies_.remove_held(now()); }
-    /// Takes over a change of bodies; the replaced ones come back in the offer. Returns false and changes no body if
-    /// the offer lacks more than eight records that remove bone. Returns false for an undo or redo if the tool touches
-    /// bone or has removed some since the offer was made. Another offer is needed then. An undo or redo closes open
-    /// stretches, a subtraction adds its records: see `closed`.   [haptic, nonblocking] between ticks
+    /// Takes over a change of bodies and moves the replaced bodies into the offer. Returns false and changes no body if
+    /// the offer is outdated; a new offer is needed then. An undo or redo is outdated if the tool is not
+    /// `is_clear_of_bone`, or has removed bone since. Any other change is outdated if one of its fields lacks more than
+    /// eight records that remove bone. An undo or redo first closes the open stretches, also if it then returns false.
+    /// `closed` gets those records, and a subtraction's.   [haptic, nonblocking] between ticks
     bool take(Offer& offer) noexcept { return bodies_.take(offer, now()); }
 
     // ---- its records
 
-    /// Returns the records of the last `tick` or `close_stretches`, and of changes taken over since.
+    /// Returns the records of the last `tick` or `close_stretches`, then those of changes taken over since.
     [[nodiscard]] std::span<const CutRecord> closed() const noexcept { return bodies_.closed(); }
-    /// Returns the number that no body has given to a record yet, nor any above it.
+    /// Returns the smallest sequence number that is above those of all records, over all bodies.
     [[nodiscard]] std::uint64_t next_sequence() const noexcept { return bodies_.next_sequence(); }
-    /// Allocates for coming cuts.   [main] between ticks
+    /// Allocates bricks for coming cuts, and finds the held body's contact points if it lacks them.
+    /// [main] between ticks
     void make_room() { bodies_.reserve(); }
-    /// Closes the open stretches; `closed` then returns their records.   [haptic, nonblocking] between ticks
+    /// Closes the open stretches; `closed` then returns their records alone.   [haptic, nonblocking] between ticks
     void close_stretches() noexcept {
         bodies_.clear_closed();
         bodies_.close_stretches(tick_);
@@ -141,19 +147,20 @@ public:
     /// Closes the open stretches; `closed` then returns the last tick's records and these.   [haptic, nonblocking]
     /// between ticks
     void close_more_stretches() noexcept { bodies_.close_stretches(tick_); }
-    /// Commits everything that is closed. It may allocate.   [main] between ticks
+    /// Commits all closed records. It may allocate.   [main] between ticks
     void flush() { bodies_.flush(); }
 
     // ---- its faults
 
-    /// Returns the fault of the last `haptics.quarantined`.
+    /// Returns the last fault of a law: the cause of the event `haptics.quarantined`.
     [[nodiscard]] const LawFault& law_fault() const noexcept { return tools_.fault(); }
-    /// Returns the point of the last `haptics.unresisted`, tool frame.
+    /// Returns the point and depth of the event `haptics.unresisted`. Read it in the tick of the event.
     [[nodiscard]] const Unresisted& unresisted() const noexcept { return unresisted_.last(); }
-    /// Returns one line for each law that was slower than it declares.   [main]
+    /// Returns one line of text for each law of which more than 1 % of the calls took longer than it declares.   [main]
     [[nodiscard]] std::vector<std::string> laws_over_budget() const { return tools_.laws_over_budget(); }
     [[nodiscard]] const PassivityGuard& passivity() const noexcept { return hand_.passivity(); }
-    /// Returns the energy that the coupling would return to a hand at a pose [J], device side.
+    /// Returns the energy that the coupling could give back to the hand if the handle were at this pose [J], device
+    /// side.
     [[nodiscard]] double stored_at(const Pose& world_from_handle) const noexcept {
         return hand_.stored_at(world_from_handle, world_from_tool_);
     }
@@ -188,18 +195,19 @@ private:
     void add_contact_events(TickResult& result) noexcept;
     void end_tick(TickResult& result) noexcept;
 
-    /// Events that are reported once until their cause is over.
+    /// Events that were already reported. Metal and holding back are reported again after they were over; leaving the
+    /// region and full threads are reported once.
     struct Reported {
         bool has_left_region = false, has_met_metal = false, has_full_threads = false, is_held_back = false;
-        bool is_drawn_back = false;  ///< to report in the next tick
+        bool is_drawn_back = false;  ///< the tool was moved out of bone; the next tick reports it
     };
 
     double period_;   ///< [s] of a tick
     double spacing_;  ///< [m] of the first body's voxels
     std::uint64_t tick_ = 0;
     Pose world_from_tool_;
-    Vec6 last_rate_{};  ///< of the tool in the last step, tool frame. The next solve starts there. The solution is the
-                        ///< same from any start; a near one takes fewer iterations
+    Vec6 last_rate_{};  ///< of the tool in the last step, tool frame. It gives the tool's momentum, and the next solve
+                        ///< starts there. The solution is the same from any start; a near one takes fewer iterations
     LoopTools tools_;
     LoopBodies bodies_;
     HandPort hand_;

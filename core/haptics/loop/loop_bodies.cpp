@@ -11,7 +11,7 @@ namespace kerf {
 
 namespace {
 
-// Maximum number of records of a tick, a turn and a subtraction together.
+// Maximum number of records of a tick, an undo or redo, and a subtraction together.
 constexpr std::size_t closed_capacity = (2 * 16 + 3) * max_bodies;
 
 }  // namespace
@@ -59,7 +59,7 @@ void LoopBodies::cut(const ToolNow& tool, bool is_cutting, bool is_at_front) noe
         if (is_cut) {
             take_closed(tracker, tracker.advance(body_from_tool, tool.tick));
         } else {
-            take_closed(tracker, tracker.close(tool.tick));  // bone cut until now is removed
+            take_closed(tracker, tracker.close(tool.tick));  // the stretch up to the last pose becomes a record
             tracker.restart(body_from_tool);
         }
         tracker.commit_passed(body_from_tool, is_cut && is_at_front, bricks_left_);
@@ -76,7 +76,7 @@ void LoopBodies::restart_stretches(const ToolNow& tool) noexcept {
 void LoopBodies::take_tool(const ToolNow& tool) {
     for (const auto& body : bodies_)
         body->tracker.take_tool(tool.outline().cutting, static_cast<std::uint16_t>(tool.tools.in_hand()));
-    held_.release_fraction();
+    held_.release();
 }
 
 bool LoopBodies::hold(std::size_t body, const Pose& world_from_tool) noexcept {

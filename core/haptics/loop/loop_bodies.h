@@ -28,7 +28,7 @@ struct ToolNow {
 /// The bodies of a loop: their bone, the threads in it, the held body, and the records of the last tick.
 class LoopBodies {
 public:
-    /// Everything is uncut. `first` must outlive it.   [main]
+    /// Starts with one body, the uncut bone `first`, which must outlive this object.   [main]
     LoopBodies(const Body& first, const ToolOutline& outline);
 
     [[nodiscard]] std::span<const std::unique_ptr<LiveBody>> all() const noexcept { return bodies_; }
@@ -38,39 +38,48 @@ public:
     [[nodiscard]] HeldBody& held() noexcept { return held_; }
     [[nodiscard]] const HeldBody& held() const noexcept { return held_; }
     [[nodiscard]] const BodyThreads& threads() const noexcept { return threads_; }
-    /// Returns the records of the last tick, and those taken over since.
+    /// Returns the records of the last tick, then those of changes taken over since.
     [[nodiscard]] std::span<const CutRecord> closed() const noexcept { return closed_; }
 
-    /// Returns whether bone is within `margin` [m] of the tool or of the held body.   [haptic, nonblocking]
+    /// Returns whether the box of the tool, widened by `margin` [m], meets a brick that had bone before the first cut.
+    /// Also true if the held body's box comes within `margin` of another body's.   [haptic, nonblocking]
     [[nodiscard]] bool is_in_reach(const ToolNow& tool, double margin) const noexcept;
-    /// Returns whether some body has more cut than is committed in time.   [haptic, nonblocking]
+    /// Returns whether a body has more pending records than `CutTracker::pending_limit`.   [haptic, nonblocking]
     [[nodiscard]] bool is_behind() const noexcept;
-    /// Returns the distance by which the tool must be moved back along its axis to be out of all bone [m].   [main]
+    /// Returns the distance by which the tool must be moved back along its axis to be out of the uncut bone of all
+    /// bodies [m]. A body that it cannot leave within 0.3 m counts as 0.   [main]
     [[nodiscard]] double distance_out_of_bone(const ToolNow& tool) const;
 
-    /// Drops the records of the last tick.   [haptic, nonblocking]
+    /// Drops the records of the last tick and resets the number of bricks that a tick may stamp.
+    /// [haptic, nonblocking]
     void begin_tick() noexcept;
-    /// Moves the held body and records the cut, if there is one, up to the tool's new pose. `is_at_front`: an edge met
-    /// uncut bone in this step.   [haptic, nonblocking]
+    /// Moves the held body with the tool. While cutting, extends the records to the tool's new pose; else closes them.
+    /// Then commits the records that the tool has passed, and updates the view.   [haptic, nonblocking]
+    /// @param is_at_front  whether an edge met uncut bone in this step
     void cut(const ToolNow& tool, bool is_cutting, bool is_at_front) noexcept;
-    /// Updates the view of the bodies near the tool.   [haptic, nonblocking]
+    /// Sets the tool's pose in the view and selects the bodies near the tool.   [haptic, nonblocking]
     void update_view(const ToolNow& tool) noexcept;
-    /// Starts the stretches of all bodies at the tool's pose.   [haptic, nonblocking]
+    /// Starts new stretches at the tool's pose in all bodies. The motion since the last record is no cut.
+    /// [haptic, nonblocking]
     void restart_stretches(const ToolNow& tool) noexcept;
     void clear_closed() noexcept { closed_.clear(); }
     /// Closes the open stretches and adds their records to `closed`.   [haptic, nonblocking]
     void close_stretches(std::uint64_t tick) noexcept;
-    /// Changes to the tool in hand. Pre: everything is committed.   [main] between ticks
+    /// Makes all bodies cut by the tool in hand, and releases the held body. Pre: all records are committed.
+    /// [main] between ticks
     void take_tool(const ToolNow& tool);
 
-    /// Lets the tool hold a body. Returns false if there is only one: the patient.   [haptic, nonblocking]
+    /// Lets the tool hold a body. Returns false if there is only one body: the patient. Ignores a body that does not
+    /// exist or is not present.   [haptic, nonblocking]
     bool hold(std::size_t body, const Pose& world_from_tool) noexcept;
-    /// Keeps a thread that the law left. Returns false if a new one finds no capacity.   [haptic, nonblocking]
+    /// Stores a thread that the law has cut. Returns false if it is a new one and the table is full. Ignores one that
+    /// is unsound or in no near body.   [haptic, nonblocking]
     bool keep(const kerf_thread& thread) noexcept;
 
-    /// Allocates for coming cuts.   [main] between ticks
+    /// Allocates bricks for coming cuts, and finds the held body's contact points if it lacks them.
+    /// [main] between ticks
     void reserve();
-    /// Commits everything that is closed. It may allocate.   [main] between ticks
+    /// Commits all closed records. It may allocate.   [main] between ticks
     void flush();
 
     [[nodiscard]] BodyStates body_states() const noexcept;
@@ -95,8 +104,8 @@ private:
     BodyThreads threads_;
     BodiesView view_;
     HeldBody held_;
-    int bricks_left_ = 0;            ///< that this tick may still stamp
-    std::vector<CutRecord> closed_;  ///< capacity for one tick, a turn and a subtraction
+    int bricks_left_ = 0;            ///< number of bricks that this tick may still stamp
+    std::vector<CutRecord> closed_;  ///< capacity for one tick, an undo or redo, and a subtraction
     std::uint64_t removing_ = 0;     ///< number of closed records that removed bone
 };
 

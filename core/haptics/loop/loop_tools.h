@@ -15,15 +15,15 @@
 
 namespace kerf {
 
-/// The motion of the tool in one step of a tick, with the forces that belong to it.
+/// The motion of the tool in one step of a tick, with the forces at that motion.
 struct AppliedMotion {
     Vec6 rate{};                     ///< of the tool, tool frame [m/s, rad/s]
     const double* lambda = nullptr;  ///< of each channel [N]
-    Vec6 following{};                ///< wrench that accompanies the channels, tool frame
+    Vec6 following{};                ///< Σ follow λ̄ and the law's own wrench, tool frame [N, N·m]
     double dt = 0.0;                 ///< [s]
 };
 
-/// The answer of a law to an applied motion.
+/// What the plugin's `commit` returned for an applied motion.
 struct CommittedLaw {
     std::array<kerf_action, KERF_MAX_ACTIONS> action;  ///< the first `action_count` are set
     std::uint32_t action_count = 0;
@@ -61,26 +61,26 @@ public:
     /// Evaluates the law for a step of `dt` [s]. Returns false if it is unsound; `fault` then describes it.
     /// [haptic, nonblocking]
     [[nodiscard]] bool evaluate(const Surroundings& around, double dt, std::uint64_t tick) noexcept;
-    /// Stores a fault of this law. Returns false.   [haptic, nonblocking]
+    /// Stores a fault of the law in hand. Always returns false.   [haptic, nonblocking]
     bool reject(LawFault fault) noexcept;
-    /// Lets the plugin update its state for an applied motion. Returns its answer.   [haptic, nonblocking]
+    /// Calls the plugin's `commit` with an applied motion, and returns its actions and thread.   [haptic, nonblocking]
     [[nodiscard]] CommittedLaw commit(const AppliedMotion& applied, const kerf_bone_query& bone,
                                       std::uint64_t tick) noexcept;
 
-    /// Returns the last evaluation.
+    /// Returns the law as `evaluate` found it last.
     [[nodiscard]] const EvaluatedLaw& law() const noexcept { return law_; }
-    /// Returns the fault of the last `haptics.quarantined`.
+    /// Returns the last fault that was rejected.
     [[nodiscard]] const LawFault& fault() const noexcept { return fault_; }
     [[nodiscard]] const double* signals() const noexcept { return signals_; }
     /// Returns the plugin's state, as bytes.
     [[nodiscard]] const std::byte* state() const noexcept { return state_; }
-    /// Returns one line for each law that was slower than it declares.   [main]
+    /// Returns one line of text for each law that was slower than it declares: see `over_budget`.   [main]
     [[nodiscard]] std::vector<std::string> laws_over_budget() const;
 
 private:
     [[nodiscard]] kerf_tick_in tick_in(const kerf_bone_query& bone, double dt, std::uint64_t tick) const noexcept;
 
-    std::vector<Tool> tools_;  ///< records name a tool by its index
+    std::vector<Tool> tools_;  ///< cut records identify a tool by its index here
     std::size_t in_hand_ = 0;
     std::array<double, KERF_MAX_DRIVES> drives_{};  ///< as commanded
     kerf_solid solid_{};                            ///< of the tool in hand

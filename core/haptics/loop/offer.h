@@ -24,8 +24,8 @@ struct BodyState {
     [[nodiscard]] bool is_same_as(const BodyState& other) const noexcept;
 };
 
-/// States of all bodies, at the index of their id, and the threads in them, if known. A worker thread does not know the
-/// threads, so an undo on the worker leaves them unchanged.
+/// States of all bodies, at the index of their id, and the screw threads in them, if known. A `SurfaceWorker` does not
+/// know the screw threads, so an undo that it offers leaves them unchanged.
 struct BodyStates {
     std::array<BodyState, max_bodies> of{};
     std::size_t count = 1;
@@ -33,24 +33,24 @@ struct BodyStates {
     BodyThreads threads{};
 };
 
-/// Direction in the history of cuts.
+/// Direction in the history of changes.
 enum class HistoryChange { undo, redo };
 
-/// One change of bodies. It is complete when it is offered, so the loop takes it over without allocation or wait. The
-/// loop leaves the replaced objects in it.
+/// One change of bodies. It is complete when it is offered, so the loop takes it over without allocating or waiting.
+/// The loop leaves the replaced bodies in it, so that their owner destroys them outside the tick.
 struct Offer {
     enum class Change { none, separation, undo, redo, insertion, fusion, subtraction };
     struct NewBody {
-        std::unique_ptr<LiveBody> body;        ///< null: the loop keeps its own
-        std::optional<std::uint16_t> follows;  ///< body whose pose and open record it takes over
-        std::uint64_t through = 0;             ///< number of the first record of that body missing in its field
+        std::unique_ptr<LiveBody> body;        ///< null: the loop keeps its body of this id
+        std::optional<std::uint16_t> follows;  ///< id of the body whose pose and open stretch `body` takes over
+        std::uint64_t through = 0;  ///< sequence number of the first record of `follows` that the field of `body` lacks
     };
 
     Change change = Change::none;
     std::uint64_t tick = 0;                ///< separation: tick of the record that separated the parent
-    std::uint64_t removing = 0;            ///< undo, redo: number of bone-removing records when it was made
+    std::uint64_t removing = 0;            ///< undo, redo: number of bone-removing records so far when it was made
     std::array<NewBody, max_bodies> made;  ///< at the index of their id
-    BodyStates body_states;  ///< after the change. Separation, subtraction: only `count`. Threads: only undo and redo
+    BodyStates body_states;                ///< after the change; a separation or subtraction sets `count` alone
     std::optional<Separation> separation;
     const Body* added = nullptr;        ///< insertion, fusion: bone of the new body, which has the last id
     std::vector<CutRecord> subtracted;  ///< the loop assigns their sequence numbers

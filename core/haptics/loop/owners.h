@@ -6,10 +6,10 @@
 
 namespace kerf {
 
-/// The owner of each zone and step of a procedure: the body with which it moves.
+/// The owners of a procedure's zones and steps: indices of the bodies with which they move.
 struct Owners {
-    std::vector<std::size_t> zone;  ///< for each of the anatomy's zones
-    std::vector<std::size_t> step;  ///< for the frame of each step
+    std::vector<std::size_t> zone;  ///< one for each zone of the anatomy
+    std::vector<std::size_t> step;  ///< one for the frame of each step
 };
 
 }  // namespace kerf

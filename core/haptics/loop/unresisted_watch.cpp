@@ -15,13 +15,13 @@ namespace {
 // All [assumed].
 constexpr std::uint64_t interval = 16;                // ticks between checks
 constexpr double min_ring_gap = 1e-3;                 // [m] between the rings of points that are checked
-constexpr double max_rings = 16.0;                    // on the parts that cut nothing
-constexpr double channel_reach = 3e-3;                // [m] from a point to the line of action of its channel
-constexpr double min_slant = 0.2;                     // [–] of a channel against the point's direction into the bone
-constexpr double min_depth = 1e-3, min_voxels = 2.0;  // [m], [voxels] to be reported
+constexpr double max_rings = 16.0;                    // number of rings on the parts that cut nothing
+constexpr double channel_reach = 3e-3;                // [m] from a channel's line of action to the tool's surface
+constexpr double min_slant = 0.2;                     // [–] cosine between a channel and the direction off the axis
+constexpr double min_depth = 1e-3, min_voxels = 2.0;  // [m], [voxels] a point must be deeper than both
 
-/// Returns whether a channel carries force against a point's motion into the bone, away from the tool's axis. Its line
-/// of action must pass near the point: a channel has no position of its own.
+/// Returns whether a channel carries force against motion of the point away from the tool's axis. A channel has no
+/// position, so its line of action must pass within the point's radius plus `channel_reach` of the point.
 bool is_resisted_at(Vec3 point, const Motion& motion, const EvaluatedLaw& law) noexcept {
     const double radius = std::sqrt(point.x * point.x + point.y * point.y);
     const Vec3 outwards = radius > 0.0 ? (1.0 / radius) * Vec3{point.x, point.y, 0.0} : Vec3{};
@@ -43,7 +43,7 @@ bool cuts_at(const ToolSolid& cutting, double z) noexcept {
                         [z](const ToolSolid::Gap& gap) { return z < gap.front && z > gap.back; });
 }
 
-/// Returns the length of the tool that cuts nothing [m].
+/// Returns the length of the parts of the tool that cut nothing [m].
 double passive_length(const ToolOutline& outline) noexcept {
     const ToolSolid &whole = outline.whole, &cutting = outline.cutting;
     double passive = (cutting.end_z() - whole.end_z()) + (whole.tip_z() - cutting.tip_z());
@@ -73,7 +73,7 @@ bool UnresistedWatch::check(const Motion& motion, const EvaluatedLaw& law, const
             });
     if (deepest.depth > 0.0 && !is_reported_) last_ = deepest;
 
-    // A distance is known up to the field's clamp.
+    // Distances beyond the field's clamp are unknown, so the limit is below it.
     const double limit = std::min(std::max(min_depth, min_voxels * spacing), 0.9 * clamp_voxels * spacing);
     const bool is_new = deepest.depth >= limit && !std::exchange(is_reported_, true);
     if (deepest.depth < 0.5 * limit) is_reported_ = false;

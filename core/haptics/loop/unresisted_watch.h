@@ -9,23 +9,24 @@ namespace kerf {
 /// A point of the tool that cuts nothing, lies in uncut bone, and is resisted by no channel of the law.
 struct Unresisted {
     Vec3 point{};        ///< tool frame
-    double depth = 0.0;  ///< [m] at least
+    double depth = 0.0;  ///< [m] below the surface; a lower bound, because stored distances are clamped
 };
 
-/// Finds parts of the tool that pass through bone without resistance. A law without a channel there lets the tool pass:
-/// its author must learn of it, because the hand does not.
+/// Finds parts of the tool that pass through bone because the law has no channel there. The user feels nothing of it,
+/// so it is reported to the law's author.
 class UnresistedWatch {
 public:
-    /// Checks the tool after a tick, in one tick of sixteen. Returns true if such a part is found for the first time
-    /// since there was none.   [haptic, nonblocking]
+    /// Checks the tool after a tick, in one tick of sixteen. Returns true if an unresisted point reaches the limit: the
+    /// larger of 1 mm and two voxels, but at most 3.6 voxels. Then returns false until no such point is deeper than
+    /// half of the limit. [haptic, nonblocking]
     [[nodiscard]] bool check(const Motion& motion, const EvaluatedLaw& law, const LoopBodies& bodies,
                              const ToolNow& tool, double spacing) noexcept;
-    /// Returns where and how deep the last one was.
+    /// Returns the deepest point of the check that last returned true. Valid until the next check.
     [[nodiscard]] const Unresisted& last() const noexcept { return last_; }
 
 private:
     Unresisted last_;
-    bool is_reported_ = false;  ///< and not yet over
+    bool is_reported_ = false;  ///< reported, and not yet resisted again
 };
 
 }  // namespace kerf

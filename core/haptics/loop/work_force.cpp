@@ -39,7 +39,7 @@ void sample_endless(const kerf_bone* bone, const kerf_vec3*, std::uint32_t count
     }
 }
 
-/// The hole already fits: the shank touches nothing.
+/// Reports no surface within 1 m: the hole is as wide as the shank, which touches nothing.
 void nearest_endless(const kerf_bone*, const kerf_vec3*, std::uint32_t count, kerf_surface_point* out) {
     for (std::uint32_t i = 0; i < count; ++i) {
         out[i] = kerf_surface_point{};
@@ -48,7 +48,7 @@ void nearest_endless(const kerf_bone*, const kerf_vec3*, std::uint32_t count, ke
     }
 }
 
-/// Lets a powered tool reach its speed in air.
+/// Commits the law for up to 10 s of ticks in air, so that a powered tool reaches its speed.
 void run_up(const ToolSetup& setup, kerf_tick_in in, void* state) {
     constexpr int longest = 10000;  // ticks
     double signals[KERF_MAX_SIGNALS];

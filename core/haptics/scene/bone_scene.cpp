@@ -31,7 +31,7 @@ void BoneScene::find_pieces(double crumb, BodyOwnership belongings) {
 void BoneScene::apply(std::span<const CutRecord> records, const BodyStates& now) {
     if (!before_cut_) {
         before_cut_ = snapshot(now);
-        before_cut_->body_states.threads = threads_;  // a thread may have begun before the first record was closed
+        before_cut_->body_states.threads = threads_;  // those of `now` may contain a thread of this cut
     }
     for (const CutRecord& record : records) {
         for (Separation& separation : bone_.apply(record, *cutting_[record.solid]))
@@ -53,7 +53,7 @@ void BoneScene::end_cut() {
     if (!before_cut_) return;
     Snapshot before = std::move(*before_cut_);
     before_cut_.reset();
-    // A tool that passes near the bone changes distances in air. This is no cut.
+    // Records that changed only distances in air, next to the bone, are no cut.
     if (bone_.removed() != removed_in(before.bone)) keep(std::move(before));
 }
 
@@ -146,7 +146,7 @@ Offer BoneScene::fusion(std::size_t held, const BodyStates& now, std::string& wh
     const BodyState& holding = now.of[held];
     const auto bone_of = [&](std::size_t id) { return CutBone{bone_.piece(id).bone, &bone_.cut(id)}; };
     std::optional<Bridge> nearest;
-    std::uint16_t beyond = 0;  // group of the piece at the far end
+    std::uint16_t beyond = 0;  // group of the body at the far end of the bridge
     for (std::size_t other = 0; other < now.count; ++other) {
         const BodyState& there = now.of[other];
         if (there.group == holding.group || !there.is_present || !there.is_cuttable) continue;

@@ -17,37 +17,39 @@ namespace kerf {
 
 /// Owners of zones and steps, and the rule by which separated bodies inherit them.
 struct BodyOwnership {
-    /// Finds new owners of the zones and steps of body `from`, which has split into `bodies`.
+    /// A function that gives the zones and steps of body `from` to one of the `bodies` into which it was separated.
     using PassOn =
         std::function<void(Owners&, std::size_t from, const std::vector<std::size_t>& bodies, const PresentBone& bone)>;
-    Owners owners;     ///< before any change
+    Owners owners;     ///< given to a scene: before its first change
     PassOn inherit{};  ///< empty: owners never change
 };
 
-/// Applies cut records to the present bone and makes all changes of bodies. A change has two steps. The scene makes an
-/// `Offer` and stays unchanged. After the haptic loop has taken the offer over, `taken` makes the same change here. One
-/// thread uses it at a time: the loop's in lock-step, a worker's with a loop on the clock.
+/// Applies cut records to the present bone and makes all changes of bodies. A change has two steps. First the scene
+/// makes an `Offer` and stays unchanged. After the haptic loop has taken the offer over, `taken` makes the same change
+/// here. One thread uses the scene at a time: the loop's own in lock-step, else a worker's.
 class BoneScene {
 public:
     /// Maximum number of undo steps; the oldest is dropped.
     static constexpr std::size_t max_undo = 16;
 
-    /// All bone of `body` is body 0. Pre: `body` and the cutting solids, in the order of the records' indices, outlive
-    /// this object.   [main]
+    /// Starts with the uncut bone of `body` as body 0. `cutting` has the solids at the numbers that records name. Pre:
+    /// `body` and the solids outlive this object.   [main]
     BoneScene(const Body& body, std::vector<const ToolSolid*> cutting);
-    /// Makes separated bone larger than `crumb` [m³] into bodies. Pre: no record has been applied. [main]
+    /// From now on, makes separated pieces larger than `crumb` [m³] into bodies, and removes smaller ones. Pre: no
+    /// record has been applied.   [main]
     void find_pieces(double crumb, BodyOwnership belongings = {});
 
     [[nodiscard]] const PresentBone& bone() const noexcept { return bone_; }
     [[nodiscard]] PresentBone& bone() noexcept { return bone_; }
     [[nodiscard]] const Owners& owners() const noexcept { return belongings_.owners; }
 
-    /// Applies records in their order. `now` are the present states of the bodies.   [worker]
+    /// Applies records in their order; all of them remove bone. Begins a cut if none is open: `now`, the present states
+    /// of the bodies, are what its undo restores.   [worker]
     void apply(std::span<const CutRecord> records, const BodyStates& now);
-    /// Ends a cut when the tool touches no bone. If bone was removed since the last call, the cut becomes an undo step.
-    /// [worker]
+    /// Ends the open cut, if there is one; to be called when the tool is clear of bone. If the cut removed bone, it
+    /// becomes an undo step, and the redo steps are dropped.   [worker]
     void end_cut();
-    /// Sets the threads while the tool touches no bone: undoing the next cut restores them.   [worker]
+    /// Sets the threads that undoing the next cut restores; to be called while the tool is clear of bone.   [worker]
     void set_threads(const BodyThreads& threads) noexcept { threads_ = threads; }
     /// Drops all undo and redo steps.   [worker]
     void forget_changes() noexcept {
@@ -62,36 +64,38 @@ public:
         return waiting_.empty() ? nullptr : &waiting_.front().separation;
     }
 
-    /// Returns an offer of the first waiting separation. Pre: there is one.   [worker]
+    /// Returns an offer of the first waiting separation. Pre: `waiting()` is not null.   [worker]
     [[nodiscard]] Offer separation() const;
-    /// Returns an offer of all bodies before the last cut (undo), or after it (redo). Pre: `can(turn)`, and not in a
-    /// cut.   [worker]
+    /// Returns an offer of all bodies as they were before the last change (undo), or after the change undone last
+    /// (redo). Pre: `can(turn)`, and not in a cut.   [worker]
     [[nodiscard]] Offer turn(HistoryChange turn) const;
-    /// Returns an offer of another body. `body` must outlive this object and the loop. A body that is not `cuttable`
-    /// stops cutting tools. With sixteen bodies already, or other tissues than the bone's, the offer is empty and
-    /// `why_not` has the reason. Pre: no separation waits.   [worker]
+    /// Returns an offer of another body. `body` must outlive this object and the loop. A body that is not cuttable
+    /// stops cutting tools. The offer is empty and `why_not` has the reason if there are sixteen bodies, or if a
+    /// cuttable body has other tissues than body 0. Pre: no separation waits.   [worker]
     [[nodiscard]] Offer insertion(const Body& body, const Pose& world_from_body, bool is_cuttable,
                                   const BodyStates& now, std::string& why_not) const;
-    /// Returns an offer of a bone bridge between body `held` and the piece nearest to it, which become one group. With
-    /// sixteen bodies already, or no piece near enough, the offer is empty and `why_not` has the reason. Pre: no
-    /// separation waits.   [worker]
+    /// Returns an offer of a bone bridge, a new body, between body `held` and the cuttable body nearest to it. Both and
+    /// the bridge become one group. The offer is empty and `why_not` has the reason if there are sixteen bodies
+    /// already, or if no body is near enough. Pre: no separation waits.   [worker]
     [[nodiscard]] Offer fusion(std::size_t held, const BodyStates& now, std::string& why_not);
-    /// Returns an offer in which the cutting solid at a pose is removed from every body.   [worker]
+    /// Returns an offer in which a cutting solid is removed from every present, cuttable body. `solid` is its number in
+    /// records, `world_from_tool` the pose of its tool.   [worker]
     [[nodiscard]] Offer subtraction(std::uint16_t solid, const Pose& world_from_tool, const BodyStates& now) const;
 
-    /// Makes the change that the loop has taken over. The offer's live bodies are with the loop by then.
-    /// @param before         states of the bodies before it
-    /// @param next_sequence  number of the loop's next record: `HapticLoop::next_sequence`   [worker]
+    /// Makes the change that the loop has taken over. It does not use the offer's bodies, which the loop has exchanged.
+    /// [worker]
+    /// @param before         states of the bodies before the change
+    /// @param next_sequence  for an undo or redo: `HapticLoop::next_sequence` after it
     void taken(const Offer& offer, const BodyStates& before, std::uint64_t next_sequence);
 
 private:
-    /// A separation that waits for the loop. Its owners are found at once: they must not depend on the time of the
-    /// takeover.
+    /// A separation that waits for the loop, and the owners after it. They are found when the separation is found, so
+    /// that they do not depend on the tick of its takeover.
     struct Waiting {
         Separation separation;
         Owners owners;
     };
-    /// A snapshot of everything that a cut changes.
+    /// A copy of everything that a change of bodies or a cut changes.
     struct Snapshot {
         BoneImage bone;
         BodyStates body_states;
@@ -102,7 +106,7 @@ private:
     [[nodiscard]] Snapshot snapshot(const BodyStates& now) {
         return {bone_.image(), now, waiting_, belongings_.owners};
     }
-    [[nodiscard]] static double removed_in(const BoneImage& bone) noexcept;  ///< [m³]
+    [[nodiscard]] static double removed_in(const BoneImage& bone) noexcept;  ///< removed volume [m³]
     void keep(Snapshot before);
     void push_undo_of(const BodyStates& before);
     void go(HistoryChange turn, const BodyStates& before, std::uint64_t next_sequence);
@@ -115,13 +119,13 @@ private:
     std::vector<const ToolSolid*> cutting_;
     BodyOwnership belongings_;
     PresentBone bone_;
-    std::vector<std::uint64_t> next_;  ///< for each body: number of its next record
-    std::uint64_t removing_ = 0;       ///< number of records that removed bone
+    std::vector<std::uint64_t> next_;  ///< for each body: sequence number of its next record
+    std::uint64_t removing_ = 0;       ///< number of all records applied so far
     std::vector<Waiting> waiting_;
-    std::optional<Snapshot> before_cut_;  ///< before the present cut
-    BodyThreads threads_;                 ///< before the present cut
+    std::optional<Snapshot> before_cut_;  ///< state before the open cut; none: no cut is open
+    BodyThreads threads_;                 ///< threads before the open or the next cut
     std::vector<Snapshot> undo_, redo_;
-    std::vector<std::unique_ptr<Body>> grown_;  ///< bones of bridges
+    std::vector<std::unique_ptr<Body>> grown_;  ///< the bone of all bridges that were offered
 };
 
 }  // namespace kerf

@@ -31,7 +31,7 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) {
 
 void Simulation::follow() { follow_from(0); }
 
-/// Lets the scene follow the records of `closed` from index `first` on.
+/// Does what `follow` does, with the records of `closed` from index `first` on.
 void Simulation::follow_from(std::size_t first) {
     std::vector<CutRecord> removing;
     for (const CutRecord& record : closed().subspan(first))
@@ -122,7 +122,8 @@ void Simulation::subtract(std::size_t solid, const Pose& world_from_tool) {
     take_over(scene_.subtraction(static_cast<std::uint16_t>(solid), world_from_tool, body_states()));
 }
 
-/// Subtracts the bone around the thread in the tick that stripped it, and keeps that tick's records.
+/// Subtracts the cylinder around the tool's thread after the tick that stripped the bone. `closed` then also contains
+/// the records of that tick.
 void Simulation::strip() {
     const std::size_t first = closed().size();
     close_more_stretches();

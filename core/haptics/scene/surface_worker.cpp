@@ -9,8 +9,8 @@ namespace kerf {
 
 namespace {
 constexpr std::size_t queue_records = 4096;                   // 4 s at 1 kHz
-constexpr std::size_t queue_margin = 64;                      // slots kept free for messages that must not be lost
-constexpr auto poll_time = std::chrono::milliseconds(2);      // the loop sends no wake-up, which would be a system call
+constexpr std::size_t queue_margin = 64;                      // with fewer free slots, no offer is taken over
+constexpr auto poll_time = std::chrono::milliseconds(2);      // the loop wakes no thread: that is a system call
 constexpr auto surface_time = std::chrono::milliseconds(16);  // no screen refreshes faster
 }  // namespace
 
@@ -65,11 +65,11 @@ SurfaceWorker::TakenOver SurfaceWorker::exchange(HapticLoop& loop, std::uint64_t
     if (separation_.is_out(turns_) && separation_.offer.tick + delay <= loop.ticks()) {
         taken.separation = take(separation_, loop);
         separation_.set(taken.separation ? Slot::taken : Slot::refused, turns_);
-        // Sent through the queue, so that the worker knows which records came before.
+        // Sent through the queue, so that the worker gets it after the records that came before the takeover.
         if (taken.separation) (void)send({.kind = Message::Kind::parted});
     }
     if (turn_.is_out(turns_)) take_turn(loop, taken);
-    if (requested_) {  // after the message that the tool has left the bone
+    if (requested_) {  // sent after `clear_of_bone`, which ends the cut
         sent_turn_ = *requested_;
         is_request_pending_ =
             send({.kind = sent_turn_ == HistoryChange::undo ? Message::Kind::undo : Message::Kind::redo});
@@ -168,7 +168,7 @@ void SurfaceWorker::work() {
     }
 }
 
-/// Returns the number of messages taken.
+/// Processes all messages in the queue. Returns their number.
 std::uint64_t SurfaceWorker::take_all() {
     std::uint64_t taken = 0;
     for (; const Message* message = queue_.front(); ++taken) {

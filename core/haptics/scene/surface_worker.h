@@ -19,14 +19,14 @@
 namespace kerf {
 
 /// Follows the loop on another thread. It stamps the loop's records into the present bone, finds separated pieces and
-/// makes bodies of them, stores undo steps, and updates the surface where it changed. It has no voxel in common with
-/// the loop: records go in, and complete bodies come back.
+/// makes bodies of them, stores undo steps, and updates the surface where it changed. Loop and worker have no voxel in
+/// common: the loop sends records, and the worker returns complete bodies.
 ///
-/// The loop's bits do not depend on the worker's timing, except for the ticks at which a separation or an undo is taken
-/// over. Those ticks are inputs and are recorded. In lock-step, `Simulation` does the same with the same `BoneScene`.
+/// The worker's timing changes only the ticks at which a separation, an undo or a redo is taken over. Those ticks are
+/// recorded as inputs, so a replay has the same bits. In lock-step, `Simulation` does the same with a `BoneScene`.
 class SurfaceWorker {
 public:
-    /// A surface for a viewer. It never changes, so any thread may read it.
+    /// A surface for a viewer. A published one never changes, so any thread may read it.
     struct Surface {
         std::uint64_t version = 0;
         std::vector<PatchTable> patches;  ///< for each body
@@ -36,22 +36,24 @@ public:
         bool finds_pieces = true, makes_surface = true;
     };
 
-    /// Pre: `body` and the cutting solids, in the order of the records' indices, outlive this worker.   [main]
+    /// Starts the thread. `cutting` has the solids at the numbers that records name. Pre: `body` and the solids outlive
+    /// this worker.   [main]
     SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options,
                   BodyOwnership belongings = {});
     ~SurfaceWorker();
     SurfaceWorker(const SurfaceWorker&) = delete;
     SurfaceWorker& operator=(const SurfaceWorker&) = delete;
 
-    /// The offers that the loop took over from the worker.
+    /// What the loop took over from the worker in one `exchange`.
     struct TakenOver {
-        bool separation = false;
-        std::optional<HistoryChange> turn;  ///< the undo or redo that was made
-        /// An undo or redo that was impossible: no step is left, or the tool touches bone or has cut since the request.
+        bool separation = false;            ///< a separation was taken over
+        std::optional<HistoryChange> turn;  ///< the undo or redo that was taken over
+        /// A requested undo or redo that was impossible: no step is left, or the tool is not clear of bone or has cut
+        /// since the request.
         std::optional<HistoryChange> refused_change;
     };
-    /// Exchanges one tick's data: sends the loop's new records to the worker, and takes over the worker's offers. A
-    /// separation is taken over `delay` ticks after its record at the earliest. A loop has one worker.
+    /// Sends the loop's records of a tick to the worker, and lets the loop take over the worker's offers. To be called
+    /// after each tick. A separation is taken over at least `delay` ticks after its record. A loop has one worker.
     /// [haptic, nonblocking]
     TakenOver exchange(HapticLoop& loop, std::uint64_t delay = HapticLoop::adoption_delay) noexcept;
     /// Returns the owners of zones and steps after the last `exchange`.   [haptic, nonblocking]
@@ -59,20 +61,20 @@ public:
     /// Requests an undo or redo. A later `exchange` returns the result. Returns false while another request is pending.
     /// [haptic, nonblocking]
     bool request(HistoryChange turn) noexcept;
-    /// Returns the offer of a separation that is ready, or null.   [haptic, nonblocking]
+    /// Returns the offer of a separation that the loop may take over, or null if none is ready.   [haptic, nonblocking]
     [[nodiscard]] const Offer* offered() const noexcept {
         return separation_.is_out(turns_) ? &separation_.offer : nullptr;
     }
 
-    /// Sends a record that removes bone; `exchange` calls this. Returns false when the queue is full: the record is
-    /// lost, and the worker's bone is wrong from then on.   [haptic, nonblocking] one thread only
+    /// Sends a record that removes bone; `exchange` calls this. Returns false if the queue is full: the record is lost,
+    /// and the worker's bone is wrong from then on.   [haptic, nonblocking] one thread only
     bool push(const CutRecord& record) noexcept;
 
-    /// Waits until all records are applied and in the surface, and every due offer is made.   [not the loop's thread on
-    /// the clock; may block]
+    /// Waits until all records sent are applied and in the surface, and refused separations are offered again.
+    /// [blocks; not on the thread of a loop on the clock]
     void wait_for_all();
-    /// Returns the newest surface. During a cut there is a new one sixty times a second.   [any thread except the
-    /// loop's: it may wait for the worker]
+    /// Returns the newest surface. During a cut there is a new one about sixty times a second.
+    /// [any thread except the loop's: it may wait for the worker]
     [[nodiscard]] std::shared_ptr<const Surface> surface() const;
     /// Returns the worker's bone. Pre: `wait_for_all` has returned, and no record was sent since.   [main]
     [[nodiscard]] PresentBone& bone() noexcept { return scene_.bone(); }
@@ -81,16 +83,16 @@ public:
 private:
     struct Message {
         enum class Kind { cut, body_changed, clear_of_bone, undo, redo, parted, turned, dropped } kind;
-        CutRecord record{};       ///< `turned`: only its `sequence` is used, the next record's number
-        std::uint16_t count = 0;  ///< number of bodies
-        BodyState body_state{};   ///< of the record's body
+        CutRecord record{};       ///< `cut`; `turned`: `sequence` is the next number; `body_changed`: only `body`
+        std::uint16_t count = 0;  ///< `body_changed`: number of bodies
+        BodyState body_state{};   ///< `body_changed`: state of body `record.body`
     };
-    /// An offer with its owner: the loop's from `out` until `taken` or `refused`, else the worker's.
+    /// An offer and its state. In state `out` only the loop may use the offer, in the other states only the worker.
     struct Slot {
         enum State : std::uint64_t { none, out, taken, refused };
         Offer offer;
-        /// An offer made before the loop took over an undo or redo is void. The state contains the count of those, so
-        /// the loop need not read an offer that the worker may be rewriting.
+        /// A state, and above it the number of undos and redos taken over when the offer was made. An offer with
+        /// another number than the loop's is outdated: the worker may be rewriting it, so the loop does not read it.
         std::atomic<std::uint64_t> state{none};
 
         void set(State now, std::uint64_t turns) noexcept { state.store(turns << 2 | now, std::memory_order_release); }
@@ -119,7 +121,7 @@ private:
 
     // Members used by the loop's thread.
     BodyStates sent_states_;        ///< states last sent to the worker
-    std::size_t sent_records_ = 0;  ///< number of the records closed in this tick that are sent
+    std::size_t sent_records_ = 0;  ///< number of records of `closed` in this tick that were examined and sent
     bool is_clear_sent_ = true;
     std::optional<HistoryChange> requested_;  ///< requested, not yet sent
     HistoryChange sent_turn_ = HistoryChange::undo;

@@ -31,7 +31,7 @@ struct Watch {
     Watched seen;
     kerf::conformance::Counts counts{};
 };
-// This model makes the first access free of allocation.
+// With this TLS model, the first access on a thread allocates nothing.
 thread_local Watch watch __attribute__((tls_model("initial-exec")));
 
 void note(Forbidden kind, const char* function) noexcept {
@@ -49,7 +49,7 @@ void note(Forbidden kind, const char* function) noexcept {
 
 namespace {
 
-/// A function of the library, found at its first use.
+/// The C library's function of this name. `find`, or else its first call, searches for it.
 template <class Function>
 class Real {
 public:
@@ -105,8 +105,8 @@ void free(void* memory) {
     __libc_free(memory);
 }
 
-// Defines a function that notes the call and passes it on. The library's function is found before `main`, because the
-// search may allocate.
+// Defines a function that notes its call and calls the C library's function of the same name. That one is found before
+// `main`, because the search may allocate.
 #define KERF_WATCH(kind, result, name, parameters, ...)          \
     static constinit Real<result parameters> real_##name(#name); \
     static const bool has_##name = real_##name.find();           \

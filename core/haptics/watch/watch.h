@@ -5,9 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Detects calls that are forbidden between pose read and force out. A program that links this library uses these
-/// functions instead of the C library's. Each call is noted and passed on, also for all libraries that the program
-/// loads.
+/// Detects calls that are forbidden in a tick. A program that links this library, and all libraries that it loads, call
+/// the functions of watch.cpp instead of the C library's. Each of these counts the call and calls the C library.
 namespace kerf::conformance {
 
 enum class Forbidden : std::uint32_t {
@@ -22,29 +21,32 @@ enum class Forbidden : std::uint32_t {
     count
 };
 
-/// The first call of each kind since `start`.
+/// The first call of each kind since `start_watching`.
 struct Watched {
     const char* function[static_cast<std::size_t>(Forbidden::count)]{};  ///< null: no call
     [[nodiscard]] const char* of(Forbidden kind) const noexcept { return function[static_cast<std::size_t>(kind)]; }
 };
 
-/// Counts of forbidden calls by kind.
+/// Number of forbidden calls of each kind, at the index `Forbidden`.
 using Counts = std::array<std::size_t, static_cast<std::size_t>(Forbidden::count)>;
-/// Returns this thread's counts since its start.   [any] no allocation
+/// Returns the counts of the calling thread since it started, watched or not.   [any] no allocation
 [[nodiscard]] const Counts& counted_here() noexcept;
 
-/// Returns whether calls are noted. They are not under a sanitizer, which has its own heap and locks.   [any]
+/// Returns whether forbidden calls are detected. Under a sanitizer, which has its own heap and locks, they are not.
+/// [any]
 [[nodiscard]] bool can_watch() noexcept;
-/// Starts to note the calls of this thread.   [any] no allocation
+/// From now on, notes the first call of each kind that the calling thread makes.   [any] no allocation
 void start_watching() noexcept;
-/// Stops, and returns the noted calls.   [any] no allocation
+/// Stops watching. Returns the noted calls.   [any] no allocation
 [[nodiscard]] Watched stop_watching() noexcept;
 
-/// Returns whether the kernel reports system calls to their process (Linux 5.11, x86-64 and arm64).   [any]
+/// Returns whether the kernel can report a system call to its process instead of executing it (Linux 5.11 or later).
+/// [any]
 [[nodiscard]] bool can_watch_system_calls() noexcept;
-/// Starts to catch system calls of this thread. The first one is reported and not executed.   [any]
+/// From now on, catches the first system call of the calling thread: it is noted and not executed. Later ones are
+/// executed and not noted.   [any]
 void start_watching_system_calls() noexcept;
-/// Stops, and returns the number of the caught system call; −1: none.   [any]
+/// Stops watching. Returns the number of the system call that was caught, or −1 for none.   [any]
 [[nodiscard]] long stop_watching_system_calls() noexcept;
 
 }  // namespace kerf::conformance

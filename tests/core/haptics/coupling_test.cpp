@@ -106,7 +106,7 @@ TEST(Coupling, AHandTakesAToolStraightAgainInAir) {
     // Given a tool that it took 2 mm aside and turned by 50 mrad
     Coupling coupling(gains(), at_grip);
     const Pose tool{{2.0_mm, 0, 0}, quat_from_rotation_vector({0, 0.05, 0})};
-    coupling.release_fraction(origin, tool);
+    coupling.relax(origin, tool);
     expect_near(held(coupling, origin, {}, tool).force.pull, {});
 
     // When it straightens it, a hundredth at a time
@@ -203,7 +203,7 @@ TEST(Anchor, LetGoNothingIsStored) {
     Coupling coupling(gains(), at_grip);
     const Pose handle{{1.0_mm, 2.0_mm, 3.0_mm}, quat_from_rotation_vector({0.02, -0.03, 0.01})};
     const Pose tool{{-4.0_mm, 1.0_mm, 0.0}, quat_from_rotation_vector({0.1, 0.2, 0.3})};
-    coupling.release_fraction(handle, tool);
+    coupling.relax(handle, tool);
     const Balance b = held(coupling, handle, {}, tool);
     expect_near(b.force.pull, {});
     expect_near(b.torque.pull, {});

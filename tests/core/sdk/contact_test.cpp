@@ -137,17 +137,17 @@ double carried_aside(double aside, double reach, bool knows) {
 TEST(Contact, AWallThatIsLostLetsGoWithoutAJump) {
     constexpr double step = 2e-6;
     for (const double reach : {0.28e-3, 0.8e-3, 2e-3}) {
-        double release_fraction = 0.0, held = 0.0;
+        double last = 0.0, held = 0.0;
         for (double aside = 0.0; aside < 3.5e-3; aside += step) {
             const double now = carried_aside(aside, reach, false), known = carried_aside(aside, reach, true);
-            EXPECT_LT(std::abs(now - release_fraction), 6.0 * stiffness * step) << reach << ", " << aside;
+            EXPECT_LT(std::abs(now - last), 6.0 * stiffness * step) << reach << ", " << aside;
             EXPECT_LT(std::abs(known - held), 2.0 * stiffness * step) << reach << ", " << aside;
             EXPECT_NEAR(known, stiffness * std::max(0.0, aside - 0.05e-3), 0.02 * stiffness * 1.6e-3)
                 << reach << ", " << aside;
-            release_fraction = now;
+            last = now;
             held = known;
         }
-        EXPECT_EQ(release_fraction, 0.0) << "and what has no wall is not held";
+        EXPECT_EQ(last, 0.0) << "and what has no wall is not held";
     }
 }
 

@@ -126,7 +126,7 @@ typedef struct kerf_profile_point {
 
 enum { KERF_SOLID_REVOLUTION = 1, KERF_SOLID_PRISM = 2 };
 
-/* A part of an outline that removes no bone, from one point to a later one. */
+/* A part of an outline that removes no bone: the indices of its first and its last point. */
 typedef struct kerf_gap {
     uint32_t first, last;
 } kerf_gap;
@@ -155,8 +155,8 @@ typedef struct kerf_tool_shape {
     uint32_t cutting_count; /* out: number of points of the part that removes bone; 0: the tool removes none */
     uint32_t cutting_first; /* out: first of these points; the points before it, as of a pilot, remove no bone */
     uint32_t reserved;
-    double bore; /* out, revolution: radius [m] of a bore through the cutting part, as of a trephine; less than each of
-                    its radii; 0: none */
+    double bore; /* out, revolution: radius [m] of a bore through the cutting part, as of a trephine; less than each
+                    radius of that part; 0: none */
     kerf_gap gap[KERF_MAX_GAPS]; /* out: safe parts within the cutting part, from the tip backwards, as a neck between
                                     two heads */
     uint32_t gap_count;          /* out */
@@ -204,7 +204,7 @@ typedef struct kerf_tool {
 typedef struct kerf_bone kerf_bone;
 
 typedef struct kerf_bone_sample {
-    double engagement; /* [-] 0 in air … 1 in uncut bone; the committed cut, which lags by about one voxel */
+    double engagement; /* [-] 0 in air … 1 in uncut bone; of the committed cut, which lags by about one voxel */
     double gap;        /* [m] distance along the direction to uncut bone; ≥ 0                          */
     double weight[KERF_MAX_TISSUES];  /* [-] fraction of each tissue; sums to 1 where there is bone                   */
     double density[KERF_MAX_TISSUES]; /* [kg/m³] of each tissue at the point                                          */
@@ -230,7 +230,7 @@ typedef struct kerf_thread {
     double tapped_radius;          /* [m] outer radius of the groove of that tap */
     double volume;                 /* [m³] of bone that the groove has removed */
     double slip_from, slip_step;   /* [m] of z: start of the first slip bin, and length of each bin, > 0 */
-    double slip[KERF_THREAD_BINS]; /* [m] by which bone has yielded there along z, >= 0 */
+    double slip[KERF_THREAD_BINS]; /* [m] of each bin: distance by which its bone has yielded along z, >= 0 */
     int32_t body;                  /* index of the body that contains it */
     uint32_t number;               /* number that the host gave this thread; KERF_NEW_THREAD for a new one */
 } kerf_thread;
@@ -245,7 +245,8 @@ typedef struct kerf_bone_query {
        direction is used for all points. One query of many points costs less than many queries. [haptic, nonblocking] */
     void (*sample)(const kerf_bone* bone, const kerf_vec3* points, uint32_t count, const kerf_vec3* directions,
                    uint32_t direction_count, kerf_bone_sample* out);
-    /* Returns distance and normal of the present surface at contact points. [haptic, nonblocking] */
+    /* Writes the distance and normal of the present surface nearest to each of `count` contact points, which are in
+       the tool frame at the pose of this tick. [haptic, nonblocking] */
     void (*nearest)(const kerf_bone* bone, const kerf_vec3* points, uint32_t count, kerf_surface_point* out);
     /* Returns the number of threads in bodies near the tool, and writes the first `capacity` of them. Null: the bone
        has no threads. [haptic, nonblocking] */
@@ -258,12 +259,14 @@ typedef struct kerf_bone_query {
 enum { KERF_CUT = 0, KERF_CONTACT = 1, KERF_FRICTION = 2, KERF_HOLD = 3 };
 
 /* A channel: one monotone scalar force. Its rate is s = dᵀu, where u is the rate of the tool (velocity of the tip,
- * angular velocity) in the tool frame. Its force on the tool is −d λ(s), with T the tick.
+ * angular velocity) in the tool frame. Its force on the tool is −d λ(s). T is `dt`, g is `gap`, τ is `tau`, η is `eta`
+ * and δ is `delta`.
  *   cut       λ = 0 for s ≤ g/T; else with s' = s − g/T: λ = τ(1 − e^(−s'/w)) + η s'
  *   contact   λ = max(0, k(δ + sT) + b(s + min(δ, 0)/T))
  *   friction  λ = τ clamp(s/w, −1, 1)
  *   hold      λ = k(δ + sT) + b s; with τ > 0 clamped to −τ … τ
- * `follow` is a wrench on the tool per newton of filtered λ; it does no work against s: reaction torque, imbalance. */
+ * `follow` is a wrench on the tool, about its tip, per newton of filtered λ. It is for loads that do no work against s:
+ * reaction torque, imbalance. */
 typedef struct kerf_channel {
     uint32_t kind;
     uint32_t id;      /* constant over ticks for one resistance: the host filters λ for `follow` by id */
@@ -274,7 +277,7 @@ typedef struct kerf_channel {
     double eta;       /* [N·s/m] ≥ 0 */
     double gap;       /* [m] ≥ 0 */
     double k, b;      /* [N/m], [N·s/m] ≥ 0 */
-    double delta;     /* [m] > 0: penetration */
+    double delta;     /* [m] contact: penetration, negative outside; hold: stretch */
 } kerf_channel;
 
 /* The law that one evaluation returns. The host sets all outputs to zero before the call. */
@@ -283,42 +286,42 @@ typedef struct kerf_law {
     uint32_t count; /* out, ≤ KERF_MAX_CHANNELS */
     kerf_channel* channel;
     double wrench[6]; /* out: wrench on the tool that is not a resistance, such as a motor's reaction; about its tip,
-                         tool frame [N, N·m]. The host applies at most half of the coupling's maximum of this and
-                         `follow` together */
-    unsigned char note[KERF_NOTE_BYTES]; /* out: values that commit needs and would have to query again. The host passes
-                                            on the bytes of the evaluation that it solved and does not read them */
+                         tool frame [N, N·m]. The host scales the sum of this and all `follow` loads down to half of
+                         the coupling's limits if it is larger */
+    unsigned char note[KERF_NOTE_BYTES]; /* out: values for `commit`, so that it need not query the bone again. The host
+                                            copies the bytes of the evaluation that it solved */
 } kerf_law;
 
 typedef struct kerf_tick_in {
     uint32_t size;
     uint32_t hand; /* index of the hand on the tool */
     uint64_t tick;
-    double dt;                 /* [s] nominal, constant */
+    double dt;                 /* [s] length of this step: the tick, or one of up to 16 equal parts of a fast tick */
     const double* tool_params; /* SI, declared order: parameters of the held tool */
     const double* force_params;
     const double* drive; /* commanded values of the tool's drives, declared order */
     const kerf_bone_query* bone;
     uint32_t tool_param_count;
     uint32_t tool;             /* index of the held tool in the law's `tools`; 0 for a law with `needs` */
-    const char* tool_id;       /* its id */
-    const kerf_solid* outline; /* its outline */
+    const char* tool_id;       /* id of the held tool */
+    const kerf_solid* outline; /* outline of the held tool */
     const uint32_t* bound; /* index of each of the law's `needs` into `tool_params` or `drive`; null without needs */
 } kerf_tick_in;
 
-/* The motion and the forces of the tick. */
+/* The motion and the forces of one step. */
 typedef struct kerf_advance {
     uint32_t size;
     uint32_t channel_count;
     double rate[6];              /* rate of the tool at which hand and law balance, tool frame [m/s, rad/s] */
-    const kerf_channel* channel; /* the law that was solved */
-    const double* lambda;        /* the force of each channel [N] */
+    const kerf_channel* channel; /* the channels of the law that was solved */
+    const double* lambda;        /* the force λ of each of these channels [N] */
     double following[6]; /* wrench on the tool that the host applied for `follow` and the law's own wrench, about its
                             tip, tool frame [N, N·m]. It is filtered and limited, so it is not a sum over `lambda` */
     const unsigned char* note; /* the note of that law; null when no law was evaluated */
 } kerf_advance;
 
-/*   cut      removes the volume that the tool sweeps in this tick; `value` KERF_CUT_THREAD: removes the cylinder around
- *            the tool's thread at the present pose, as for a stripped thread
+/*   cut      `value` KERF_CUT_REGION: removes the volume that the tool's cutting part sweeps in this step;
+ *            KERF_CUT_THREAD: removes the cylinder around the tool's thread at the end of the tick: a stripped thread
  *   hold     makes body `value` rigid to the tool: it moves with it, and other bodies stop it
  *   release  releases the body that is rigid to the tool
  *   event    reports number `value` of the law's declared events */
@@ -337,8 +340,8 @@ typedef struct kerf_commit_out {
     uint32_t action_count; /* out, ≤ KERF_MAX_ACTIONS */
     kerf_action* action;
     double* signal;        /* out, declared order */
-    kerf_thread* thread;   /* out: in the tool's frame before the motion; null: the host stores no threads */
-    uint32_t thread_count; /* out: 1: the law has cut a new thread, or changed the one with this number; 0: neither */
+    kerf_thread* thread;   /* out: a thread, in the tool's frame before the motion; null: the host stores no threads */
+    uint32_t thread_count; /* out: 1 if `thread` is a new thread or has changed, 0 otherwise */
     uint32_t reserved;
 } kerf_commit_out;
 
@@ -392,7 +395,7 @@ enum {
     KERF_FEATURE_EFFECT = 1,     /* a physical effect: absent where its parameters are `off` */
     KERF_FEATURE_RESOLUTION = 2, /* a resolution: coarser and cheaper towards `off`; one parameter */
 };
-/* Lines with the same id are one feature and are switched together. */
+/* Entries with the same id are one feature and are switched together. */
 typedef struct kerf_feature {
     const char* id;   /* snake_case */
     const char* help; /* one sentence: the effect of the feature */

@@ -19,8 +19,8 @@ namespace kerf {
 /// normal. At depth p the force is k p a and the stiffness k a². So a point that turns away loses contact without a
 /// jump, and a ledge in the wall of a hole does not stop a round shank.
 ///
-/// Each point belongs to a slot, and each slot makes one channel, at its deepest points. Points that are almost as deep
-/// contribute with a weight: a channel of the deepest point alone would chatter between two points.
+/// Each point belongs to a slot, and each slot makes one channel: a weighted mean of its points nearly as deep as its
+/// deepest one. With the deepest alone, the force would jump between two points.
 /// Call `query_bone`, then `write`.   [haptic, nonblocking]
 class Contact {
 public:
@@ -29,9 +29,10 @@ public:
     /// `points` must outlive this object.
     explicit Contact(const ContactPoints& points) noexcept : points_(points) {}
 
-    /// Queries the bone near all points. For a deep point, it also searches for the wall inside the tool, up to
-    /// `inwards` [m] behind the point. There the nearest surface may be another wall, or lie out of the reach of a fine
-    /// grid. The search makes the stiffness of a bent drill in its hole independent of both.
+    /// Queries the bone near all points. Near a point deep in bone, the nearest surface may be another wall, or be out
+    /// of the reach of a fine grid. So for a point deeper than 0.1 mm (or a quarter of the reach, if less), it also
+    /// searches inside the tool. There it finds the own wall of the point, up to `inwards` [m] behind the point. So
+    /// neither of them changes the stiffness of a bent drill in its hole.
     void query_bone(const BoneQuery& bone, double inwards) noexcept {
         std::array<kerf_surface_point, max_points> found;
         bone.nearest(points_.all(), {found.data(), points_.count()});
@@ -58,8 +59,8 @@ public:
     };
     [[nodiscard]] std::span<const DeepPoint> deep() const noexcept { return {deep_.data(), deep_count_}; }
     [[nodiscard]] double depth(std::size_t i) const noexcept { return depth_[i]; }
-    /// Adds the part of the point's wall that the search did not find, as a wall that faces the point.
-    /// @param depth  [m] of the point in that wall, as the tool computes it
+    /// Adds the part of the point's wall that the search did not find, as a wall that faces the point squarely.
+    /// @param depth  [m] of the point in that wall, which the law computes
     void hold(const DeepPoint& one, double depth) noexcept {
         if (depth <= 0.0 || one.found >= 1.0) return;
         const Touch& seen = touch_[one.point];
@@ -69,9 +70,10 @@ public:
         take(wall);
     }
 
-    /// Returns whether bone near the point faces it.
+    /// Returns whether the nearest bone is at most 0.3 mm away, or around the point, and faces it. Else the point has
+    /// no force.
     [[nodiscard]] bool faces_bone(std::size_t i) const noexcept { return touch_[i].fraction > 0.0; }
-    /// Sets the depth [m] of the point along the bone's normal, where the law knows it from elsewhere.
+    /// Replaces the queried depth [m] of the point along the bone's normal by one that the law computes.
     void set_depth(std::size_t i, double depth) noexcept { depth_[i] = depth; }
     /// Limits the force of the bone on the point to `force` [N]: deeper bone yields.
     void limit_force(std::size_t i, double force) noexcept {
@@ -128,7 +130,7 @@ public:
             kerf_channel* channel = channels.add(KERF_CONTACT, first_id + static_cast<std::uint32_t>(slot));
             for (std::size_t k = 0; k < 6; ++k) channel->d[k] = sum.d[k] / sum.stiffness;
             channel->k = sum.stiffness / sum.weight;
-            channel->delta = sum.force / sum.stiffness;  // gives a force within the range of the slot's points
+            channel->delta = sum.force / sum.stiffness;  // so k delta is a mean of the points' forces
             std::copy(follow.begin(), follow.end(), channel->follow);
         }
     }
@@ -136,21 +138,22 @@ public:
 private:
     static constexpr double near_contact = 0.3e-3;  ///< [m] points farther from bone make no channel
     static constexpr double min_depth_range =
-        20e-6;                           ///< [m] behind the deepest point, at least: contributes to its channel
-    static constexpr double ramp = 0.1;  ///< [–] of the cosine, over which the stiffness rises
+        20e-6;  ///< [m] a point contributes if it is less deep than the deepest by less than this, or half of its depth
+    static constexpr double ramp = 0.1;  ///< [–] range of the cosine over which the stiffness rises from 0 to full
     static constexpr double deep_contact = 0.1e-3;     ///< [m] depth at which the search for a wall begins [judgement]
     static constexpr double max_search_step = 0.2e-3;  ///< [m] max step of the search; also half of `reach` [judgement]
     static constexpr std::size_t max_search_steps = 16;  ///< max steps of the search
     static constexpr double end_fraction =
         0.25;  ///< [–] last part of the search: a wall there loses weight [judgement]
-    static constexpr double wide_gap = 0.1e-3;  ///< [m] depth of air before a wall of full weight [judgement]
+    static constexpr double wide_gap = 0.1e-3;  ///< [m] distance of air from bone at which a wall has full weight
+                                                ///< [judgement]
 
     /// The relative orientation of a point of the tool's surface and the nearest surface of bone.
     struct Touch {
         double against;   ///< [–] cosine between the two normals, the tool's reversed
         double fraction;  ///< [–] fraction of the stiffness: 0 far from the bone, or where it does not face the tool
     };
-    /// The wall that a deep point presses on: weighted sums over samples.
+    /// The wall that a deep point presses on, as weighted sums over samples of the bone.
     struct Wall {
         std::size_t point;
         double search_weight;                                 ///< [–] weight of the search, 0 … 1

@@ -18,7 +18,8 @@ public:
 
     /// @param at, outwards  point on the tool's surface and its unit normal; tool frame [m]
     /// @param stiffness     [N/m]
-    /// @param facing        cosine up to which the bone has no force; the stiffness is full at 0.1 more
+    /// @param facing        cosine between the bone's normal and −`outwards` up to which the bone has no force; the
+    ///                      stiffness is full at 0.1 more
     /// @param slot          < max_slots
     void add(Vec3 at, Vec3 outwards, double stiffness, double facing, std::size_t slot) noexcept {
         KERF_ASSERT(count_ < max_points && slot < max_slots, "a tool has too many contact points or slots; use fewer");

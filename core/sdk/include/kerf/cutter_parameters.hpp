@@ -11,14 +11,14 @@
 /// Texts, defaults and bounds that differ between cutters are arguments.
 namespace kerf {
 
-/// The fields that differ between coefficients of one kind.
+/// The fields of a coefficient's description that differ from law to law.
 struct CoefficientText {
     const char* id;
     const char* help;
     Amount max, def;
     const char* source;
 };
-/// Describes a force per width of cut, from 0 on.
+/// Describes a force per width of cut, 0 to `text.max`.
 template <class Law>
 [[nodiscard]] constexpr Param<Law> edge_force(double Law::*member, CoefficientText text) {
     return param(member, {.id = text.id,
@@ -42,7 +42,7 @@ template <class Law>
                           .def = def,
                           .source = source});
 }
-/// Describes `edge_depth`, t_e of EdgeCoefficients.
+/// Describes `edge_depth`, t_e of EdgeCoefficients, in µm.
 template <class Law>
 [[nodiscard]] constexpr Param<Law> edge_depth_of(double Law::*member, Quantity min, Quantity max, Quantity def,
                                                  const char* source) {

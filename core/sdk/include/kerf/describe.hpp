@@ -151,12 +151,12 @@ template <class T>
 [[nodiscard]] constexpr Drive<T> drive(double T::*member, DriveText text) noexcept {
     return {member, text};
 }
-/// Describes a signal of a law: a quantity that each tick reports.
+/// Describes a signal of a law: a quantity that the law reports each tick.
 template <class S>
 [[nodiscard]] constexpr Signal<S> signal(double S::*member, SignalText text) noexcept {
     return {member, text};
 }
-/// Describes an event of a law. `which` counts from 0 in the order of description.
+/// Describes an event of a law. The values of the enumeration count from 0, and the events are described in that order.
 template <class E>
 [[nodiscard]] constexpr Event<E> event(E which, EventText text) noexcept {
     return {which, text};
@@ -166,7 +166,7 @@ template <class T>
 [[nodiscard]] constexpr Feature<T> effect(double T::*member, FeatureText text) noexcept {
     return {member, KERF_FEATURE_EFFECT, text};
 }
-/// Describes a resolution: coarser and cheaper towards `off`.
+/// Describes a parameter that is a resolution: coarser and cheaper towards `off`.
 template <class T>
 [[nodiscard]] constexpr Feature<T> resolution(double T::*member, FeatureText text) noexcept {
     return {member, KERF_FEATURE_RESOLUTION, text};
@@ -298,7 +298,7 @@ constexpr void check_unique(const Table& table) {
             if (is_same_text(table[i].id, table[j].id)) throw "two ids are equal";
 }
 
-/// Access to a parameter of `T`, which `T` or a base of it declares.
+/// Access to a parameter or drive that `T` or a base of `T` declares: by `member`, or by `access` if that is null.
 template <class T>
 struct ParamAccess {
     double T::*member = nullptr;
@@ -415,7 +415,7 @@ struct Tables {
         put<drive_access>(value, [&](std::size_t i) { return drive[i]; });
         return value;
     }
-    /// Returns a set of needs with the values of the bound tool.   [haptic, nonblocking]
+    /// Returns a set of needs with the values of the parameters and drives of the held tool.   [haptic, nonblocking]
     [[nodiscard]] static T value(const kerf_tick_in& in) noexcept {
         T value{};
         put<need_access>(value, [&](std::size_t i) {

@@ -16,10 +16,10 @@
 /// Types that a force law reads and writes in a tick: bone, channels, the solved motion, actions.
 namespace kerf {
 
-/// Time, hand and tool outline of one tick.
+/// Time, hand and tool outline of one step: a tick, or a part of a fast tick.
 struct Tick {
-    double dt = 0.0;                                ///< [s] nominal, constant
-    std::uint64_t number = 0;                       ///< counts from 0
+    double dt = 0.0;                                ///< [s] length of the step
+    std::uint64_t number = 0;                       ///< of the tick, from 0; the same in all its parts
     std::uint32_t hand = 0;                         ///< index of the hand on the tool
     std::span<const kerf_profile_point> outline{};  ///< of the held tool: (z, radius) [m], from the tip backwards
 };
@@ -87,8 +87,8 @@ private:
 /// A contact: bone pushes back with `stiffness` × depth. `along` points into the bone.
 struct ContactSpec {
     std::uint32_t id;      ///< constant over ticks for one resistance
-    Vec3 at{};             ///< [m]
-    Vec3 along;            ///< unit
+    Vec3 at{};             ///< [m] tool frame
+    Vec3 along;            ///< unit, tool frame
     double stiffness;      ///< [N/m]
     double depth;          ///< [m] of penetration; negative outside
     double damping = 0.0;  ///< [N·s/m]
@@ -98,9 +98,9 @@ struct CutSpec {
     std::uint32_t id;
     Vec3 at{};
     Vec3 along;               ///< unit
-    double edge_force = 0.0;  ///< [N] that builds up over `onset`
+    double edge_force = 0.0;  ///< [N] part that builds up over a rate of about `onset`
     double onset = 1e-6;      ///< [m/s] ≥ 1e-6
-    double slope;             ///< [N·s/m] of the part that grows with the rate
+    double slope;             ///< [N·s/m] of the part that is proportional to the rate
     double gap = 0.0;         ///< [m] to uncut bone
     Vec6 follow{};            ///< wrench on the tool per newton [N/N, N·m/N]
 };
@@ -116,9 +116,9 @@ struct FrictionSpec {
 /// A spring along `d`, in both directions, that yields at `limit`: a thread in bone.
 struct HoldSpec {
     std::uint32_t id;
-    Vec6 d;                ///< linear [–], angular [m]
+    Vec6 d;                ///< linear [–], angular [m]; tool frame
     double stiffness;      ///< [N/m]
-    double stretch;        ///< [m] from the length without force
+    double stretch;        ///< [m] along `d`; positive: the spring pulls the tool against `d`
     double damping = 0.0;  ///< [N·s/m]
     double limit = 0.0;    ///< [N] in both directions; 0: none
 };
@@ -191,12 +191,13 @@ private:
     int dropped_ = 0;
 };
 
-/// Sums edge elements with a common rate into one cut channel. Its onset is the mean of theirs, weighted by edge force.
+/// Sums edge elements that move at a common rate into one cut channel. The channel's onset is the mean of the elements'
+/// onsets, weighted by edge force.
 struct ChannelSum {
     double tau = 0.0, eta = 0.0, tau_w = 0.0;
 
     /// @param edge_force  [N] that builds up over `w` [m/s]
-    /// @param slope       [N·s/m] of the part that grows with the rate
+    /// @param slope       [N·s/m] of the part that is proportional to the rate
     void add(double edge_force, double slope, double w) noexcept {
         tau += edge_force;
         eta += slope;
@@ -215,13 +216,13 @@ struct ChannelSum {
 
 // ---- after the balance ------------------------------------------------------------------------------------------
 
-/// The solved motion of the tick, and its forces.
+/// The solved motion of a step, and its forces.
 struct Advance {
     Vec6 rate{};                              ///< tool frame [m/s, rad/s]
-    std::span<const kerf_channel> channel{};  ///< the law that was solved
-    std::span<const double> lambda{};         ///< the force of each channel [N]
+    std::span<const kerf_channel> channel{};  ///< the channels of the law that was solved
+    std::span<const double> lambda{};         ///< the force λ of each of these channels [N]
     Vec6 following{};      ///< wrench on the tool that the host applied for `follow` and the law's own wrench [N, N·m]
-    bool has_law = false;  ///< true if a law was evaluated in this tick
+    bool has_law = false;  ///< true if the law was evaluated in this step
 
     /// Returns the sum of the forces of all channels of one kind [N].
     [[nodiscard]] double force_of_kind(std::uint32_t kind) const noexcept {
@@ -230,13 +231,14 @@ struct Advance {
             if (channel[c].kind == kind) sum += lambda[c];
         return sum;
     }
-    /// Returns the force of the channel `id` [N]; 0 if there is none.
+    /// Returns the force of the channel with this id [N]; 0 if there is no such channel.
     [[nodiscard]] double force_of_channel(std::uint32_t id) const noexcept {
         for (std::size_t c = 0; c < channel.size(); ++c)
             if (channel[c].id == id) return lambda[c];
         return 0.0;
     }
-    /// Returns the force of all channels except friction that pushes the tool back along its shaft [N], ≥ 0.
+    /// Returns the force by which all channels except friction push the tool along −z of its frame [N]; 0 if they push
+    /// along +z.
     [[nodiscard]] double axial_thrust() const noexcept {
         double sum = 0.0;
         for (std::size_t c = 0; c < channel.size(); ++c)
@@ -245,7 +247,7 @@ struct Advance {
     }
 };
 
-/// The motion, with the notes that `resist` returned. Without a law in this tick, the notes are default-constructed.
+/// The motion, with the notes that `resist` returned. If no law was evaluated, the notes are default-constructed.
 template <class Notes>
 struct Noted : Advance {
     static_assert(std::is_trivially_copyable_v<Notes> && sizeof(Notes) <= KERF_NOTE_BYTES,
@@ -257,19 +259,19 @@ struct Noted : Advance {
 class Actions {
 public:
     explicit Actions(kerf_commit_out& out) : out_(&out) { out.action_count = out.thread_count = 0; }
-    /// Removes the volume that the cutting part of the tool sweeps in this tick.
+    /// Removes the volume that the cutting part of the tool sweeps in this step.
     void cut() noexcept { add(KERF_ACTION_CUT, KERF_CUT_REGION); }
     /// Removes the cylinder around the tool's thread: bone whose thread is stripped.
     void cut_thread() noexcept { add(KERF_ACTION_CUT, KERF_CUT_THREAD); }
-    /// Leaves a thread in bone, or changes an existing one.
-    /// @param thread  from `BoneQuery::threads`, or with `KERF_NEW_THREAD`
+    /// Adds a thread to the bone, or changes an existing one. Only the last call of a commit counts.
+    /// @param thread  changed, from `BoneQuery::threads`; or new, with the number `KERF_NEW_THREAD`
     void leave(const kerf_thread& thread) noexcept {
         if (out_->thread == nullptr) return;
         *out_->thread = thread;
         out_->thread_count = 1;
     }
     /// Makes a body rigid to the tool.
-    /// @param body  its index in the bone's samples
+    /// @param body  `kerf_bone_sample::body` or `kerf_surface_point::body`
     void hold(std::int32_t body) noexcept { add(KERF_ACTION_HOLD, static_cast<std::uint32_t>(body)); }
     /// Releases the body that is rigid to the tool.
     void release() noexcept { add(KERF_ACTION_RELEASE); }

@@ -10,14 +10,14 @@ namespace kerf {
 
 namespace detail {
 
-/// The host of this library and its log; null before `open_plugin`, or if the host has none.
+/// The host of this library and the host's log. Both are null before `open_plugin`; the log also if the host has none.
 struct HostServices {
     const kerf_host* host = nullptr;
     const kerf_log* log = nullptr;
 };
 inline HostServices services;
 
-/// Stores the host. The `open` of KERF_PLUGIN.
+/// Stores the host and its log. KERF_PLUGIN exports it as the plugin's `open`.
 inline kerf_status open_plugin(const kerf_host* host) noexcept {
     services.host = host;
     services.log = static_cast<const kerf_log*>(host->find(host, KERF_LOG_ID, KERF_LOG_VERSION));

@@ -23,7 +23,7 @@ template <class Tool>
 struct Held<Tool> : Tool {
     Tick tick;
 };
-/// One of several tools of the plugin.
+/// The held tool of a law that takes several tools of its plugin.
 template <class First, class Second, class... Rest>
 struct Held<First, Second, Rest...> {
     Tick tick;
@@ -33,7 +33,7 @@ struct Held<First, Second, Rest...> {
     [[nodiscard]] bool is() const noexcept {
         return std::holds_alternative<Tool>(tool);
     }
-    /// Returns the held tool as a common base of all tools.
+    /// Returns the held tool as `Base`, from which all the tools must derive.
     template <class Base>
     [[nodiscard]] const Base& as() const noexcept {
         return visit([](const auto& held) -> const Base& { return held; });

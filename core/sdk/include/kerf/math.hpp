@@ -52,9 +52,9 @@ inline Quat normalized(Quat q) noexcept {
 /// Returns the rotation by |r| about r [rad]. Uses only +, −, ×, ÷ and sqrt, so that it gives the same bits on every
 /// machine.
 ///
-///     q = ±normalise(1, tan(|r|/2) r/|r|) ≈ normalise(1, r/2 (1 + |r|²/12))    for |r| ≤ 0.1
+///     q = ±normalise(1, tan(|r|/2) r/|r|) ≈ normalise(1, r/2 (1 + |r|²/12 + |r|⁴/120))    for |r| ≤ 0.01
 ///
-/// Larger rotations are composed from halves.   [any] pure.
+/// Larger rotations, up to 655 rad, are composed from halves.   [any] pure.
 inline Quat quat_from_rotation_vector(Vec3 r) noexcept {
     int halvings = 0;
     while (dot(r, r) > 1e-4 && halvings < 16) {

@@ -30,8 +30,8 @@ public:
         ++count_;
         return *this;
     }
-    /// Appends an arc of a ball about (`centre_z`, 0), from its tip to the polar angle `end` [rad], in `pieces` chords,
-    /// with the point at its tip. `end` may lie behind the equator.
+    /// Appends an arc about (`centre_z`, 0) in `pieces` chords: from the ball's tip, included, to the angle `end`
+    /// [rad], measured from +z at the centre. `end` may be above π/2, behind the equator.
     Outline& ball(double centre_z, double radius, double end, std::size_t pieces = 12) noexcept {
         for (std::size_t i = 0; i <= pieces; ++i) {
             const SinCos angle = sin_cos_exact(end * static_cast<double>(i) / static_cast<double>(pieces));
@@ -97,13 +97,13 @@ public:
         double radius;  ///< [m] over the crests
         double lead;    ///< [m] advance in one turn
     };
-    /// Adds a thread around all points so far, behind the cone of the tip.
+    /// Adds a thread around all points so far, except the cone of the tip from the first point to the second.
     constexpr Outline& threaded(Thread thread) noexcept {
         thread_ = thread;
         threaded_ = count_;
         return *this;
     }
-    /// Sets that all points so far stay in bone when the driver leaves: an implant.
+    /// Makes the tool an implant: all points so far stay in bone when the driver leaves.
     constexpr Outline& stays() noexcept {
         stay_ = count_;
         return *this;

@@ -33,8 +33,8 @@
 /// which hand and law balance. `resist` is pure, and the core may call it again. Notes that it returns reach the commit
 /// as `Noted<Notes>::notes`. `commit` takes the solved motion, once for each motion; a fast tick has several motions.
 /// Optional: State, Signals, commit, and `void begin(const Held<Tool>&, const BoneQuery&, State&) const noexcept`,
-/// which computes values that depend on parameters and resolution alone. begin, resist and commit are [haptic,
-/// nonblocking].
+/// which computes values that depend on parameters and resolution alone. begin, resist and commit are
+/// [haptic, nonblocking].
 ///
 /// A law that takes any tool with the right parameters names them in a struct with `static constexpr auto needs()`, and
 /// takes `Held<ThatStruct>`.
@@ -58,7 +58,7 @@ namespace detail {
 template <class T>
 struct ComponentTable;
 
-/// Returns the item of this type in the description of `T`, or `otherwise`.
+/// Returns the item of type `Item` in the description of `T`, or `otherwise` if it has none.
 template <class T, class Item>
 constexpr Item find_item(Item otherwise) noexcept {
     std::apply(
@@ -196,7 +196,7 @@ private:
     struct Name {
         const char* id;
     };
-    /// Returns the ids of one kind. Components of other kinds get unique numbers that no id can equal.
+    /// Returns one name for each component: its id if it is of this kind, else a unique text that no id can equal.
     static constexpr auto components_by_kind(std::uint32_t kind) {
         constexpr const char* others[] = {"#0", "#1", "#2",  "#3",  "#4",  "#5",  "#6",  "#7",
                                           "#8", "#9", "#10", "#11", "#12", "#13", "#14", "#15"};

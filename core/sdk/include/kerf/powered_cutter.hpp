@@ -14,8 +14,9 @@ struct CuttingState {
 
     [[nodiscard]] bool resists() const noexcept { return fraction > 0.0; }
     [[nodiscard]] bool removes_bone() const noexcept { return fraction >= 1.0; }
-    /// Updates the fraction. A cutter below its slowest cutting speed removes no bone. It sinks onto the bone that its
-    /// edges left, and their forces decay while contact takes over, so that the hand feels no step.
+    /// Updates the fraction: 1 if the cutter cuts, else it decays. A cutter that has become too slow to cut sinks onto
+    /// the bone behind its edges. Its cutting forces decay while contact forces build up, so that the hand feels no
+    /// step.
     /// @param fading_time  time constant [s]; longer for a cutter that sinks far, for example where its walls are known
     ///                     less exactly than its point
     void step(bool cuts, double dt, double fading_time = 2e-3) noexcept {
@@ -55,16 +56,16 @@ struct PoweredCutter {
     CuttingState cutting;
 
     [[nodiscard]] double speed() const noexcept { return motor.speed; }  ///< [1/s], negative in reverse
-    /// Steps motor and cutting by one tick. Reports a new phase.   [haptic, nonblocking]
-    /// @param load          [N·m] resisting torque at speed
-    /// @param slowest_cut   [1/s] speed from which bone is removed
+    /// Advances motor and cutting by `dt` [s]. Reports the event of the phase if it changed.   [haptic, nonblocking]
+    /// @param load          [N·m] as in `Spindle::step`
+    /// @param slowest_cut   [1/s] speed from which on bone is removed; none is removed in reverse
     template <class E>
     void step(const Motor& with, double commanded, double load, double dt, double slowest_cut,
               const PhaseEvents<E>& events, Actions& actions) noexcept {
         if (motor.step(with, commanded, load, dt)) actions.event(events.of(motor.phase));
         cutting.step(motor.speed >= slowest_cut, dt);
     }
-    /// Steps motor and cutting of a law whose events are the phases, in their order.
+    /// Does the same for a law whose events are the phases of `Spindle`, in their order.
     void step(const Motor& with, double commanded, double load, double dt, double slowest_cut,
               Actions& actions) noexcept {
         if (motor.step(with, commanded, load, dt)) actions.event(motor.phase);

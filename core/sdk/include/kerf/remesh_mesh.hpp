@@ -19,7 +19,7 @@ namespace kerf::remeshing {
 
 /// How a cut of a mesh ended; `RemeshAnswer::of` returns the answer for it.
 enum class Outcome { cut, unchanged, declined, refused, cancelled };
-/// Returns whether the host has given up waiting. A cut calls it between two steps.
+/// A function that returns whether the host has stopped waiting for the answer. A cut calls it between its steps.
 using Cancelled = std::function<bool()>;
 
 /// Triangles with tags, in the form that crosses the boundary.

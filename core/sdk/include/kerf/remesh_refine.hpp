@@ -44,9 +44,9 @@ public:
         }
     }
 
-    /// Chooses the edges to split. For each face with a chosen edge it also chooses the longest edge, and so on in the
-    /// faces on its other side: so angles of faces stay bounded, and splitting terminates. A face whose longest edge is
-    /// locked is not split. Returns whether any edge is chosen.
+    /// Chooses the edges to split: those for which `is_long(middle, length)`. For each face with a chosen edge it also
+    /// chooses the face's longest edge, and so on in the neighbour at that edge. So the angles of faces stay bounded,
+    /// and splitting terminates. A face whose longest edge is locked is not split. Returns whether any edge is chosen.
     template <class IsLong>
     bool choose(const IsLong& is_long) {
         for (auto& [edge, split] : all_)
@@ -78,7 +78,8 @@ public:
     }
 
 private:
-    /// Calls `change` for faces with a chosen edge whose longest edge is not chosen, until there is no such face.
+    /// Calls `change(longest, sides)` for each face with a chosen edge whose longest edge is not chosen, until there is
+    /// no such face.
     template <class Change>
     void propagate(const Change& change) {
         for (bool has_changed = true; has_changed;) {
@@ -98,10 +99,10 @@ private:
 
 }  // namespace detail
 
-/// Splits edges longer than `longest` [m] for which `is_near(middle, length)` at their midpoints, until there is none,
-/// and with them the longest edges of their faces. Split faces keep their tag, vertices their index. Edges between two
-/// locked vertices are never split, so that a locked border stays as it is. For that, shorter edges of their faces may
-/// stay too.   [any]
+/// Splits edges longer than `longest` [m] for which `is_near(middle, length)` is true, at their midpoints, until no
+/// such edge can be split. A face with such an edge is also split at its longest edge. New faces get the tag of the
+/// face that they came from; vertices keep their index. Edges between two locked vertices are never split. If one is
+/// the longest of its face, that face is not split either.   [any]
 /// @param locked   one value per vertex: 1 for locked; may be empty
 template <class IsNear>
 void split_long_edges(Triangles& mesh, std::span<const std::uint8_t> locked, double longest, const IsNear& is_near) {

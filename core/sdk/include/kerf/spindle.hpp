@@ -10,7 +10,7 @@ namespace kerf {
 
 /// The motor of a tool that turns or oscillates.
 struct Motor {
-    double inertia = 0.0;  ///< [kg·m²] of all rotating parts; 0: the speed follows at once
+    double inertia = 0.0;  ///< [kg·m²] of all rotating parts; 0: the speed follows the command at once
     double torque = 0.0;   ///< [N·m] max driving or braking torque
     double ramp = 1e300;   ///< [1/s²] rate at which its controller changes the speed, with or without load, while the
                            ///< torque suffices
@@ -38,13 +38,15 @@ struct Motor {
 struct Spindle {
     enum class Phase : std::uint32_t { off, spinning_up, running, reversing, bogging, stalled, running_down };
 
-    double speed = 0.0;       ///< [1/s]
-    double torque = 0.0;      ///< [N·m] of the motor in the last step, along the commanded sense
+    double speed = 0.0;   ///< [1/s]
+    double torque = 0.0;  ///< [N·m] of the motor in the last step, along the sense of rotation; at standstill along
+                          ///< the commanded sense
     double crawl_time = 0.0;  ///< [s] time spent below the crawling speed at full torque
     Phase phase = Phase::off;
 
-    /// Advances the spindle by `dt` [s]. `load` [N·m] is the resisting torque at speed, in either sense of rotation.
-    /// Returns whether the phase changed.   [haptic, nonblocking]
+    /// Advances the spindle by `dt` [s]. Returns whether the phase changed.   [haptic, nonblocking]
+    /// @param commanded  [1/s] speed, negative in reverse
+    /// @param load       [N·m] ≥ 0, torque that resists rotation in either sense; it fades towards standstill
     bool step(const Motor& motor, double commanded, double load, double dt) noexcept {
         const Phase before = phase;
         const double sense = speed != 0.0 ? (speed > 0.0 ? 1.0 : -1.0) : (commanded < 0.0 ? -1.0 : 1.0);
@@ -75,8 +77,8 @@ struct Spindle {
         }
         return phase != before;
     }
-    /// Returns the motor's torque beyond the load [N·m], along the sense of rotation: a reaction that the hand feels in
-    /// addition to the load's.
+    /// Returns the motor's torque minus the load [N·m], along the sense of rotation. The hand feels its reaction in
+    /// addition to that of the load.
     [[nodiscard]] double excess_torque(double load) const noexcept {
         return torque - load * fading(speed < 0.0 ? -speed : speed);
     }
@@ -96,8 +98,8 @@ private:
         return braked >= wanted ? braked : reached(motor, old, wanted, motor.torque, load, dt);
     }
 
-    /// Returns the speed after a step with a torque up to `max_drive_torque` for driving and the full torque for
-    /// braking.
+    /// Returns the speed after a step [1/s]: `wanted`, or the nearest speed that the motor can reach. It drives with at
+    /// most `max_drive_torque` and brakes with at most its full torque.
     [[nodiscard]] static double reached(const Motor& motor, double old, double wanted, double max_drive_torque,
                                         double load, double dt) noexcept {
         const double inertia = 2.0 * pi * motor.inertia / dt;  // [N·m·s] per revolution

@@ -62,7 +62,8 @@ public:
     }
     /// Returns the permitted deviation of new faces [m].
     [[nodiscard]] double tolerance() const noexcept { return in_->tolerance; }
-    /// Returns 0 at first; another number after the host has refused an answer.
+    /// Returns 0 for the first attempt, and another number after the host has refused an answer. Use it to vary the
+    /// cut.
     [[nodiscard]] std::uint64_t seed() const noexcept { return in_->nudge_seed; }
     [[nodiscard]] std::uint32_t mode() const noexcept { return in_->mode; }  ///< KERF_REMESH_PROVISIONAL …
     /// Returns whether the host no longer waits: then return RemeshAnswer::cancelled() soon.
@@ -86,12 +87,12 @@ public:
     static RemeshAnswer cut(remeshing::Triangles mesh) { return {KERF_OK, {}, std::move(mesh)}; }
     /// Reports that the cuts meet none of the faces.
     static RemeshAnswer unchanged() { return {KERF_REMESH_UNCHANGED, {}, {}}; }
-    /// Reports that this strategy does not make such a cut; the host passes it to the next strategy.
+    /// Reports that this strategy does not make such a cut. The host then tries the next strategy.
     static RemeshAnswer declined(std::string why) { return {KERF_REMESH_DECLINED, std::move(why), {}}; }
     /// Reports that this job cannot be done; another seed may help.
     static RemeshAnswer refused(std::string why) { return {KERF_REMESH_REFUSED, std::move(why), {}}; }
     static RemeshAnswer cancelled() { return {KERF_REMESH_CANCELLED, {}, {}}; }
-    /// The answer to an outcome: `mesh` counts for a cut, `why` where it is declined or refused.
+    /// Returns the answer for an outcome. `mesh` is used for a cut only, `why` if it is declined or refused.
     static RemeshAnswer of(remeshing::Outcome outcome, remeshing::Triangles mesh, std::string why) {
         switch (outcome) {
             case remeshing::Outcome::cut:
@@ -108,7 +109,8 @@ public:
         return refused(std::move(why));
     }
 
-    /// Writes the answer for the host.
+    /// Writes the mesh to the arena and the message to `out`. Returns the status for the host: a refusal if the arena
+    /// is too small.
     [[nodiscard]] kerf_status write(kerf_arena& to, kerf_remesh_out& out) const {
         if (status_ == KERF_OK && !remeshing::write(mesh_, to, out.result))
             return remeshing::refuse(KERF_REMESH_REFUSED, out, "the arena is too small for the result");
