@@ -34,7 +34,7 @@ void touch_stack() noexcept {
 }
 
 /// Keeps written heap memory in the process while it lives, so that an allocation takes no page fault. All threads that
-/// begin meanwhile share it.
+/// begin meanwhile allocate from it.
 class ReadyHeap {
 public:
     ReadyHeap() {

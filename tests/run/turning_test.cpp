@@ -188,8 +188,7 @@ TEST(Turning, RegrippingEndsAtTheSameAngle) {
     for (std::size_t i = 0; i < releases.size(); ++i)
         for (std::uint64_t tick = releases[i]; tick < hold[i]; ++tick) {
             ASSERT_LT(std::abs(session::sent_torque(b.ticks[tick])), 1e-4) << tick << ": the hand makes no torque";
-            ASSERT_NEAR(turned_by({b.ticks[releases[i]], b.ticks[tick]}, &session::TickRow::world_from_tool),
-                        0.0, 1e-3)
+            ASSERT_NEAR(turned_by({b.ticks[releases[i]], b.ticks[tick]}, &session::TickRow::world_from_tool), 0.0, 1e-3)
                 << tick;
         }
 }
