@@ -135,6 +135,7 @@ Run::~Run() = default;
 
 bool Run::step_after(std::uint32_t missed) {
     if (missed > 0) move_hand(missed);
+    end_of(TickPart::hand);
     take_tool_of_step();
     end_of(TickPart::tool);
     take_hand_inputs(hand_inputs_.take(simulation_.ticks(), hand_.leg(), hand_.is_regripping()));

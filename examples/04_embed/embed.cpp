@@ -13,9 +13,9 @@ int main(int argc, char** argv) {
     }
     kerf::PluginRegistry plugins;
     plugins.scan({argv[2]});
-    const auto scene = kerf::make_scene(argv[1], "", plugins);  // an empty anatomy: the procedure's own
+    const auto scene = kerf::run::make_scene(argv[1], "", plugins);  // an empty anatomy: the procedure's own
     if (!scene) {
-        std::fputs(kerf::to_text(scene.diagnostics()).c_str(), stderr);
+        std::fputs(kerf::text::to_text(scene.diagnostics()).c_str(), stderr);
         return 2;
     }
     kerf::run::RunOutcome outcome;
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
     double max_thrust = 0.0;
     while (run->step()) max_thrust = std::max(max_thrust, run->last().thrust);  // `step(sample)` for a device
     outcome = run->finish();
-    std::printf("%s after %.1f s, at most %.1f N\n", kerf::to_text(outcome.summary.verdict), outcome.summary.duration,
-                max_thrust);
+    std::printf("%s after %.1f s, at most %.1f N\n", kerf::session::to_text(outcome.summary.verdict),
+                outcome.summary.duration, max_thrust);
     return outcome.summary.verdict == kerf::session::Verdict::pass ? 0 : 1;
 }

@@ -37,24 +37,30 @@ const char* to_text(LateCause cause) noexcept {
 ExplainedTick explain(const TickTrace& tick, const TickTrace* before, std::span<const ThreadSample> samples,
                       std::int64_t period) noexcept {
     ExplainedTick result{tick, LateCause::unknown, 0};
-    const std::int64_t from = before != nullptr ? before->due : tick.due;
+    if (before != nullptr && before->computed > tick.computed) {
+        result.trace.longest = before->longest;
+        result.trace.part_time = before->part_time;
+    }
+    const std::int64_t from = before != nullptr ? before->begun : tick.due;
     const std::int64_t computed = tick.computed + (before != nullptr ? before->computed : 0);
-    const auto after =
-        std::partition_point(samples.begin(), samples.end(), [&](const ThreadSample& s) { return s.at < tick.done; });
+    const std::int64_t whole = tick.done - from;
+    const auto after = std::partition_point(samples.begin(), samples.end(),
+                                            [&](const ThreadSample& s) { return s.begun < tick.done; });
     const auto later =
         std::partition_point(samples.begin(), samples.end(), [&](const ThreadSample& s) { return s.at <= from; });
-    if (after == samples.end() || later == samples.begin()) return result;
+    const bool has_samples = after != samples.end() && later != samples.begin();
+    if (has_samples) result.faults = after->faults - (later - 1)->faults;
+    if (2 * computed >= whole) result.cause = LateCause::compute;
+    if (!has_samples || result.cause == LateCause::compute) return result;
+
     const ThreadSample &first = *(later - 1), &last = *after;
-    const std::int64_t whole = tick.done - from;
     const std::int64_t waited = std::min(last.waited - first.waited, whole);
-    const std::int64_t slack = (last.at - first.at) - whole;
-    result.faults = last.faults - first.faults;
-    const bool is_waiting_ambiguous = slack > max_slack_periods * period && waited > whole / 10;
-    const std::int64_t rest = std::max<std::int64_t>(whole - computed - waited, 0);
-    const bool slept = last.extra_switches > first.extra_switches;
-    const LateCause cause = largest(computed, waited, rest, slept);
-    if (cause != LateCause::compute && is_waiting_ambiguous) return result;
-    result.cause = cause;
+    const std::int64_t slack = (last.at - first.begun) - whole;
+    if (slack > max_slack_periods * period && waited > whole / 10) return result;
+    const std::int64_t begun = before != nullptr ? before->begun : tick.begun;
+    const bool slept = std::any_of(
+        later, after, [&](const ThreadSample& s) { return s.is_blocked && s.begun > begun && s.at < tick.done; });
+    result.cause = largest(computed, waited, std::max<std::int64_t>(whole - computed - waited, 0), slept);
     return result;
 }
 

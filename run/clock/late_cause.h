@@ -24,10 +24,10 @@ inline constexpr std::size_t late_cause_count = 5;
 
 /// Counters of a thread at one time, as the scheduler reports them.
 struct ThreadSample {
-    std::int64_t at = 0;              ///< CLOCK_MONOTONIC [ns]
-    std::int64_t waited = 0;          ///< [ns] ready without a core, since the thread began
-    std::int64_t extra_switches = 0;  ///< times that it got a core, less the sleeps of its clock
-    std::uint64_t faults = 0;         ///< page faults
+    std::int64_t begun = 0, at = 0;  ///< CLOCK_MONOTONIC before and after the counters were read [ns]
+    std::int64_t waited = 0;         ///< [ns] ready without a core, since the thread began
+    bool is_blocked = false;         ///< it slept, and not in its clock
+    std::uint64_t faults = 0;        ///< page faults
 };
 
 /// The cause of a slow tick.
@@ -39,9 +39,10 @@ struct ExplainedTick {
 
 /// Returns the cause of a slow tick from samples of its thread's counters, in order of time. The time from the due time
 /// to the end is split into processor time, waiting for a core, and the rest; the largest is the cause. Unknown if no
-/// samples are around the tick, or if they are so far apart that the waiting may belong to other ticks.   [any] pure.
+/// samples are around the tick, or if they are so far apart that the waiting may belong to other ticks. Half of the
+/// time computed needs no samples.   [any] pure.
 /// @param before  the trace of the tick before it if that ended after this one was due, else null. A tick that begins
-///                late because the one before it ended late has the cause of that one
+///                late because the one before it ended late has the cause of that one, and its longest part
 [[nodiscard]] ExplainedTick explain(const TickTrace& tick, const TickTrace* before,
                                     std::span<const ThreadSample> samples, std::int64_t period) noexcept;
 

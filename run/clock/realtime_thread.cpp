@@ -33,32 +33,19 @@ void touch_stack() noexcept {
     touch(pages, touched_stack);
 }
 
-/// Keeps written heap memory in the process while it lives, so that an allocation takes no page fault. All threads that
-/// begin meanwhile allocate from it.
-class ReadyHeap {
-public:
-    ReadyHeap() {
-        mallopt(M_ARENA_MAX, 1);
-        mallopt(M_MMAP_MAX, 0);         // large blocks come from the heap
-        mallopt(M_TRIM_THRESHOLD, -1);  // and return to it
-        std::array<void*, 64> blocks{};
-        for (void*& block : blocks) {
-            block = std::malloc(block_size);
-            if (block != nullptr) touch(static_cast<char*>(block), block_size);
-        }
-        for (void* block : blocks) std::free(block);
+/// Writes 32 MB of the calling thread's heap and keeps it for the rest of the process, so that its allocations take no
+/// page fault.
+void touch_heap() noexcept {
+    constexpr std::size_t block_size = 1 << 20;
+    mallopt(M_MMAP_MAX, 0);         // large blocks come from the heap
+    mallopt(M_TRIM_THRESHOLD, -1);  // and return to it
+    std::array<void*, 32> blocks{};
+    for (void*& block : blocks) {
+        block = std::malloc(block_size);
+        if (block != nullptr) touch(static_cast<char*>(block), block_size);
     }
-    ~ReadyHeap() {
-        mallopt(M_ARENA_MAX, 0);  // the defaults of the C library
-        mallopt(M_MMAP_MAX, 65536);
-        mallopt(M_TRIM_THRESHOLD, 128 * 1024);
-    }
-    ReadyHeap(const ReadyHeap&) = delete;
-    ReadyHeap& operator=(const ReadyHeap&) = delete;
-
-private:
-    static constexpr std::size_t block_size = 1 << 20;
-};
+    for (void* block : blocks) std::free(block);
+}
 
 void take_priority(RealtimeState& state) {
     if (const int error = take_fifo_priority(haptic_priority); error != 0)
@@ -78,6 +65,10 @@ void lock_memory(RealtimeState& state) {
     if (!state.is_locked)
         state.refusals.push_back(std::string("The system refused to lock the memory (") + std::strerror(errno) +
                                  "): ticks may wait for pages. Allow `memlock unlimited` in /etc/security/limits.d.");
+    else if (!is_unlimited)
+        state.refusals.emplace_back("Memory that is allocated during the run is not locked: ticks may wait for pages. "
+                                    "Allow `memlock unlimited` "
+                                    "in /etc/security/limits.d.");
 }
 
 }  // namespace
@@ -90,26 +81,33 @@ int take_fifo_priority(int priority) noexcept {
 
 RealtimeState run_in_real_time(const std::function<void()>& work, const std::function<void()>& meanwhile) {
     RealtimeState state;
-    std::exception_ptr failure;
+    std::exception_ptr failure, failure_meanwhile;
     std::promise<void> done;
-    const ReadyHeap heap;
+    const std::future<void> end = done.get_future();
     std::thread thread([&] {
-        take_priority(state);
-        lock_memory(state);
-        touch_stack();
         try {
+            take_priority(state);
+            touch_heap();
+            lock_memory(state);
+            touch_stack();
             work();
         } catch (...) {
             failure = std::current_exception();
         }
         done.set_value();
     });
-    for (const std::future<void> end = done.get_future();
-         end.wait_for(std::chrono::milliseconds(250)) != std::future_status::ready;)
-        meanwhile();
+    while (end.wait_for(std::chrono::milliseconds(250)) != std::future_status::ready) {
+        if (failure_meanwhile) continue;
+        try {
+            meanwhile();
+        } catch (...) {
+            failure_meanwhile = std::current_exception();
+        }
+    }
     thread.join();
     if (state.is_locked) munlockall();
     if (failure) std::rethrow_exception(failure);
+    if (failure_meanwhile) std::rethrow_exception(failure_meanwhile);
     return state;
 }
 

@@ -20,9 +20,9 @@ struct RealtimeState {
     std::vector<std::string> refusals;  ///< what the system refused and what to set, for people
 };
 
-/// Runs `work` to its end on a thread of its own: class SCHED_FIFO of priority 49, with its stack and 64 MB of heap
-/// written to and the memory of the process locked. The system may refuse parts of that; the work runs all the same.
-/// Returns what was granted.   [main] blocks until the work is done
+/// Runs `work` to its end on a thread of its own: class SCHED_FIFO of priority 49, with its stack and 32 MB of its
+/// heap written to and the memory of the process locked. The system may refuse parts of that; the work runs all the
+/// same. Returns what was granted.   [main] blocks until the work is done
 /// @param meanwhile  called on the calling thread four times a second while the work runs
 RealtimeState run_in_real_time(const std::function<void()>& work, const std::function<void()>& meanwhile);
 

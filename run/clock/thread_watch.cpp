@@ -2,12 +2,14 @@
 #include "run/clock/thread_watch.h"
 
 #include <fcntl.h>
+#include <pthread.h>
+#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
+#include <optional>
 #include <string>
 
 #include "run/clock/realtime_thread.h"
@@ -46,20 +48,26 @@ private:
 struct ThreadWatch::Counters {
     explicit Counters(const std::string& thread) : schedule(thread + "/schedstat"), state(thread + "/stat") {}
 
-    [[nodiscard]] ThreadSample sample(const std::atomic<std::int64_t>& sleeps) const noexcept {
+    /// Returns a sample; nothing if the system does not tell the counters.
+    [[nodiscard]] std::optional<ThreadSample> sample(const std::atomic<bool>& is_asleep) const noexcept {
         ThreadSample sample;
+        sample.begun = monotonic_time();
         long long ran = 0, waited = 0, switched = 0;
-        unsigned long long minor = 0, major = 0;
-        char activity = 'R';
-        if (std::sscanf(schedule.read(), "%lld %lld %lld", &ran, &waited, &switched) == 3) sample.waited = waited;
-        sample.extra_switches = switched - sleeps.load(std::memory_order_relaxed);
+        if (std::sscanf(schedule.read(), "%lld %lld %lld", &ran, &waited, &switched) != 3 || switched == 0)
+            return std::nullopt;
+        sample.waited = waited;
+        const bool was_asleep = is_asleep.load(std::memory_order_acquire);
         // The name of the thread may contain blanks; the fields after it begin behind its last parenthesis.
         const char* fields = state.read();
         for (const char* c = fields; *c != '\0'; ++c)
             if (*c == ')') fields = c + 1;
-        if (std::sscanf(fields, " %c %*d %*d %*d %*d %*d %*u %llu %*u %llu", &activity, &minor, &major) == 3)
-            sample.faults = minor + major;
-        if (activity == 'S') ++sample.extra_switches;  // it gets a core again when it wakes
+        unsigned long long minor = 0, major = 0;
+        char activity = 'R';
+        if (std::sscanf(fields, " %c %*d %*d %*d %*d %*d %*u %llu %*u %llu", &activity, &minor, &major) != 3)
+            return std::nullopt;
+        sample.faults = minor + major;
+        sample.is_blocked =
+            (activity == 'S' || activity == 'D') && !was_asleep && !is_asleep.load(std::memory_order_acquire);
         sample.at = monotonic_time();
         return sample;
     }
@@ -76,8 +84,12 @@ ThreadWatch::~ThreadWatch() {
 
 void ThreadWatch::watch_this_thread() {
     counters_ = std::make_unique<Counters>("/proc/self/task/" + std::to_string(gettid()));
-    thread_ = std::thread([this] {
-        static_cast<void>(take_fifo_priority(helper_priority));
+    int policy = SCHED_OTHER;
+    sched_param parameters{};
+    const bool is_in_real_time =
+        pthread_getschedparam(pthread_self(), &policy, &parameters) == 0 && policy == SCHED_FIFO;
+    thread_ = std::thread([this, is_in_real_time] {
+        if (is_in_real_time) static_cast<void>(take_fifo_priority(helper_priority));
         run(*counters_);
     });
 }
@@ -97,16 +109,20 @@ LateTicks ThreadWatch::finish() {
 
 void ThreadWatch::run(const Counters& counters) {
     while (!is_ending_) {
-        if (samples_.size() == max_samples) samples_.erase(samples_.begin(), samples_.begin() + dropped_samples);
-        samples_.push_back(counters.sample(sleeps_));
-        explain_until(samples_.back().at, false);
+        take_sample(counters);
+        explain_until(samples_.empty() ? monotonic_time() - period_ : samples_.back().begun, false);
         std::this_thread::sleep_for(std::chrono::nanoseconds(period_));
     }
-    samples_.push_back(counters.sample(sleeps_));
-    explain_until(samples_.back().at, true);
+    take_sample(counters);
+    explain_until(0, true);
 }
 
-/// Explains the slow ticks that ended before a sample; the last one need not.
+void ThreadWatch::take_sample(const Counters& counters) {
+    if (samples_.size() == max_samples) samples_.erase(samples_.begin(), samples_.begin() + dropped_samples);
+    if (const auto sample = counters.sample(is_asleep_)) samples_.push_back(*sample);
+}
+
+/// Explains the slow ticks that ended before a time, at the end all of them.
 void ThreadWatch::explain_until(std::int64_t time, bool is_last) {
     for (const TickTrace* tick = slow_.front(); tick != nullptr && (is_last || tick->done <= time);
          tick = slow_.front()) {

@@ -32,25 +32,24 @@ public:
 
     /// Starts to watch the calling thread.   [the watched thread, before its first tick] allocates
     void watch_this_thread();
-    /// Reports that the clock sleeps next.   [haptic, nonblocking]
-    void report_sleep() noexcept {
-        sleeps_.store(sleeps_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-    }
+    /// Reports that the clock sleeps, or that it woke.   [haptic, nonblocking]
+    void report_sleep(bool is_asleep) noexcept { is_asleep_.store(is_asleep, std::memory_order_release); }
     /// Reports a tick that ended.   [haptic, nonblocking]
     void report(const TickTrace& tick) noexcept;
-    /// Ends the watch and returns what it found.   [main]
+    /// Ends the watch and returns what it found.   [the watched thread, after its last tick]
     [[nodiscard]] LateTicks finish();
 
 private:
     struct Counters;
 
     void run(const Counters& counters);
+    void take_sample(const Counters& counters);
     void explain_until(std::int64_t time, bool is_last);
     void add(const ExplainedTick& tick);
 
     std::int64_t period_;
     SpscRing<TickTrace> slow_{1024};
-    std::atomic<std::int64_t> sleeps_{0};
+    std::atomic<bool> is_asleep_{false};
     std::atomic<std::uint64_t> dropped_{0};
     std::atomic<bool> is_ending_{false};
     std::vector<ThreadSample> samples_;  ///< of the last seconds

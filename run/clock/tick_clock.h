@@ -13,7 +13,7 @@ public:
     /// Waits until the next tick is due. Returns the number of periods that passed without a tick since the last one.
     /// [haptic] it may sleep
     [[nodiscard]] virtual std::uint32_t wait() noexcept = 0;
-    /// Marks the time when the tick's force is out.   [haptic, nonblocking]
+    /// Marks the time when all of a tick is done.   [haptic, nonblocking]
     virtual void tick_done() noexcept {}
 };
 

@@ -35,8 +35,9 @@ WallClock::WallClock(double period, ThreadWatch* watch) noexcept
 std::uint32_t WallClock::wait() noexcept {
     std::int64_t now = monotonic_time();
     due_ = due_ == 0 ? now + period_ : due_ + period_;
-    if (watch_ != nullptr) watch_->report_sleep();
+    if (watch_ != nullptr) watch_->report_sleep(true);
     sleep_until(std::max(due_ - spin, now + 1));
+    if (watch_ != nullptr) watch_->report_sleep(false);
     while ((now = monotonic_time()) < due_) {
     }
     const std::int64_t lateness = now - due_;

@@ -13,7 +13,7 @@ namespace kerf::run {
 /// Lateness and computing time of the ticks of a clock [ns]. Nothing of it enters a result, a record or a hash.
 struct TickTimes {
     CallTimes lateness;             ///< from the due time until the tick begins
-    CallTimes compute;              ///< processor time of the thread from the pose to the force
+    CallTimes compute;              ///< processor time of the thread from the pose until all of the tick is done
     std::uint64_t ticks = 0;        ///< that ran
     std::uint64_t late = 0;         ///< ticks that began more than one period late
     std::uint64_t missed = 0;       ///< periods without a tick

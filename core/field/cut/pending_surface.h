@@ -18,10 +18,10 @@ class PendingSurface {
 public:
     PendingSurface(const CutTracker& tracker, const Pose& body_from_tool) noexcept;
 
-    /// Raises the distance of each answer to the depth of its point in a pending solid, where that is larger. Sets its
-    /// normal and body accordingly. The `count` ≤ `block_capacity` points, tool frame, lie in `box`. Pre: no distance
-    /// in `answers` is less than `minimum` [m]. If `may_rise` is given, only answers with true change.
-    /// [haptic, nonblocking]
+    /// Raises the distance of each answer to the greatest depth of its point in a pending solid, which is negative
+    /// outside it, where that is larger. The normal is then that solid's, and the body 0; at the clamp or beyond, none.
+    /// The `count` ≤ `block_capacity` points, tool frame, lie in `box`. Pre: no distance in `answers` is less than
+    /// `minimum` [m]. If `may_rise` is given, only answers with true change. [haptic, nonblocking]
     void raise(const Vec3* points, std::size_t count, const PointBox& box, double minimum, const bool* may_rise,
                kerf_surface_point* answers) noexcept;
 

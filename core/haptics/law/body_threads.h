@@ -24,7 +24,8 @@ class BodyThreads {
 public:
     BodyThreads() = default;
     BodyThreads(const BodyThreads& other) noexcept { *this = other; }
-    /// Copies the used entries only: a loop copies its threads to its scene in each tick.
+    /// Copies the used entries only: in lock-step the scene gets a copy in each tick that removes bone or is clear of
+    /// bone.
     BodyThreads& operator=(const BodyThreads& other) noexcept;
 
     /// Writes the threads of the bodies in `near`, in the tool frame, at most `capacity` of them. Returns the number of

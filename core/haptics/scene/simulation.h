@@ -24,9 +24,10 @@ public:
     Simulation(const Body& body, std::vector<Tool> tools, const CouplingGains& gains, const Pose& start,
                double period = dt);
 
-    /// Runs `HapticLoop::tick`, then lets the scene follow.
+    /// Runs `HapticLoop::tick`, then lets the scene follow. If the tick stripped a thread, also subtracts the bone
+    /// around it, so the caller need not.
     TickResult tick(const DeviceSample& sample);
-    /// Runs `HapticLoop::tick_direct`, then lets the scene follow.
+    /// Runs `HapticLoop::tick_direct`, then does the same as `tick`.
     TickResult tick_direct(const DeviceSample& sample);
     /// Commits the last tool's cut and takes up another tool. Does nothing if `tool` is in hand already.
     void take_tool(std::size_t tool);

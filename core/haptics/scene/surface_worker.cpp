@@ -125,6 +125,8 @@ void SurfaceWorker::take_turn(HapticLoop& loop, TakenOver& taken) noexcept {
     (void)send(message);
 }
 
+// ---- the side of other threads -----------------------------------------------------------------------------------
+
 void SurfaceWorker::wait_for_all() {
     std::unique_lock lock(mutex_);
     ++waiting_for_all_;
