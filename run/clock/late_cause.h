@@ -9,7 +9,7 @@
 
 namespace kerf::run {
 
-/// Why a tick was late, or its force came late.
+/// Why a tick began or ended late.
 enum class LateCause : std::uint8_t {
     compute,          ///< the ticks themselves computed too long
     core_taken,       ///< the thread was ready, and another one had its core

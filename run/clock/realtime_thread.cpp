@@ -66,9 +66,9 @@ void lock_memory(RealtimeState& state) {
         state.refusals.push_back(std::string("The system refused to lock the memory (") + std::strerror(errno) +
                                  "): ticks may wait for pages. Allow `memlock unlimited` in /etc/security/limits.d.");
     else if (!is_unlimited)
-        state.refusals.emplace_back("Memory that is allocated during the run is not locked: ticks may wait for pages. "
-                                    "Allow `memlock unlimited` "
-                                    "in /etc/security/limits.d.");
+        state.refusals.emplace_back(
+            "Memory that is allocated during the run is not locked: ticks may wait for pages. Allow "
+            "`memlock unlimited` in /etc/security/limits.d.");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t max_samples = 8192, dropped_samples = 4096;
 constexpr std::size_t max_slowest = 10;
-constexpr std::int64_t slow_fraction = 4;  // a tick is slow if its force comes later than a period divided by this
+constexpr std::int64_t slow_fraction = 4;  // a tick is slow if it ends later than a period divided by this
 
 /// A file of /proc that is read again and again.
 class CounterFile {

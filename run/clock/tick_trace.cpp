@@ -6,11 +6,16 @@
 
 namespace kerf::run {
 
-std::int64_t monotonic_time() noexcept {
+namespace {
+std::int64_t time_of(clockid_t clock) noexcept {
     timespec time{};
-    clock_gettime(CLOCK_MONOTONIC, &time);
+    clock_gettime(clock, &time);
     return time.tv_sec * std::int64_t{1'000'000'000} + time.tv_nsec;
 }
+}  // namespace
+
+std::int64_t monotonic_time() noexcept { return time_of(CLOCK_MONOTONIC); }
+std::int64_t thread_time() noexcept { return time_of(CLOCK_THREAD_CPUTIME_ID); }
 
 const char* to_text(TickPart part) noexcept {
     switch (part) {

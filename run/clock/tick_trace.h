@@ -10,6 +10,8 @@ namespace kerf::run {
 
 /// Returns the time of CLOCK_MONOTONIC [ns].   [haptic] no system call: the kernel's page is read
 [[nodiscard]] std::int64_t monotonic_time() noexcept;
+/// Returns the processor time of the calling thread [ns].   [haptic] a system call
+[[nodiscard]] std::int64_t thread_time() noexcept;
 
 /// The parts of a tick of a run, in their order.
 enum class TickPart : std::uint8_t {

@@ -15,12 +15,6 @@ namespace {
 constexpr std::int64_t second = 1'000'000'000;  // [ns]
 constexpr std::int64_t spin = 150'000;          // [ns] at the end of a wait; a wake-up of a busy core is that late
 
-std::int64_t now_of(clockid_t clock) noexcept {
-    timespec time{};
-    clock_gettime(clock, &time);
-    return time.tv_sec * second + time.tv_nsec;
-}
-
 void sleep_until(std::int64_t due) noexcept {
     const timespec time{due / second, due % second};
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR) {
@@ -54,13 +48,13 @@ std::uint32_t WallClock::wait() noexcept {
     const auto count = static_cast<std::uint32_t>(std::min<std::int64_t>(missed, UINT32_MAX));
     if (count >= HandMotion::missed_ticks_of_pause) ++times_.pauses;
     trace_.missed = count;
-    begun_cpu_ = now_of(CLOCK_THREAD_CPUTIME_ID);
+    begun_cpu_ = thread_time();
     parts_.begin();
     return count;
 }
 
 void WallClock::tick_done() noexcept {
-    const std::int64_t computed = now_of(CLOCK_THREAD_CPUTIME_ID) - begun_cpu_;
+    const std::int64_t computed = thread_time() - begun_cpu_;
     times_.compute.add(static_cast<std::uint64_t>(computed));
     if (computed > period_) ++times_.over_period;
     if (watch_ == nullptr) return;
