@@ -22,6 +22,7 @@ namespace kerf::run {
 namespace {
 
 constexpr std::uint32_t max_moved_periods = 1000;  // of a pause; in a longer one the hand waits
+constexpr double noticed_force = 0.1;              // [N] on the hand: a hand notices when it fades [assumed]
 constexpr int volume_interval = 50;                // ticks between counts of the removed volume
 constexpr double crumb = 10e-9;                    // [m³] smaller pieces do not become bodies: they are washed away
 
@@ -176,7 +177,10 @@ bool Run::tick(const DeviceSample& reported) {
     const DeviceSample sample{handle, reported.missed};
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
     end_of(TickPart::motion);
-    if (!is_replay() && !is_led_) hand_.step(result_.command, sensed_tool());
+    if (!is_replay() && !is_led_) {
+        note_force();
+        hand_.step(result_.command, sensed_tool());
+    }
 
     end_of(TickPart::hand);
 
@@ -204,11 +208,22 @@ bool Run::tick(const DeviceSample& reported) {
     return !end && simulation_.ticks() < static_cast<std::uint64_t>(scene_->procedure.time_limit / Simulation::dt);
 }
 
+/// Follows the force of the device before, in and after a fault, and gives the simulated hand the tool as it then lies
+/// in the hand.
+void Run::note_force() {
+    has_slipped_ |= result_.has_event(TickResult::anchored_again);
+    const bool was_away = std::exchange(is_force_away_, result_.is_closed_or_closing || result_.is_coming_back);
+    if (is_force_away_) return;
+    force_before_ = length(linear(result_.command.wrench));
+    if (was_away || (has_slipped_ && simulation_.is_realigning())) hand_.regrasp(inverse(simulation_.grasp()));
+}
+
 /// Returns the tool state that the simulated hand senses after the last tick.
 simulated_hand::SensedTool Run::sensed_tool() const {
     const std::string& awaited = hand_.awaited_event();
     return {.world_from_tool = result_.world_from_tool,
             .torque = result_.torque,
+            .is_force_lost = is_force_away_ && force_before_ > noticed_force,
             .has_event = !awaited.empty() && result_.has_event(awaited)};
 }
 

@@ -89,6 +89,7 @@ private:
     void note_progress();
     void lead();
     [[nodiscard]] DeviceSample recorded_reading();
+    void note_force();
     [[nodiscard]] simulated_hand::SensedTool sensed_tool() const;
     [[nodiscard]] bool tick(const DeviceSample& reported);
     void move_hand(std::uint32_t periods);
@@ -121,6 +122,9 @@ private:
     TickResult result_;
     session::TickRow row_;         ///< of the last tick
     std::size_t next_missed_ = 0;  ///< index into the recorded missed ticks
+    double force_before_ = 0.0;    ///< [N] of the device on the simulated hand, before it was lost
+    bool is_force_away_ = false;   ///< after a fault, until it is fully back
+    bool has_slipped_ = false;     ///< the tool was anchored anew in the simulated hand
     bool is_led_ = false;          ///< by a device: the simulated hand is not used
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;

@@ -20,8 +20,10 @@ constexpr double correcting = 1.0;   // [1/s] correction of a tip off the leg [a
 constexpr double max_offset = 3e-3;  // [m] maximum offset of the aim: 2 N on a drill in a hole [assumed]
 // [–] Pull, as a fraction of device friction, from which friction is fully compensated [assumed].
 constexpr double unfelt = 0.02;
-constexpr double turning = 1.0;       // [rad/s] of the wrist [assumed]
-constexpr double turning_back = 2.0;  // [rad/s] of the wrist after it has released the driver [assumed]
+constexpr double correcting_tilt = 0.05;  // [rad/s] of a tool that lies askew in the hand [assumed]
+constexpr double almost_turned = 0.01;    // [rad] of the wrist of a hand that has regrasped its tool [assumed]
+constexpr double turning = 1.0;           // [rad/s] of the wrist [assumed]
+constexpr double turning_back = 2.0;      // [rad/s] of the wrist after it has released the driver [assumed]
 
 constexpr double arm_in_bone = 5e3, leaning_in_bone = 17e3;  // [N/m], [N/(m·s)] [assumed]
 constexpr double stiffest_arm = 600.0;                       // [N/m] at the device [assumed]
@@ -96,6 +98,17 @@ Pose SimulatedHand::reported() const noexcept {
             turned_ == 0.0 ? rotation_ : rotation_ * turned_about_z(quantised(turned_, plant_.turn_resolution))};
 }
 
+void SimulatedHand::regrasp(const Pose& handle_from_tool) {
+    const bool is_turned = turned_ != 0.0 || (!is_done() && intent_.legs[leg_].turn != 0.0);
+    grasp_ = is_turned ? Pose{{0, 0, handle_from_tool.position.z}, {1, 0, 0, 0}} : handle_from_tool;
+}
+
+bool SimulatedHand::is_turned_to(Quat wrist) const noexcept {
+    // A tool that still moves in the hand changes the wrist's end in each tick.
+    const Vec3 rest = small_rotation_vector(conjugate(rotation_) * wrist);
+    return are_same(rotation_, wrist) || (!are_same(corrected_tilt_, {1, 0, 0, 0}) && length(rest) < almost_turned);
+}
+
 Vec3 SimulatedHand::along() const noexcept {
     if (is_done()) return {};
     const Vec3 leg_vector = intent_.legs[leg_].target.position - leg_start_;
@@ -144,7 +157,9 @@ void SimulatedHand::think(const SensedTool& felt) {
     if (is_done()) return;
 
     const Leg& leg = intent_.legs[leg_];
-    rotation_ = turned_towards(rotation_, leg.target.rotation, turning * dt_);
+    corrected_tilt_ = turned_towards(corrected_tilt_, grasp_.rotation, correcting_tilt * dt_);
+    const Quat wrist_at_end = this->wrist_at_end(leg);
+    rotation_ = turned_towards(rotation_, wrist_at_end, turning * dt_);
     const bool is_advancing = turn(leg, felt_torque);
     if (leg.turn != 0.0 && (has_felt_event || std::copysign(1.0, leg.turn) * felt_torque >= leg.until_torque))
         is_turn_over_ = true;
@@ -168,7 +183,7 @@ void SimulatedHand::think(const SensedTool& felt) {
         begin(last, tip, tip);
     else if (is_turn_over_ && !is_regripping_)
         begin(leg_ + 1, leg_start_ + plan_ * along, tip);
-    else if (are_same(rotation_, leg.target.rotation) && turned_ == turn_end_ &&
+    else if (is_turned_to(wrist_at_end) && turned_ == turn_end_ &&
              (leg.turn != 0.0 || (turns_ ? plan_ >= total : dot(tip - leg_start_, along) >= total - arrived)))
         begin(leg_ + 1, leg.target.position, tip);
 }
@@ -182,7 +197,7 @@ void SimulatedHand::begin(std::size_t leg, Vec3 from, Vec3 tip) {
         turn_end_ = turned_ + intent_.legs[leg_].turn;
         driver_end_ = driver_turned_ + intent_.legs[leg_].turn;
     }
-    turns_ = !is_done() && !are_same(rotation_, intent_.legs[leg_].target.rotation);
+    turns_ = !is_done() && !are_same(rotation_, wrist_at_end(intent_.legs[leg_]));
     plan_ = std::max(0.0, dot(tip - leg_start_, along()));
     lean_ = 0.0;
     std::fill(planned_.begin(), planned_.end(), plan_);
@@ -192,9 +207,9 @@ void SimulatedHand::begin(std::size_t leg, Vec3 from, Vec3 tip) {
 }
 
 Pose SimulatedHand::step(const DeviceCommand& command, const SensedTool& felt) {
-    think(felt);
+    if (!felt.is_force_lost) think(felt);
     const Setpoint& spring = command.setpoint;
-    const Vec3 aim = leg_start_ + (plan_ + lean_) * along() + offset_;
+    const Vec3 aim = leg_start_ + (plan_ + lean_) * along() + offset_ - rotate(rotation_, grasp_.position);
     const double most = is_done() ? HUGE_VAL : intent_.legs[leg_].push;
     const double mass = plant_.arm_mass + plant_.device_mass;
     const double h = dt_ / substeps;

@@ -55,8 +55,9 @@ struct Leg {
 /// Pose, torque and events of the tool that the hand sees and feels, whatever the device renders.
 struct SensedTool {
     Pose world_from_tool = identity_pose();
-    double torque = 0.0;     ///< [N·m] of the hand on the tool about its z, unscaled
-    bool has_event = false;  ///< the event that ends the leg's turn has just happened
+    double torque = 0.0;         ///< [N·m] of the hand on the tool about its z, unscaled
+    bool is_force_lost = false;  ///< a force that it felt has faded after a fault or a pause, and is not yet back
+    bool has_event = false;      ///< the event that ends the leg's turn has just happened
 };
 
 struct Intent {
@@ -75,6 +76,8 @@ struct Intent {
 /// of its distance per second. The wrist turns to its target rotation and keeps it, whatever the resistance. A driver
 /// turns on from there, as often as needed. The torque about the driver's shaft is delayed by one reaction time, too.
 ///
+/// While a force is lost, the hand keeps its aim: the fault is over before a person reacts.
+///
 /// A wrist has half a turn. With `regrip` it releases the driver about the shaft after that angle, turns back at 2
 /// rad/s and grips it again. It then turns on by the remaining angle of the driver itself, so compliance of the wrist
 /// loses no angle.
@@ -90,6 +93,11 @@ public:
     }
     /// Advances by one tick in air, where the tip moves with the handle.
     Pose step(const DeviceCommand& command) { return step(command, reported().position); }
+    /// Takes the tool as it now lies in the hand (handle_from_tool without stretch): after a pause or a fault the
+    /// coupling is anchored anew, and the tool is no longer where the handle is. From then on the hand aims with the
+    /// tip, as a person does who sees it, and corrects the tool's tilt at 3 degrees per second. Of a tool that the hand
+    /// turns, only the distance along the shaft counts.
+    void regrasp(const Pose& handle_from_tool);
     /// Returns the last result of `step`, or the start pose.
     [[nodiscard]] Pose reported() const noexcept;
     [[nodiscard]] bool is_done() const noexcept { return leg_ >= intent_.legs.size(); }
@@ -106,19 +114,26 @@ private:
     [[nodiscard]] bool turn(const Leg& leg, double felt_torque);
     void begin(std::size_t leg, Vec3 from, Vec3 tip);
     [[nodiscard]] Vec3 along() const noexcept;  ///< unit, of the leg; zero if it only turns
+    [[nodiscard]] bool is_turned_to(Quat wrist) const noexcept;
+    /// Returns the wrist's rotation at which the tool has the target rotation of a leg.
+    [[nodiscard]] Quat wrist_at_end(const Leg& leg) const noexcept {
+        return leg.target.rotation * conjugate(corrected_tilt_);
+    }
 
     Plant plant_;
     Intent intent_;
     double dt_;
     Vec3 position_, velocity_{};
-    Quat rotation_;          ///< of the wrist
-    double turned_ = 0.0;    ///< [rad] turn of the driver relative to the wrist, about its z axis
-    double plan_ = 0.0;      ///< [m] along the leg: planned position
-    double lean_ = 0.0;      ///< [m] along the leg: additional stretch of the arm's spring
-    Vec3 offset_{};          ///< [m] offset of the aim from the leg that brings the tip onto it
-    Vec3 leg_start_;         ///< planned end of the last leg
-    double turn_end_ = 0.0;  ///< [rad] `turned_` at the end of this leg
-    double grip_ = 0.0;      ///< [rad] `turned_` when the wrist gripped last
+    Quat rotation_;                    ///< of the wrist
+    double turned_ = 0.0;              ///< [rad] turn of the driver relative to the wrist, about its z axis
+    double plan_ = 0.0;                ///< [m] along the leg: planned position
+    double lean_ = 0.0;                ///< [m] along the leg: additional stretch of the arm's spring
+    Vec3 offset_{};                    ///< [m] offset of the aim from the leg that brings the tip onto it
+    Vec3 leg_start_;                   ///< planned end of the last leg
+    Pose grasp_ = identity_pose();     ///< handle_from_tool: how the tool lies in the hand
+    Quat corrected_tilt_{1, 0, 0, 0};  ///< the part of its rotation that the wrist allows for
+    double turn_end_ = 0.0;            ///< [rad] `turned_` at the end of this leg
+    double grip_ = 0.0;                ///< [rad] `turned_` when the wrist gripped last
     bool is_regripping_ = false, is_turn_over_ = false;
     Quat driver_;                 ///< rotation of the tool in the last tick
     double driver_turned_ = 0.0;  ///< [rad] turn of the tool about its z axis since the start, over many turns

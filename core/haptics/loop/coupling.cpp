@@ -136,6 +136,12 @@ void Coupling::relax(const Pose& world_from_handle, const Pose& tool) noexcept {
     rotation_slip_ = normalized(conjugate(world_from_handle.rotation) * tool.rotation);
 }
 
+Pose Coupling::grasp(const Pose& tool) const noexcept {
+    const Quat rotation = conjugate(rotation_slip_);  // of the handle, tool frame
+    const Vec3 slip = rotate(conjugate(tool.rotation), slip_);
+    return {slip + centre() - rotate(rotation, centre()), rotation};
+}
+
 bool Coupling::straighten(double fraction) noexcept {
     constexpr double straight = 1e-6;  // [m], [–] a smaller slip is set to zero
     const Pose left = between({slip_, rotation_slip_}, identity_pose(), fraction);

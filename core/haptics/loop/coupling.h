@@ -118,6 +118,11 @@ public:
     /// Moves the anchor back by this fraction (0 … 1) of its slip, as a hand realigns its tool in air. Returns
     /// whether some slip remains.   [haptic, nonblocking]
     bool straighten(double fraction) noexcept;
+    /// Returns tool_from_handle without stretch: how the tool lies in the hand. The identity if the anchor never slid.
+    /// [haptic, nonblocking]
+    [[nodiscard]] Pose grasp(const Pose& world_from_tool) const noexcept;
+    /// Returns the length of the anchor's slip [m].   [haptic, nonblocking]
+    [[nodiscard]] double slip() const noexcept { return length(slip_); }
 
     /// Releases the tool about its shaft, or grips it again (false). While released, the anchor about the shaft follows
     /// the handle and carries no torque. A damper of 1 % [assumed] remains, so that the solve has one solution.

@@ -10,6 +10,7 @@ namespace kerf {
 
 namespace {
 
+constexpr double realigning_speed = 10e-3;  // [m/s] maximum after a fault: a hand can follow it [assumed]
 constexpr double straightening = 0.3;  // [s] time constant with which a hand straightens a new tool in air [assumed]
 
 PassivityGuard::Port port_of_forces(const CouplingGains& gains) noexcept {
@@ -33,7 +34,8 @@ HandPort::HandPort(const CouplingGains& gains, const ToolGrip& handling, const P
 void HandPort::take_tool(const ToolGrip& handling, const Pose& world_from_tool) noexcept {
     coupling_ = Coupling(coupling_.gains(), handling);
     relax(world_from_tool);
-    is_tool_new_ = true;
+    is_realigning_ = true;
+    was_anchored_again_ = false;
     guard_.set_shaft_port(port_of_shaft(coupling_));
     guard_.restart();
 }
@@ -89,8 +91,12 @@ void HandPort::credit_motor(const Balance& balance, const Motion& motion, double
     supplied_ += force_scale() * std::max(0.0, dot(balance.following, motion.rate)) * dt;
 }
 
-void HandPort::straighten_new_tool(double dt) noexcept {
-    if (is_tool_new_) is_tool_new_ = coupling_.straighten(std::min(1.0, dt / straightening));
+void HandPort::realign(double dt) noexcept {
+    if (!is_realigning_) return;
+    double fraction = std::min(1.0, dt / straightening);
+    if (const double slip = coupling_.slip(); was_anchored_again_ && slip * fraction > realigning_speed * dt)
+        fraction = realigning_speed * dt / slip;
+    is_realigning_ = coupling_.straighten(fraction);
 }
 
 void HandPort::gate(bool is_steady, const Pose& world_from_tool, double dt, TickResult& result) noexcept {
@@ -103,6 +109,7 @@ void HandPort::gate(bool is_steady, const Pose& world_from_tool, double dt, Tick
     }
     if (was_closed && !result.is_closed_or_closing) {
         guard_.restart();
+        is_realigning_ = was_anchored_again_ = true;
         result.add_event(TickResult::anchored_again);
     }
     if (was_closed || result.is_closed_or_closing) relax(world_from_tool);

@@ -49,9 +49,14 @@ public:
     void slide(const Pose& world_from_tool) noexcept { coupling_.slide(pose(), world_from_tool); }
     /// Sets the stretch of the coupling to zero.   [haptic, nonblocking]
     void relax(const Pose& world_from_tool) noexcept { coupling_.relax(pose(), world_from_tool); }
-    /// Moves the anchor of a newly taken tool towards the handle, with a time constant of 0.3 s. To be called in each
-    /// tick of `dt` [s] in which no channel resists the tool.   [haptic, nonblocking]
-    void straighten_new_tool(double dt) noexcept;
+    /// Moves the anchor of a tool that was newly taken, or anchored anew after a fault, towards the handle: with a time
+    /// constant of 0.3 s, and after a fault with at most 10 mm/s. To be called in each tick of `dt` [s] in which no
+    /// channel resists the tool.   [haptic, nonblocking]
+    void realign(double dt) noexcept;
+    /// Returns whether the anchor has not yet reached the handle.
+    [[nodiscard]] bool is_realigning() const noexcept { return is_realigning_; }
+    /// Returns tool_from_handle without stretch.   [haptic, nonblocking]
+    [[nodiscard]] Pose grasp(const Pose& world_from_tool) const noexcept { return coupling_.grasp(world_from_tool); }
 
     [[nodiscard]] bool is_gate_closed() const noexcept { return gate_.is_closed_or_closing(); }
     /// Steps the force gate, adds its events, and sets the coupling's stretch to zero while the gate is closed or
@@ -80,10 +85,11 @@ private:
     Coupling coupling_;
     PassivityGuard guard_;
     ForceGate gate_;
-    Vec6 commanded_{};          ///< the last command: on the hand, device newtons
-    Vec6 before_fault_{};       ///< command that the closing gate fades
-    double supplied_ = 0.0;     ///< [J] work of the tool's motor since the last `read`, device side
-    bool is_tool_new_ = false;  ///< the hand has not yet straightened the tool that it took up
+    Vec6 commanded_{};                 ///< the last command: on the hand, device newtons
+    Vec6 before_fault_{};              ///< command that the closing gate fades
+    double supplied_ = 0.0;            ///< [J] work of the tool's motor since the last `read`, device side
+    bool is_realigning_ = false;       ///< the tool is new or anchored anew, and not yet straight in the hand
+    bool was_anchored_again_ = false;  ///< after a fault, since the tool was taken
 };
 
 }  // namespace kerf

@@ -160,7 +160,7 @@ bool HapticLoop::move(TickResult& result) noexcept {
         if (!find_motion(hand_.pose_after(part + 1, result.parts), step)) return false;
     }
     hand_.slide(world_from_tool_);
-    if (tools_.law().count == 0) hand_.straighten_new_tool(period_);
+    if (tools_.law().count == 0) hand_.realign(period_);
     if (unresisted_.check(step.motion, tools_.law(), bodies_, now(), spacing_)) result.add_event("haptics.unresisted");
     return true;
 }

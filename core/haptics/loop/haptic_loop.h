@@ -81,6 +81,10 @@ public:
     /// Sets the sleeve that guides the tool from the next tick on; no value: none.   [main] between ticks
     void lead(const std::optional<Guide>& guide) noexcept { guide_ = guide; }
 
+    /// Returns whether the tool moves in the hand: it is in air, and was newly taken, or anchored anew after a fault.
+    [[nodiscard]] bool is_realigning() const noexcept { return hand_.is_realigning() && tools_.law().count == 0; }
+    /// Returns tool_from_handle without stretch: how the tool lies in the hand.   [haptic, nonblocking]
+    [[nodiscard]] Pose grasp() const noexcept { return hand_.grasp(world_from_tool_); }
     [[nodiscard]] std::size_t tool() const noexcept { return tools_.in_hand(); }
     [[nodiscard]] const ToolOutline& outline() const noexcept { return tools_.outline(); }
     [[nodiscard]] const ToolSetup& setup() const noexcept { return tools_.setup(); }

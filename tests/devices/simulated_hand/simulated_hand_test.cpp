@@ -314,6 +314,19 @@ double unrest_on_a_wall(bool renders_setpoint, double stiffness) {
     return high - low;
 }
 
+// After a pause the tool is 3 mm behind the handle and 1 mm next to it, and tilted by 2 degrees.
+TEST(SimulatedHand, AimsWithTheToolAsItLiesInTheHand) {
+    SimulatedHand hand({}, down_to(20.0_mm, 10.0_mm_per_s, 0.5), test::at_depth(0.0), dt);
+    const Pose handle_from_tool{{1.0_mm, 0.0, 3.0_mm}, quat_from_rotation_vector({0.0, 2.0_deg, 0.0})};
+    hand.regrasp(handle_from_tool);
+    for (int tick = 0; tick < 10000 && !hand.is_done(); ++tick)
+        hand.step({}, SensedTool{.world_from_tool = hand.reported() * handle_from_tool});
+    ASSERT_TRUE(hand.is_done());
+    const Pose tool = hand.reported() * handle_from_tool, goal = test::at_depth(20.0_mm);
+    EXPECT_NEAR(length(tool.position - goal.position), 0.0, 0.5_mm);
+    EXPECT_NEAR(length(small_rotation_vector(conjugate(goal.rotation) * tool.rotation)), 0.0, 1e-3);
+}
+
 TEST(SimulatedHand, ADeviceThatAsksForSetpointsHoldsASpringTheLoopCannot) {
     const double soft = 1000.0, stiff = 60000.0;  // [N/m]; the loop alone can hold some b/(T/2) = 13 N/mm
     EXPECT_LT(unrest_on_a_wall(false, soft), 3.0 * Plant{}.resolution);
