@@ -17,8 +17,8 @@ const std::vector<Command>& command_table() {
     static const std::vector<Command> table = [] {
         std::vector<Command> all;
         using namespace table;
-        for (auto group : {&procedure_commands, &bone_commands, &session_commands, &plugin_commands, &study_commands,
-                           &program_commands}) {
+        for (auto group : {&procedure_commands, &bone_commands, &session_commands, &plugin_commands, &device_commands,
+                           &study_commands, &program_commands}) {
             std::vector<Command> rows = group();
             std::move(rows.begin(), rows.end(), std::back_inserter(all));
         }

@@ -86,8 +86,9 @@ ExitCode explain(const ExplainOptions& options, const Environment& /*with*/) {
 }
 
 ExitCode print_schema(const SchemaOptions& options, const Environment& with) {
-    const documents::Shape& shape =
-        options.kind == "anatomy" ? documents::shapes::anatomy : documents::shapes::procedure;
+    const documents::Shape& shape = options.kind == "anatomy"   ? documents::shapes::anatomy
+                                    : options.kind == "station" ? documents::shapes::station
+                                                                : documents::shapes::procedure;
     print(text::printable_json(documents::schema_text(shape, with.plugins.catalog(), session::notice_line)));
     return exit_pass;
 }

@@ -32,6 +32,7 @@ namespace commands {
 [[nodiscard]] ExitCode remesh(const RemeshOptions& options, const Environment& with);
 [[nodiscard]] ExitCode print_privacy(const PrivacyOptions& options, const Environment& with);
 [[nodiscard]] ExitCode list(const ListOptions& options, const Environment& with);
+[[nodiscard]] ExitCode devices(const DevicesOptions& options, const Environment& with);
 [[nodiscard]] ExitCode describe(const DescribeOptions& options, const Environment& with);
 [[nodiscard]] ExitCode begin_plugin(const NewPluginOptions& options, const Environment& with);
 [[nodiscard]] ExitCode print_completion(const CompletionOptions& options);

@@ -19,7 +19,16 @@ namespace {
 std::string shown_text(const std::string& text) { return kerf::text::shown(text); }
 
 const char* kind_of(const ComponentInfo& component) {
-    return component.kind == KERF_KIND_TOOL ? "tool" : component.kind == KERF_KIND_FORCE ? "force" : "strategy";
+    switch (component.kind) {
+        case KERF_KIND_TOOL:
+            return "tool";
+        case KERF_KIND_FORCE:
+            return "force";
+        case KERF_KIND_DEVICE:
+            return "device";
+        default:
+            return "strategy";
+    }
 }
 
 /// The id as a procedure writes it in `remeshing:`; for tools and laws, its two keys joined by `/`.

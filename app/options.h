@@ -29,6 +29,7 @@ struct RunOptions : DocumentOptions {
     bool is_headless = false;       ///< accepted for scripts: every run is headless at present
     bool is_watched = false;
     bool is_live = false;  ///< on the wall clock
+    std::string device;    ///< that leads the tool, as `kerf devices` shows it; empty: the rehearsal's hand
 };
 
 struct ValidateOptions : DocumentOptions {
@@ -60,7 +61,7 @@ struct ExplainOptions {
 };
 
 struct SchemaOptions {
-    std::string kind = "procedure";  ///< procedure | anatomy
+    std::string kind = "procedure";  ///< procedure | anatomy | station
 };
 
 struct ImportSourceOptions {
@@ -98,6 +99,11 @@ struct PrivacyOptions {
 };
 
 struct ListOptions {};
+
+struct DevicesOptions {
+    std::string action = "list";  ///< list | test | setup | doctor
+    std::string device;           ///< of test and setup
+};
 
 struct DescribeOptions {
     std::string component;  ///< "PLUGIN" or "PLUGIN/COMPONENT"; empty: all
@@ -141,7 +147,7 @@ struct ManOptions {};
 
 using Options = std::variant<RunOptions, ValidateOptions, RehearseOptions, ExpandOptions, PreviewOptions, PlanOptions,
                              ExplainOptions, SchemaOptions, ImportSourceOptions, AnatomyOptions, ReportOptions,
-                             RemeshOptions, PrivacyOptions, ListOptions, DescribeOptions, CheckOptions,
+                             RemeshOptions, PrivacyOptions, ListOptions, DevicesOptions, DescribeOptions, CheckOptions,
                              NewPluginOptions, StabilityOptions, ChartOptions, CompletionOptions, ManOptions>;
 
 }  // namespace kerf::app

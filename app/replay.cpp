@@ -24,6 +24,7 @@ std::string repeat(const session::RecordedInputs& recorded, const std::string& s
     request.replay = recorded.device_from_handle;
     request.adoptions = recorded.adoptions;
     request.missed = recorded.missed;
+    request.lost = recorded.lost;
     for (const auto& [tick, text] : recorded.hand_inputs) {
         const auto input = documents::hand_input(text);
         if (!input) return session + ": the hand requested `" + text + "`, which this Kerf does not know.";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,7 +20,10 @@
 #include "app/read_scene.h"
 #include "app/replay.h"
 #include "app/standard_streams.h"
+#include "app/station_file.h"
 #include "app/watch.h"
+#include "documents/station.h"
+#include "run/device/opened_device.h"
 #include "run/exact/exact_strategies.h"
 #include "run/live_run.h"
 #include "run/run_checks.h"
@@ -188,6 +192,8 @@ ExitCode run(const RunOptions& options, const Environment& with) {
 
     if (options.is_live && !options.replay.empty())
         return complain("a replay has no clock. Leave out `--live` or `--replay`.", exit_bad_input);
+    if (!options.device.empty() && !options.replay.empty())
+        return complain("a replay repeats the recorded hand. Leave out `--device` or `--replay`.", exit_bad_input);
     // Checked before the bone is made, which may take minutes.
     std::string rehearsal = options.hand;
     std::optional<session::RecordedInputs> recorded;
@@ -212,6 +218,32 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     }
     for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
     const Interruption interruption;  // a second Ctrl-C ends the program at once
+    documents::DeviceStation station{.device = options.device};
+    std::unique_ptr<run::StatedDevice> recorded_device;
+    if (recorded && !recorded->device_values.empty()) {
+        std::string fault;
+        recorded_device = run::StatedDevice::of(recorded->device, recorded->device_values, fault);
+        if (recorded_device == nullptr)
+            return complain(
+                options.replay + ": the recorded device cannot be used: " + fault + ". The file was changed.",
+                exit_bad_input);
+        documents->device = &recorded_device->record();
+    }
+    std::unique_ptr<run::OpenedDevice> device;
+    if (!options.device.empty()) {
+        auto own = read_own_station().take(diagnostics);
+        if (!own) {
+            with_findings(std::nullopt, diagnostics);
+            return exit_bad_input;
+        }
+        station = own->of(options.device);
+        std::string error;
+        print_error("kerf: opening the device `" + options.device + "`; Ctrl-C ends\n");
+        device = run::OpenedDevice::open(
+            with.plugins, station, [&] { return interruption.has_come(); }, error);
+        if (device == nullptr) return complain(error, exit_bad_input);
+        documents->device = &device->record();
+    }
     auto made = make_bone(std::move(*documents), file).take(diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
     if (!scene) return exit_bad_input;
@@ -234,8 +266,9 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (!options.replay.empty() && std::filesystem::equivalent(options.replay, request.out + "/session.db", ignored))
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
 
-    const run::RunOutcome outcome = options.is_live ? run::run_live(*scene, with.plugins, request)
-                                                    : run::run_procedure(*scene, with.plugins, request);
+    const run::RunOutcome outcome = device != nullptr ? run::run_live(*scene, with.plugins, request, *device, station)
+                                    : options.is_live ? run::run_live(*scene, with.plugins, request)
+                                                      : run::run_procedure(*scene, with.plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print_summary(outcome.summary);
     if (outcome.summary.clock) print(text_of(*outcome.summary.clock));

@@ -5,7 +5,7 @@
 #   core/…          kerf/…, its own layer or an earlier one, std and the C library; core/sdk only kerf/… and std
 #   text, documents, session, bone/…   the same, and third parties
 #   plugins/<name>  kerf/…, its own folder, std; CGAL in plugins/remesh_cgal/booleans.cpp, OpenMesh in plugins/burring/displace
-#   devices/<name>  the same
+#   devices/<name>  the same, and the C library
 #   studies/papers/<name>  kerf/…, its own folder, plugins/…, std: plugins that only charts and tests find
 #   run/…           kerf/…, the layers, devices/…, run/…, third parties; plugins it finds at run time
 #   conformance/…   kerf/…, the layers, conformance/…, studies/drawing/…, third parties; plugins it is given at run time
@@ -155,6 +155,8 @@ function(check_plugin_include file content directive folder)
   if(is_angled AND path MATCHES "^CGAL/" AND file STREQUAL "${ROOT}/plugins/remesh_cgal/booleans.cpp")
     return()
   elseif(is_angled AND path MATCHES "^OpenMesh/" AND file MATCHES "/plugins/burring/displace/[^/]+$")
+    return()
+  elseif(folder MATCHES "^devices/" AND is_angled AND (path IN_LIST c_library OR path MATCHES "^(arpa|linux|netinet|sys)/"))
     return()
   elseif(path MATCHES "(^|/)\\.\\./")
     # may leave the folder: refused below

@@ -17,6 +17,8 @@
 namespace kerf::documents {
 namespace {
 
+bool is_instrument(std::uint32_t kind) noexcept { return kind == KERF_KIND_TOOL || kind == KERF_KIND_FORCE; }
+
 class InstrumentReader {
 public:
     InstrumentReader(const ComponentCatalog& catalog, Report& report) : catalog_(catalog), report_(report) {}
@@ -165,8 +167,7 @@ private:
         if (id.empty()) return false;
         std::vector<std::string> known;
         for (const ComponentInfo& component : catalog_)
-            if (component.kind != KERF_KIND_REMESHER && !contains(known, component.plugin))
-                known.push_back(component.plugin);
+            if (is_instrument(component.kind) && !contains(known, component.plugin)) known.push_back(component.plugin);
         if (contains(known, id)) return true;
         const std::string meant = closest(id, known, report_);
         report_.error(

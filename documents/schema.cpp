@@ -237,6 +237,7 @@ private:
         Json plugins = Json::array();
         Json strategies{"isosurface", "insert"};
         for (const ComponentInfo& component : catalog_) {
+            if (component.kind == KERF_KIND_DEVICE) continue;
             if (component.kind != KERF_KIND_REMESHER) {
                 add_once(plugins, component.plugin);
                 continue;

@@ -67,7 +67,7 @@ session::RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins
     summary.variant = scene.procedure.variant;
     summary.anatomy = scene.anatomy.id;
     summary.rehearsal = rehearsal.id;
-    summary.hand = request.replay.empty() ? "simulated" : "replay";
+    summary.hand = !request.replay.empty() ? "replay" : request.is_led ? "device" : "simulated";
     summary.device = scene.device->id;
     summary.force_scale = scene.gains.force_scale;
     summary.coupling_stiffness = scene.procedure.is_direct ? 0.0 : scene.gains.stiffness;
@@ -115,6 +115,7 @@ Run::Run(const Scene& scene, const RunRequest& request, const documents::Rehears
       simulation_(scene.body, scene.tools, scene.gains, plan_.start),
       hand_inputs_(plan_, request_.replay.empty() ? nullptr : &request_.hand_inputs),
       monitor_(scene.procedure, scene.anatomy, scene.frames),
+      next_actions_(rehearsal),
       world_from_body_(1, identity_pose()) {
     if (files_ != nullptr) observers_.insert(observers_.begin(), files_.get());
     outcome_.summary = std::move(summary);
@@ -151,8 +152,17 @@ void Run::move_hand(std::uint32_t periods) {
     for (std::uint32_t i = 0; i < std::min(periods, max_moved_periods); ++i) hand_.step(result_.command, sensed);
 }
 
+void Run::prepare(const ButtonPresses& presses) {
+    request_.is_led = true;
+    take_tool_of_step();
+    end_of(TickPart::tool);
+    take_presses(presses);
+    take_hand_inputs(std::exchange(requested_, {}));
+    end_of(TickPart::inputs);
+}
+
 bool Run::step(const DeviceSample& sample) {
-    is_led_ = true;
+    request_.is_led = true;
     take_tool_of_step();
     end_of(TickPart::tool);
     take_hand_inputs(std::exchange(requested_, {}));
@@ -160,11 +170,37 @@ bool Run::step(const DeviceSample& sample) {
     return tick(sample);
 }
 
+/// Requests what the buttons of a device request.
+void Run::take_presses(const ButtonPresses& presses) {
+    using documents::HandInput;
+    if (std::exchange(is_driving_, presses.is_driving) != presses.is_driving) {
+        const ToolSetup& setup = simulation_.setup();
+        for (std::uint32_t i = 0; i < setup.tool->tool->drive_count; ++i)
+            if (const double value = setup.drives[i]; value != 0.0)
+                request({HandInput::Kind::drive, setup.tool->tool->drives[i].id, presses.is_driving ? value : 0.0});
+    }
+    if (presses.wants_undo) request({HandInput::Kind::undo});
+    if (!presses.wants_next) return;
+    const auto action = next_actions_.take(monitor_.current());
+    requested_.insert(requested_.end(), action.begin(), action.end());
+    if (action.empty()) add_event_at(simulation_.ticks(), "hand.refused", "next: the step has no further action");
+}
+
+/// Records that the device was lost, or is back.
+void Run::note_loss(bool is_lost) {
+    if (is_lost == std::exchange(is_lost_, is_lost)) return;
+    add_event_at(simulation_.ticks(), is_lost ? session::lost_event : session::back_event, "");
+    hash_.add(std::uint32_t{is_lost});
+}
+
 DeviceSample Run::recorded_reading() {
     DeviceSample sample{request_.replay[simulation_.ticks()]};
     const auto& missed = request_.missed;
     for (; next_missed_ < missed.size() && missed[next_missed_].first <= simulation_.ticks(); ++next_missed_)
         sample.missed = missed[next_missed_].second;
+    sample.is_lost = is_lost_;
+    for (const auto& lost = request_.lost; next_lost_ < lost.size() && lost[next_lost_].first <= simulation_.ticks();)
+        sample.is_lost = lost[next_lost_++].second;
     return sample;
 }
 
@@ -174,10 +210,12 @@ bool Run::tick(const DeviceSample& reported) {
         add_event_at(simulation_.ticks(), session::missed_event, std::to_string(reported.missed));
         hash_.add(reported.missed);
     }
-    const DeviceSample sample{handle, reported.missed};
+    note_loss(reported.is_lost);
+    const DeviceSample sample{handle, reported.missed, reported.is_lost};
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
+    if (sink_ != nullptr) sink_->write(result_, simulation_.ticks());
     end_of(TickPart::motion);
-    if (!is_replay() && !is_led_) {
+    if (!is_replay() && !request_.is_led) {
         note_force();
         hand_.step(result_.command, sensed_tool());
     }
@@ -231,6 +269,7 @@ void Run::take_tool_of_step() {
     const std::size_t tool = scene_->tool_of_step[monitor_.current()];
     if (tool == simulation_.tool() && !is_tool_left_) return;
     is_tool_left_ = false;
+    is_driving_ = true;  // a tool begins with its configured drives
     simulation_.take_another(tool, std::exchange(back_, 0.0));
     pass_cuts_on();
     take_separations(simulation_.ticks());
@@ -344,6 +383,7 @@ std::optional<RunEnd> Run::end_after_tick() {
             outcome_.was_interrupted = *end == RunEnd::interrupted;
             return end;
         }
+    if (request_.is_led) return std::nullopt;
     if (is_replay() ? ticks >= request_.replay.size() : hand_.is_done() && !hand_inputs_.is_due(hand_.leg()))
         return RunEnd::path_ended;
     return std::nullopt;
@@ -390,14 +430,24 @@ void Run::report_progress(double fraction, const std::string& what) {
 
 void Run::note_progress() {
     const std::uint64_t ticks = simulation_.ticks();
-    path_done_ = is_replay() ? static_cast<double>(ticks) / static_cast<double>(request_.replay.size())
-                             : static_cast<double>(hand_.leg()) / static_cast<double>(plan_.intent.legs.size());
+    const auto fraction = [](std::size_t done, std::size_t all) {
+        return static_cast<double>(done) / static_cast<double>(all);
+    };
+    step_ = monitor_.current();
+    path_done_ = is_replay()       ? fraction(ticks, request_.replay.size())
+                 : request_.is_led ? fraction(step_, scene_->procedure.steps.size())
+                                   : fraction(hand_.leg(), plan_.intent.legs.size());
     ticks_done_ = ticks;
     if (parts_ == nullptr) pass_progress_on();
 }
 
 void Run::pass_progress_on() {
-    report_progress(path_done_, "working, " + std::to_string(ticks_done_ / 1000) + " s simulated");
+    std::string what = "working, " + std::to_string(ticks_done_ / 1000) + " s simulated";
+    if (const std::size_t step = step_; request_.is_led && step < scene_->procedure.steps.size()) {
+        what = std::to_string(ticks_done_ / 1000) + " s, step `" + scene_->procedure.steps[step].id + "`";
+        if (const std::string next = next_actions_.words(step); !next.empty()) what += "; the button next: " + next;
+    }
+    report_progress(path_done_, what);
 }
 
 /// Sets the sleeve of the running step, on the body that owns its axis.

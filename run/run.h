@@ -12,8 +12,10 @@
 
 #include "core/haptics/scene/simulation.h"
 #include "devices/simulated_hand/simulated_hand.h"
+#include "run/button_presses.h"
 #include "run/clock/tick_trace.h"
 #include "run/hand_inputs.h"
+#include "run/next_actions.h"
 #include "run/run_procedure.h"
 #include "run/session_files.h"
 #include "run/signal_table.h"
@@ -25,6 +27,14 @@ class ExactFollower;
 }  // namespace kerf::bone
 
 namespace kerf::run {
+
+/// Takes the force of each tick.
+class ForceSink {
+public:
+    virtual ~ForceSink() = default;
+    /// [haptic, nonblocking]
+    virtual void write(const TickResult& result, std::uint64_t tick) noexcept = 0;
+};
 
 /// A run in lock-step, one tick at a time: call `create`, then `step` while it returns true, then `finish`.
 ///
@@ -44,10 +54,17 @@ public:
     /// Runs one tick of a rehearsal on a clock that has missed this number of periods since the last tick. The
     /// simulated hand moves on during them, under the last command. Pre: not a replay.
     bool step_after(std::uint32_t missed);
+    /// Takes the tool of the step and carries out requests, before the device is read for the next tick: both may take
+    /// longer than a tick.
+    /// @param presses  of the device's buttons
+    void prepare(const ButtonPresses& presses);
     /// Runs one tick with a device that reported this sample [world frame]; send it `last().command`. Ignores the
     /// rehearsal's path and the inputs at its waypoints. Missed ticks are recorded and replayed; `time` counts the
     /// ticks that ran.
     bool step(const DeviceSample& sample);
+    /// Sends the force of each tick to a sink as soon as it is known, before the tick is recorded. Pre: it outlives the
+    /// run.
+    void send_to(ForceSink& sink) noexcept { sink_ = &sink; }
     /// Requests an input other than motion before the next tick with a device: an undo, a clutch (`regrip`). It is
     /// recorded and replayed. A refusal causes the event `hand.refused`.
     void request(documents::HandInput input) { requested_.push_back(std::move(input)); }
@@ -90,6 +107,8 @@ private:
     void lead();
     [[nodiscard]] DeviceSample recorded_reading();
     void note_force();
+    void take_presses(const ButtonPresses& presses);
+    void note_loss(bool is_lost);
     [[nodiscard]] simulated_hand::SensedTool sensed_tool() const;
     [[nodiscard]] bool tick(const DeviceSample& reported);
     void move_hand(std::uint32_t periods);
@@ -120,12 +139,15 @@ private:
     EarlierCut before_;
     session::ContentHash hash_;
     TickResult result_;
-    session::TickRow row_;         ///< of the last tick
-    std::size_t next_missed_ = 0;  ///< index into the recorded missed ticks
-    double force_before_ = 0.0;    ///< [N] of the device on the simulated hand, before it was lost
-    bool is_force_away_ = false;   ///< after a fault, until it is fully back
-    bool has_slipped_ = false;     ///< the tool was anchored anew in the simulated hand
-    bool is_led_ = false;          ///< by a device: the simulated hand is not used
+    session::TickRow row_;                         ///< of the last tick
+    std::size_t next_missed_ = 0, next_lost_ = 0;  ///< indices into the recorded missed ticks and losses
+    NextActions next_actions_;
+    ForceSink* sink_ = nullptr;
+    bool is_driving_ = true;      ///< the drives of the tool in hand are as configured; false: they are off
+    bool is_lost_ = false;        ///< the device, in the last tick
+    double force_before_ = 0.0;   ///< [N] of the device on the simulated hand, before it was lost
+    bool is_force_away_ = false;  ///< after a fault, until it is fully back
+    bool has_slipped_ = false;    ///< the tool was anchored anew in the simulated hand
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]
@@ -134,6 +156,7 @@ private:
     double back_ = 0.0;                     ///< [m] by which the next tool is retracted: the driver leaves its implant
     TickParts* parts_ = nullptr;            ///< of the clock; null in lock-step
     std::atomic<std::uint64_t> ticks_done_{0};
+    std::atomic<std::size_t> step_{0};    ///< for the progress
     std::atomic<double> path_done_{0.0};  ///< [–] fraction of the hand's path, or of the recorded ticks
     bool is_tool_left_ = false;           ///< left with its implant: a step takes another tool
 };

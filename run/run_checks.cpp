@@ -280,8 +280,8 @@ void check_felt(const documents::Procedure& procedure, std::size_t step, const s
         .warning(
             text::Code::felt_below_friction,
             haptics != nullptr ? haptics->span : span_in(*document, "steps", step, "instrument"),
-            "Most of step `" + procedure.steps[step].id + "` cannot be felt on `" + procedure.device + "`: over " +
-                std::to_string(percent) + " % of its path, bone resists with less than " +
+            "Most of step `" + procedure.steps[step].id + "` cannot be felt on `" + std::string(device.id) +
+                "`: over " + std::to_string(percent) + " % of its path, bone resists with less than " +
                 text::quantity_text(std::round(device.friction / force_scale * 10.0) * 0.1, "N") +
                 ". At the force scale of 1/" + std::to_string(std::lround(1.0 / force_scale)) +
                 ", that is less than the device's friction of " + text::quantity_text(device.friction, "N") +

@@ -25,8 +25,11 @@ struct RunRequest {
     std::vector<std::uint64_t> adoptions;  ///< of that run: ticks after which the loop took over separated bodies
     HandInputs::Recorded hand_inputs;      ///< of that run: other inputs, each with the tick before which it came
     std::vector<std::pair<std::uint64_t, std::uint32_t>>
-        missed;                           ///< of that run: numbers of missed ticks, each with the next tick, in order
-    std::vector<RunObserver*> observers;  ///< they must outlive the run
+        missed;  ///< of that run: numbers of missed ticks, each with the next tick, in order
+    std::vector<std::pair<std::uint64_t, bool>>
+        lost;             ///< of that run: ticks at which its device was lost (true) or back, in order
+    bool is_led = false;  ///< a device leads the tool: the rehearsal only gives the start and the actions of its steps
+    std::vector<RunObserver*> observers;          ///< they must outlive the run
     const ExactStrategies* strategies = nullptr;  ///< of the procedure's instruments, started; null: no exact surface
 };
 

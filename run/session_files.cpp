@@ -5,6 +5,7 @@
 
 #include "bone/surface/write_stl.h"
 #include "core/field/surface/bone_surface.h"
+#include "run/device/stated_device.h"
 #include "run/exact/exact_files.h"
 #include "session/clock_picture.h"
 #include "session/envelope.h"
@@ -69,6 +70,7 @@ session::SessionHeader header_of(const Scene& scene, const RunRequest& request, 
     header.envelope.mode = request.mode;
     header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness,
                          scene.procedure.variant};
+    if (find_device(scene.device->id) == nullptr) header.device_values = StatedDevice::values_of(*scene.device);
     header.signals = summary.signals;
     header.tissues = summary.tissues;
     return header;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -25,6 +26,15 @@ bool is_plausible(const Pose& pose) {
     return length(pose.position) < max_distance && std::abs(w * w + x * x + y * y + z * z - 1.0) < 1e-6;
 }
 
+constexpr std::string_view device_key = "device.";
+
+/// Returns the number that a text is; NaN if it is none.
+double number_in(const std::string& text) {
+    double value = 0.0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return status == std::errc{} && end == text.data() + text.size() ? value : std::nan("");
+}
+
 }  // namespace
 
 std::optional<RecordedInputs> read_session(const std::string& path, std::string& error) {
@@ -42,6 +52,9 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         if (key == "run.rehearsal") inputs.rehearsal = keys.text(1);
         if (key == "anatomy_hash") inputs.anatomy_hash = std::strtoull(keys.text(1).c_str(), nullptr, 16);
         if (key == "hash") inputs.hash = keys.text(1);
+        if (key == "condition.device") inputs.device = keys.text(1);
+        if (key.starts_with(device_key))
+            inputs.device_values.emplace_back(key.substr(device_key.size()), number_in(keys.text(1)));
     }
     const std::vector<Table> all = recorded_tables(file.handle());
     RecordedRows ticks(
@@ -84,11 +97,15 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         }
         inputs.missed.emplace_back(static_cast<std::uint64_t>(missed.integer(0)), count);
     }
+    SessionQuery lost(file.handle(), std::string("SELECT tick, id FROM events WHERE id IN ('") + lost_event + "', '" +
+                                         back_event + "') ORDER BY rowid");
+    while (lost.next())
+        inputs.lost.emplace_back(static_cast<std::uint64_t>(lost.integer(0)), lost.text(1) == lost_event);
     if (!ticks.fault().empty()) {
         error = path + ": " + ticks.fault() + ", so it holds no ticks that can be replayed. Take an undamaged copy.";
         return std::nullopt;
     }
-    if (keys.has_failed() || adoptions.has_failed() || asked.has_failed() || missed.has_failed() ||
+    if (keys.has_failed() || adoptions.has_failed() || asked.has_failed() || missed.has_failed() || lost.has_failed() ||
         inputs.device_from_handle.empty()) {
         error = path + ": holds no ticks that can be read.";
         return std::nullopt;

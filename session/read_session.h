@@ -24,7 +24,10 @@ struct RecordedInputs {
     std::vector<std::pair<std::uint64_t, std::string>>
         hand_inputs;  ///< other inputs of the hand, each with the tick before which it came
     std::vector<std::pair<std::uint64_t, std::uint32_t>>
-        missed;                               ///< numbers of missed ticks, each with the next tick, in order
+        missed;                                        ///< numbers of missed ticks, each with the next tick, in order
+    std::vector<std::pair<std::uint64_t, bool>> lost;  ///< ticks at which the device was lost (true) or back, in order
+    std::string device;                                ///< id of the connected device; empty: a hand without one
+    std::vector<std::pair<std::string, double>> device_values;  ///< of the connected device [SI]
     std::string hash;                         ///< sixteen hexadecimal digits; empty for a run that was cut short
     RecordCheck rows = RecordCheck::unknown;  ///< result of the checksum
     bool is_old = false;                      ///< written by a version without checksums

@@ -24,6 +24,8 @@ inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_eve
 inline constexpr const char* hand_input_event = "hand.input";
 /// A number of missed ticks before this one, in its detail. Also an input.
 inline constexpr const char* missed_event = "device.missed";
+/// The device was lost before this tick, or is back. Also inputs.
+inline constexpr const char *lost_event = "device.lost", *back_event = "device.back";
 /// A plugin ended the run; the detail has the plugin, the call and the kind of failure.
 inline constexpr const char* plugin_failed_event = "run.plugin_failed";
 /// Part of every file that a run writes.
@@ -59,6 +61,7 @@ struct SessionHeader {
     std::vector<std::pair<std::string, std::string>> versions;
     SessionEnvelope envelope;
     SessionConditions conditions;
+    std::vector<std::pair<std::string, double>> device_values{};  ///< of a connected device [SI]; empty: a known one
     std::vector<SignalColumn> signals;  ///< in the order of TickRow::signals; at most max_signal_columns
     std::vector<std::string> tissues;
 };

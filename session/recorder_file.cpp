@@ -64,6 +64,8 @@ void Recorder::Impl::create(const SessionHeader& header) {
     set("session", "condition.variant", header.conditions.variant);
     set("session", "condition.coupling_stiffness", text_of(header.conditions.coupling_stiffness));
 
+    for (const auto& [name, value] : header.device_values) set("session", "device." + name, text_of(value));
+
     set("envelope", "uuid", header.envelope.uuid);
     set("envelope", "learner", header.envelope.learner);
     set("envelope", "cohort", header.envelope.cohort);

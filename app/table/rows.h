@@ -12,6 +12,7 @@ namespace kerf::app::table {
 [[nodiscard]] std::vector<Command> bone_commands();
 [[nodiscard]] std::vector<Command> session_commands();
 [[nodiscard]] std::vector<Command> plugin_commands();
+[[nodiscard]] std::vector<Command> device_commands();
 [[nodiscard]] std::vector<Command> study_commands();
 [[nodiscard]] std::vector<Command> program_commands();
 

@@ -14,6 +14,7 @@
 
 #include "core/plugin/plain_text.h"
 #include "core/plugin/unit.h"
+#include "kerf/device.h"
 #include "kerf/remesh.h"
 #include "kerf/units.hpp"
 
@@ -368,6 +369,12 @@ std::string fault_of_law(const kerf_force* force, std::string_view plugin_id) {
     return fault_of_event_names(*force, plugin_id);
 }
 
+std::string fault_of_undotted_id(const kerf_component& c) {
+    if (std::strchr(c.id, '.') == nullptr) return {};
+    return got("id", quoted_plain(c.id), "an id without a dot",
+               "Write it without: users put the plugin's id and a dot before it.");
+}
+
 std::string fault_of_remesher(const kerf_component& c) {
     const kerf_remesher* remesher = c.remesher;
     if (remesher == nullptr) return got("remesher", "null", "the strategy's table", "Point to it.");
@@ -380,10 +387,25 @@ std::string fault_of_remesher(const kerf_component& c) {
         return got("scope", std::to_string(remesher->scope), "1 (patch) or 2 (whole mesh)", "Write one of them.");
     if (std::string fault = fault_of_reserved(remesher->reserved); !fault.empty()) return fault;
     if (remesher->remesh == nullptr) return got("remesh", "null", "a function", "Point to it.");
-    if (std::strchr(c.id, '.') != nullptr)
-        return got("id", quoted_plain(c.id), "an id without a dot",
-                   "Write it without: procedures put the plugin's id and a dot before it.");
+    if (std::string fault = fault_of_undotted_id(c); !fault.empty()) return fault;
     return fault_of_text("kernel", remesher->kernel, max_sentence, true);
+}
+
+std::string fault_of_device(const kerf_component& c) {
+    const kerf_device* device = c.device;
+    if (device == nullptr) return got("device", "null", "the driver's table", "Point to it.");
+    if (std::string fault = fault_of_size("kerf_device", device->size, sizeof *device); !fault.empty())
+        return "device: " + fault;
+    constexpr kerf_device_layout wanted = KERF_DEVICE_LAYOUT_INIT;
+    if (std::memcmp(&device->layout, &wanted, sizeof wanted) != 0)
+        return "the structs of its calls have other sizes than this Kerf's. Build it against this Kerf.";
+    if (std::string fault = fault_of_reserved(device->reserved); !fault.empty()) return fault;
+    if (device->find == nullptr) return got("find", "null", "a function", "Point to it.");
+    if (device->open == nullptr) return got("open", "null", "a function", "Point to it.");
+    if (device->read == nullptr) return got("read", "null", "a function", "Point to it.");
+    if (device->write == nullptr) return got("write", "null", "a function", "Point to it.");
+    if (device->close == nullptr) return got("close", "null", "a function", "Point to it.");
+    return fault_of_undotted_id(c);
 }
 
 /// A kind of components that this host knows.
@@ -392,8 +414,10 @@ struct KnownKind {
     std::uint32_t version;
 };
 const KnownKind* known_kind(std::uint32_t kind) noexcept {
-    static constexpr KnownKind known[] = {
-        {"tool", KERF_TOOL_VERSION}, {"force", KERF_FORCE_VERSION}, {"strategy", KERF_REMESHER_VERSION}};
+    static constexpr KnownKind known[] = {{"tool", KERF_TOOL_VERSION},
+                                          {"force", KERF_FORCE_VERSION},
+                                          {"strategy", KERF_REMESHER_VERSION},
+                                          {"device", KERF_DEVICE_VERSION}};
     return kind >= 1 && kind <= std::size(known) ? &known[kind - 1] : nullptr;
 }
 
@@ -411,9 +435,10 @@ std::string fault_of_component(const kerf_component& c, std::string_view plugin_
         !fault.empty())
         return fault;
     if (std::string fault = fault_of_features(c); !fault.empty()) return fault;
-    return c.kind == KERF_KIND_TOOL    ? fault_of_tool(c.tool)
-           : c.kind == KERF_KIND_FORCE ? fault_of_law(c.force, plugin_id)
-                                       : fault_of_remesher(c);
+    return c.kind == KERF_KIND_TOOL       ? fault_of_tool(c.tool)
+           : c.kind == KERF_KIND_FORCE    ? fault_of_law(c.force, plugin_id)
+           : c.kind == KERF_KIND_REMESHER ? fault_of_remesher(c)
+                                          : fault_of_device(c);
 }
 
 std::string fault_of_components(const kerf_entry& entry) {

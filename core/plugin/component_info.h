@@ -52,7 +52,7 @@ struct NeedInfo {
 struct ComponentInfo {
     std::string plugin;  ///< "kerf.drilling"
     std::string id;      ///< "twist_drill"
-    uint32_t kind = 0;   ///< KERF_KIND_TOOL, KERF_KIND_FORCE or KERF_KIND_REMESHER
+    uint32_t kind = 0;   ///< KERF_KIND_TOOL, KERF_KIND_FORCE, KERF_KIND_REMESHER or KERF_KIND_DEVICE
     std::string help;
     std::vector<ParameterInfo> parameters;
     std::vector<ParameterInfo> drives;    ///< tools only; source is empty

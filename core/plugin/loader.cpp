@@ -234,7 +234,7 @@ void PluginRegistry::take(const std::string& file, PluginLoad load) {
     // Strategies run in another process. A library with strategies alone is closed in this one.
     const auto* const end = entry.components + entry.component_count;
     if (std::any_of(entry.components, end,
-                    [](const kerf_component& c) { return c.kind == KERF_KIND_TOOL || c.kind == KERF_KIND_FORCE; }))
+                    [](const kerf_component& c) { return c.kind != KERF_KIND_REMESHER && is_known_kind(c.kind); }))
         plugins_.push_back(std::move(load.plugin));
 }
 

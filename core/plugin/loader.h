@@ -76,7 +76,7 @@ public:
 
     [[nodiscard]] const ComponentCatalog& catalog() const noexcept { return catalog_; }
     [[nodiscard]] const std::vector<std::string>& refusals() const noexcept { return refusals_; }
-    /// Returns the plugins that stay loaded: they have tools or laws.
+    /// Returns the plugins that stay loaded: they have tools, laws or devices.
     [[nodiscard]] const std::vector<std::shared_ptr<Plugin>>& plugins() const noexcept { return plugins_; }
     /// Returns one line of text for each component of an unknown kind, which was left out.
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
@@ -85,7 +85,7 @@ public:
     [[nodiscard]] const PluginRefusal* refusal_for(const std::string& plugin_id) const;
     /// Returns all plugins, the core's own first.
     [[nodiscard]] const std::vector<PluginText>& listed() const noexcept { return listed_; }
-    /// Returns the table of a tool or law (`kind`) of a plugin, or null if there is none.
+    /// Returns the table of a tool, law or device (`kind`) of a plugin, or null if there is none.
     [[nodiscard]] const kerf_component* find(const std::string& plugin, std::uint32_t kind,
                                              const std::string& id) const noexcept;
 

@@ -206,8 +206,8 @@ void SimulatedHand::begin(std::size_t leg, Vec3 from, Vec3 tip) {
     std::fill(felt_event_.begin(), felt_event_.end(), false);
 }
 
-Pose SimulatedHand::step(const DeviceCommand& command, const SensedTool& felt) {
-    if (!felt.is_force_lost) think(felt);
+Pose SimulatedHand::step(const DeviceCommand& command, const SensedTool& sensed) {
+    if (!sensed.is_force_lost) think(sensed);
     const Setpoint& spring = command.setpoint;
     const Vec3 aim = leg_start_ + (plan_ + lean_) * along() + offset_ - rotate(rotation_, grasp_.position);
     const double most = is_done() ? HUGE_VAL : intent_.legs[leg_].push;

@@ -3,6 +3,7 @@
 
 #include "documents/anatomy.h"
 #include "documents/procedure.h"
+#include "documents/station.h"
 #include "documents/yaml/map_shape.h"
 
 /// The one table of the keys of all documents. A row names a key, and the member that it fills; a row without a member
@@ -74,5 +75,9 @@ extern const MapShape<Anatomy> anatomy_metadata;
 extern const MapShape<Tissue> tissue;
 extern const MapShape<Fracture> fracture_turn, fracture;
 extern const Shape anatomy;
+
+// station.cpp
+extern const MapShape<DeviceStation> device_axes, station_device;
+extern const Shape station;
 
 }  // namespace kerf::documents::shapes

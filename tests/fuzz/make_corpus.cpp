@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "devices/udp/datagram.h"
 #include "documents/shapes/shapes.h"
 #include "session/content_hash.h"
 #include "session/record_checksum.h"
@@ -519,6 +520,39 @@ void write_sessions() {
     write("session", "bad-large-value", large);
 }
 
+// ---- datagrams ------------------------------------------------------------------------------------------------------
+
+void write_datagrams() {
+    udp::Hello hello;
+    hello.name = "rig";
+    hello.facts.abilities = KERF_DEVICE_POSITION | KERF_DEVICE_FORCE;
+    hello.facts.button_count = 2;
+    hello.facts.peak_force = 8.0;
+    hello.facts.continuous_force = 2.0;
+    hello.facts.largest_stiffness = 800.0;
+    hello.facts.mass = 0.1;
+    hello.facts.resolution = 1e-5;
+    udp::ForceCommand force;
+    force.answered = 3;
+    force.command.device_from_tool.rotation.w = 1.0;
+    const std::pair<const char*, udp::Content> contents[] = {
+        {"hello", hello},
+        {"welcome", udp::Welcome{1000, 20}},
+        {"pose", udp::PoseReport{.device_from_handle = {{0.1, 0.2, 0.3}, {1, 0, 0, 0}}, .buttons = 1}},
+        {"force", force},
+        {"goodbye", udp::Goodbye{}}};
+    const udp::Key key{1, 2, 3};
+    for (const auto& [name, content] : contents)
+        for (const bool has_key : {false, true}) {
+            udp::Bytes bytes{};
+            const std::size_t size = udp::encode({.header = {.session = 7, .sequence = 8}, .content = content},
+                                                 has_key ? &key : nullptr, bytes);
+            const std::string text = (has_key ? "k" : "p") + std::string(bytes.begin(), bytes.begin() + size);
+            write("datagram", std::string("good-") + name + (has_key ? "-with-key" : ""), text);
+            if (!has_key) write("datagram", std::string("short-") + name, text.substr(0, text.size() - 1));
+        }
+}
+
 }  // namespace
 }  // namespace kerf
 
@@ -537,5 +571,6 @@ int main(int count, char** words) {
     kerf::write_dicom();
     kerf::write_markups();
     kerf::write_sessions();
+    kerf::write_datagrams();
     return 0;
 }

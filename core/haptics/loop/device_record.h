@@ -27,7 +27,8 @@ struct DeviceRecord {
     /// ticks of a millisecond late [N/m]. Measured on our model of the device: `kerf stability`, S-02.
     double stiffest_wall[3];
     const char* source;
-    TorqueAxis axis{};  ///< only for a device whose `peak_torque` is 0
+    TorqueAxis axis{};          ///< only for a device whose `peak_torque` is 0
+    bool can_overheat = false;  ///< the loop keeps its motors within what they carry for ever; a model has ideal ones
 };
 
 /// Largest latency of a device's forces for which `stiffest_wall` has a value [ticks].

@@ -25,7 +25,7 @@ bool is_pose(const Pose& p) noexcept {
 
 bool HandMotion::take(const DeviceSample& sample, double dt) noexcept {
     const Pose& handle = sample.world_from_handle;
-    const bool is_there = is_pose(handle);
+    const bool is_there = !sample.is_lost && is_pose(handle);
     const bool has_leapt = is_there && (was_missing_ || sample.missed >= missed_ticks_of_pause ||
                                         length(handle.position - pose_.position) > leap);
     was_missing_ = !is_there;

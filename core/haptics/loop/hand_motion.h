@@ -16,9 +16,9 @@ public:
 
     explicit HandMotion(const Pose& start) : pose_(start) {}
 
-    /// Takes the pose of one tick of `dt` [s]. Keeps the last pose if this one is invalid. Returns false for an invalid
-    /// pose and for the first pose after one. Also for a jump of more than 20 mm and after three or more missed ticks.
-    /// Then the difference to the last pose has no meaning, and the rate is zero.   [haptic, nonblocking]
+    /// Takes the pose of one tick of `dt` [s]. Keeps the last pose if this one is lost or invalid. Returns false for
+    /// such a pose and for the first one after it. Also for a jump of more than 20 mm and after three or more missed
+    /// ticks. Then the difference to the last pose has no meaning, and the rate is zero.   [haptic, nonblocking]
     bool take(const DeviceSample& sample, double dt) noexcept;
 
     [[nodiscard]] const Pose& pose() const noexcept { return pose_; }  ///< the last valid one

@@ -153,13 +153,24 @@ void HandPort::command(const Pose& world_from_tool, double dt, TickResult& resul
         command_coupled(world_from_tool, dt, result, wrench);
     }
     result.command.wrench = commanded_ = wrench;
-    if (!result.is_closed_or_closing)
-        coupling_.set_allowed_fractions(
-            gate_.usable_fraction(coupling_.gains().force_limit, length(linear(commanded_)), dt), gate_.gain());
+    limit_for_heat(dt, result);
+    if (!result.is_closed_or_closing) {
+        const double limit = coupling_.gains().force_limit, force = length(linear(commanded_));
+        coupling_.set_allowed_fractions(std::min(gate_.usable_fraction(limit, force, dt), cool_fraction_),
+                                        gate_.gain());
+    }
     result.is_coming_back = gate_.state() == ForceGate::State::opening;
 }
 
-void HandPort::command_direct(TickResult& result) noexcept {
+/// Sets the fraction of the force limit that the motors' heat allows in the next tick.
+void HandPort::limit_for_heat(double dt, TickResult& result) noexcept {
+    const CouplingGains& gains = coupling_.gains();
+    const double before = cool_fraction_;
+    cool_fraction_ = heat_.usable_fraction(length(linear(commanded_)), gains.continuous_force, gains.force_limit, dt);
+    if (cool_fraction_ < 1.0 && before == 1.0) result.add_event("haptics.motors_warm");
+}
+
+void HandPort::command_direct(double dt, TickResult& result) noexcept {
     const CouplingGains& gains = coupling_.gains();
     Vec3 torque = clamped(angular(result.bone_on_tool), gains.torque_limit / gains.force_scale);
     if (gains.shaft.is_driven()) {
@@ -169,9 +180,10 @@ void HandPort::command_direct(TickResult& result) noexcept {
     }
     result.coupled_on_hand = result.bone_on_tool;
     result.limited_on_hand =
-        make_vec6(clamped(linear(result.bone_on_tool), gains.force_limit / gains.force_scale), torque);
+        make_vec6(clamped(linear(result.bone_on_tool), cool_fraction_ * gains.force_limit / gains.force_scale), torque);
     add_scaled(result.limited_on_hand, gains.force_scale, result.command.wrench);
     commanded_ = result.command.wrench;
+    limit_for_heat(dt, result);
 }
 
 }  // namespace kerf

@@ -6,6 +6,7 @@
 #include "core/haptics/loop/coupling.h"
 #include "core/haptics/loop/force_gate.h"
 #include "core/haptics/loop/hand_motion.h"
+#include "core/haptics/loop/motor_heat.h"
 #include "core/haptics/loop/passivity.h"
 #include "core/haptics/loop/tick_result.h"
 
@@ -67,7 +68,7 @@ public:
     void command(const Pose& world_from_tool, double dt, TickResult& result) noexcept;
     /// Writes the command for a tool that is rigid to the hand: the wrench of the bone, clamped to the device's limits.
     /// [haptic, nonblocking]
-    void command_direct(TickResult& result) noexcept;
+    void command_direct(double dt, TickResult& result) noexcept;
 
     [[nodiscard]] double force_scale() const noexcept { return coupling_.gains().force_scale; }
     [[nodiscard]] const PassivityGuard& passivity() const noexcept { return guard_; }
@@ -78,6 +79,7 @@ public:
 
 private:
     [[nodiscard]] Vec3 torque_for_device(Vec3 torque_on_hand, const Pose& world_from_tool, double dt) noexcept;
+    void limit_for_heat(double dt, TickResult& result) noexcept;
     void command_coupled(const Pose& world_from_tool, double dt, TickResult& result, Vec6& wrench) noexcept;
 
     HandMotion motion_;
@@ -85,6 +87,8 @@ private:
     Coupling coupling_;
     PassivityGuard guard_;
     ForceGate gate_;
+    MotorHeat heat_;
+    double cool_fraction_ = 1.0;       ///< [–] of the force limit that the motors' heat allows
     Vec6 commanded_{};                 ///< the last command: on the hand, device newtons
     Vec6 before_fault_{};              ///< command that the closing gate fades
     double supplied_ = 0.0;            ///< [J] work of the tool's motor since the last `read`, device side

@@ -98,7 +98,7 @@ TickResult HapticLoop::tick_direct(const DeviceSample& sample) noexcept {
     add_scaled(following, 1.0, bone);
     result.add_bone_wrench(bone, 1.0, world_from_tool_.rotation);
     result.power_hand = -dot(bone, result.rate);
-    hand_.command_direct(result);
+    hand_.command_direct(period_, result);
     if (!result.is_quarantined) apply({result.rate, lambda, following, period_}, result);
     end_tick(result);
     return result;

@@ -5,8 +5,8 @@
 /* The plugin boundary, ABI 0: plain C11 without dependencies.
  *
  * A plugin exports one data symbol, `kerf_plugin_entry`, of type `kerf_entry`. It lists the plugin's components: tools,
- * force laws and remeshing strategies (kerf/remesh.h), each with a table for its kind. All tables are static const. The
- * C++ header kerf/plugin.hpp writes them from plain structs.
+ * force laws, remeshing strategies (kerf/remesh.h) and devices (kerf/device.h), each with a table for its kind. All
+ * tables are static const. The C++ header kerf/plugin.hpp writes them from plain structs.
  *
  * ABI 0 promises no compatibility: host and plugin must be built against the same layout. The loader refuses any other
  * plugin and names the struct that differs. Fields called `reserved` are 0; the loader refuses other values.
@@ -387,8 +387,8 @@ typedef struct kerf_force {
 
 /* Kinds of components, and the version of each kind's table. The host skips components of an unknown kind. It refuses
  * a plugin with another version of a known kind. */
-enum { KERF_KIND_TOOL = 1, KERF_KIND_FORCE = 2, KERF_KIND_REMESHER = 3 };
-enum { KERF_TOOL_VERSION = 1, KERF_FORCE_VERSION = 1, KERF_REMESHER_VERSION = 1 };
+enum { KERF_KIND_TOOL = 1, KERF_KIND_FORCE = 2, KERF_KIND_REMESHER = 3, KERF_KIND_DEVICE = 4 };
+enum { KERF_TOOL_VERSION = 1, KERF_FORCE_VERSION = 1, KERF_REMESHER_VERSION = 1, KERF_DEVICE_VERSION = 1 };
 
 /* An optional part of a component: a planner may switch it off where a scene does not need it. */
 enum {
@@ -405,6 +405,7 @@ typedef struct kerf_feature {
 } kerf_feature;
 
 struct kerf_remesher; /* kerf/remesh.h */
+struct kerf_device;   /* kerf/device.h */
 
 typedef struct kerf_component {
     uint32_t size;
@@ -413,15 +414,16 @@ typedef struct kerf_component {
     uint32_t param_count;
     uint32_t feature_count;
     uint32_t reserved;
-    const char* id;               /* unique among the plugin's components of its kind; a strategy's has no dot */
-    const char* help;             /* one sentence */
-    const kerf_param* params;     /* [library] */
+    const char* id;           /* unique among the plugin's components of its kind; no dot in a strategy's or device's */
+    const char* help;         /* one sentence */
+    const kerf_param* params; /* [library] */
     const kerf_feature* features; /* [library] */
     union {                       /* [library]; by kind */
         const void* table;
         const kerf_tool* tool;
         const kerf_force* force;
         const struct kerf_remesher* remesher;
+        const struct kerf_device* device;
     };
 } kerf_component;
 

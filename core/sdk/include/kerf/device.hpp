@@ -8,10 +8,11 @@
 /// Values that a device and the haptic loop exchange once a tick. Draft: it may change in any version.
 namespace kerf {
 
-/// Sent by the device. The loop treats an invalid pose (NaN, a rotation that is not a unit quaternion) as missing.
+/// Sent by the device. The loop treats an invalid pose (NaN, a rotation that is not a unit quaternion) as lost.
 struct DeviceSample {
     Pose world_from_handle = identity_pose();  ///< pose that the hand wants for the tool
     std::uint32_t missed = 0;                  ///< ticks that were due since the last sample and did not run
+    bool is_lost = false;                      ///< the device is silent or unplugged: the pose is the last one
 };
 
 /// Setpoint of a device that closes the spring itself, faster than the loop. Until the next setpoint it applies

@@ -19,7 +19,7 @@
 #include "kerf/outline.hpp"
 
 /// Tools and laws of a plugin as plain structs, and KERF_PLUGIN, which exports them. A plugin with a remeshing strategy
-/// includes kerf/strategy.hpp too.
+/// includes kerf/strategy.hpp too, one with a device kerf/device_driver.hpp.
 ///
 ///     a tool: struct whose members are parameters and drives
 ///         static constexpr auto about();
@@ -178,6 +178,7 @@ struct PluginTables {
         detail::check_unique(components_by_kind(KERF_KIND_TOOL));
         detail::check_unique(components_by_kind(KERF_KIND_FORCE));
         detail::check_unique(components_by_kind(KERF_KIND_REMESHER));
+        detail::check_unique(components_by_kind(KERF_KIND_DEVICE));
         (check_events<Components>(id), ...);
         return {.magic = KERF_MAGIC,
                 .abi = KERF_ABI_VERSION,

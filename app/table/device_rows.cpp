@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands.h"
+#include "app/program.h"
+#include "app/table/parameters.h"
+#include "app/table/rows.h"
+
+namespace kerf::app::table {
+
+std::vector<Command> device_commands() {
+    using T = DevicesOptions;
+    return {
+        {.name = "devices",
+         .group = "Devices",
+         .summary = "List haptic devices, measure one, or report what keeps one from working",
+         .arguments = {{.name = "ACTION",
+                        .value = one_of("", {"list", "test", "setup", "doctor"}),
+                        .help = "list (default), test, setup or doctor",
+                        .default_value = "list",
+                        .member = in<T>(&T::action)},
+                       {.name = "DEVICE",
+                        .value = text("", "a device as `kerf devices` shows it"),
+                        .help = "Of test and setup: the device",
+                        .member = in<T>(&T::device)}},
+         .examples = {{"kerf devices", "lists drivers and the devices that they find"},
+                      {"kerf devices test udp", "shows rate, range, rest and buttons of a device for 10 s"},
+                      {"kerf devices setup udp", "writes a file that states how the device stands, to be changed"},
+                      {"kerf devices doctor", "reports limits of the system and problems, for a message to others"}},
+         .defaults = T{},
+         .run = with_environment(&commands::devices)}};
+}
+
+}  // namespace kerf::app::table

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "documents/shapes/shapes.h"
+#include "documents/shapes/values.h"
+
+namespace kerf::documents::shapes {
+namespace {
+
+/// A direction of the patient, in LPS.
+ChoiceOf<Vec3> side() {
+    return choice<Vec3>({{"left", {1, 0, 0}},
+                         {"right", {-1, 0, 0}},
+                         {"posterior", {0, 1, 0}},
+                         {"anterior", {0, -1, 0}},
+                         {"superior", {0, 0, 1}},
+                         {"inferior", {0, 0, -1}}});
+}
+
+}  // namespace
+
+const MapShape<DeviceStation> device_axes{
+    "device_axes",
+    "The directions of the patient in which the axes of the device lead.",
+    {{required, "right", &DeviceStation::right, side(), "The device's +x, to the user's right.", "right"},
+     {required, "up", &DeviceStation::up, side(), "The device's +y.", "superior"}}};
+
+const MapShape<DeviceStation> station_device{
+    "station_device",
+    "How one device stands, and what its buttons do.",
+    {{required, "device", &DeviceStation::device, text(), "The device as `kerf devices` shows it, or its driver.",
+      "udp"},
+     {optional, "axes", part_of(device_axes), "How the device stands to the patient.", "{right: right, up: superior}"},
+     {optional, "scale", &DeviceStation::scale, number(0.05, 20.0), "Motion of the tool per motion of the handle.", "1",
+      "1"},
+     {optional, "buttons", list(word({"none", "drive", "next", "clutch", "undo"})), "The action of each button.",
+      "[drive, next, clutch, undo]", "[drive, next, clutch, undo]"},
+     {optional, "peer", text(), "The address of another machine whose program drives the device.", "192.168.1.7"},
+     {optional, "key_file", text(), "The file of the key that both machines share.", "/home/user/kerf.key"}}};
+
+const Shape station{
+    "station",
+    "The devices of one table.",
+    {{required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
+     {required, "kind", word({"Station"}), "What this document describes.", "Station"},
+     {required, "devices", list(map(station_device)), "How each of them stands.", "[{device: udp, scale: 1}]"}}};
+
+}  // namespace kerf::documents::shapes

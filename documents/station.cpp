@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "documents/station.h"
+
+#include <algorithm>
+
+namespace kerf::documents {
+
+Quat DeviceStation::world_from_device() const noexcept {
+    const Quat to_right = quat_between({1, 0, 0}, right);
+    const Vec3 turned = rotate(to_right, {0, 1, 0});
+    const Quat to_up = dot(turned, up) < -0.5 ? Quat{0.0, right.x, right.y, right.z} : quat_between(turned, up);
+    return normalized(to_up * to_right);
+}
+
+DeviceStation Station::of(const std::string& device) const {
+    for (const std::string& name : {device, device.substr(0, device.find('/'))}) {
+        const auto found =
+            std::find_if(devices.begin(), devices.end(), [&](const DeviceStation& one) { return one.device == name; });
+        if (found == devices.end()) continue;
+        DeviceStation entry = *found;
+        entry.device = device;
+        return entry;
+    }
+    return {.device = device};
+}
+
+}  // namespace kerf::documents

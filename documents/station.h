@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kerf/math.hpp"
+
+namespace kerf::documents {
+
+/// What a button of a device does. `drive` runs the tool's motor while it is held. `next` carries out the next action
+/// of the step. `clutch` holds the tool while the hand moves the handle elsewhere.
+enum class ButtonAction : std::uint8_t { none, drive, next, clutch, undo };
+
+inline constexpr std::size_t max_buttons = 32;
+
+/// How a device stands on its table, and how a hand uses it.
+struct DeviceStation {
+    std::string device{};  ///< driver, and the device's id if it matters: "udp", "udp/port-4190"
+    /// Directions of the patient (LPS) in which the device's axes +x (right) and +y (up) lead. The default is the view
+    /// from behind a standing patient.
+    Vec3 right{-1, 0, 0}, up{0, 0, 1};
+    double scale = 1.0;  ///< [–] motion of the tool per motion of the handle
+    std::array<ButtonAction, max_buttons> buttons{ButtonAction::drive, ButtonAction::next, ButtonAction::clutch,
+                                                  ButtonAction::undo};
+    std::vector<std::pair<std::string, std::string>> settings{};  ///< texts for the driver
+
+    /// Returns the rotation from the device's axes to the patient's. Pre: `right` and `up` are perpendicular.   [any]
+    [[nodiscard]] Quat world_from_device() const noexcept;
+};
+
+/// The devices of one table.
+struct Station {
+    std::vector<DeviceStation> devices;
+
+    /// Returns the entry of a device, or else of its driver, or else the defaults. It names the device as `device`
+    /// does.   [any]
+    [[nodiscard]] DeviceStation of(const std::string& device) const;
+};
+
+}  // namespace kerf::documents

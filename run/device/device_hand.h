@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "documents/station.h"
+#include "kerf/device.h"
+#include "kerf/device.hpp"
+#include "run/button_presses.h"
+#include "run/device/handle_frame.h"
+
+namespace kerf {
+struct TickResult;
+}  // namespace kerf
+
+namespace kerf::run {
+
+/// A hand at a device: turns its reports into samples of the loop, and the loop's results into forces.
+///
+/// A device that is silent for 20 ms, or not valid, is lost: the force fades. It is joined to the tool again when it
+/// returns.
+class DeviceHand {
+public:
+    DeviceHand(const documents::DeviceStation& station, const kerf_device_facts& facts, const Pose& world_from_tool);
+
+    /// Takes the newest report. Returns what the loop gets.   [haptic, nonblocking]
+    [[nodiscard]] DeviceSample take(const kerf_device_state& state) noexcept;
+    [[nodiscard]] const ButtonPresses& presses() const noexcept { return presses_; }
+    /// Returns the command for the device.   [haptic, nonblocking]
+    [[nodiscard]] kerf_device_command command(const TickResult& result, std::uint64_t tick) const noexcept;
+    /// Returns whether the device has not been there for this number of ticks.
+    [[nodiscard]] bool is_gone(std::uint64_t ticks) const noexcept { return lost_ticks_ >= ticks; }
+
+private:
+    [[nodiscard]] bool is_pressed(documents::ButtonAction action, std::uint32_t buttons) const noexcept;
+
+    documents::DeviceStation station_;
+    HandleFrame frame_;
+    bool has_drive_button_ = false;
+    bool is_joined_ = false;
+    Pose wanted_;  ///< last sample
+    std::uint32_t buttons_ = 0;
+    std::uint64_t lost_ticks_ = 0;
+    ButtonPresses presses_;
+};
+
+}  // namespace kerf::run

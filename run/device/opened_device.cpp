@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/device/opened_device.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "text/printable.h"
+#include "text/source.h"
+
+namespace kerf::run {
+
+namespace {
+
+constexpr std::uint32_t max_found = 32;  // of one driver
+
+template <std::size_t size>
+std::string text_in(const char (&text)[size]) {
+    return text::shown(std::string(text, std::find(text, text + size, '\0')));
+}
+
+std::string drivers_of(const PluginRegistry& plugins) {
+    std::string names;
+    for (const ComponentInfo& component : plugins.catalog())
+        if (component.kind == KERF_KIND_DEVICE) names += (names.empty() ? "`" : ", `") + component.id + "`";
+    return names;
+}
+
+std::vector<double> defaults_of(const ComponentInfo& driver) {
+    std::vector<double> values;
+    for (const ParameterInfo& p : driver.parameters) values.push_back(p.def);
+    return values;
+}
+
+}  // namespace
+
+std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, const documents::DeviceStation& station,
+                                                 const std::function<bool()>& is_cancelled, std::string& error) {
+    const std::size_t slash = station.device.find('/');
+    const std::string driver_id = station.device.substr(0, slash);
+    const std::string id = slash == std::string::npos ? "" : station.device.substr(slash + 1);
+    const auto found =
+        std::find_if(plugins.catalog().begin(), plugins.catalog().end(), [&](const ComponentInfo& component) {
+            return component.kind == KERF_KIND_DEVICE && component.matches_id(driver_id);
+        });
+    if (found == plugins.catalog().end()) {
+        const std::string known = drivers_of(plugins);
+        error = "there is no driver `" + text::excerpt(driver_id, 40) + "`" +
+                (known.empty() ? ": no plugin has a device." : "; there are " + known + ". `kerf devices` lists them.");
+        return nullptr;
+    }
+    const std::vector<double> values = defaults_of(*found);
+    std::vector<kerf_device_setting> settings;
+    for (const auto& [key, value] : station.settings) settings.push_back({key.c_str(), value.c_str()});
+    const kerf_device& driver = *plugins.find(found->plugin, KERF_KIND_DEVICE, found->id)->device;
+    const kerf_device_open_in in{.id = id.c_str(),
+                                 .params = values.data(),
+                                 .settings = settings.data(),
+                                 .setting_count = static_cast<std::uint32_t>(settings.size()),
+                                 .reserved = 0};
+    kerf_device_open_out out{};
+    const auto should_end = [](void* context) {
+        return (*static_cast<const std::function<bool()>*>(context))() ? std::int32_t{1} : std::int32_t{0};
+    };
+    const kerf_status status = driver.open(&in, should_end, const_cast<std::function<bool()>*>(&is_cancelled), &out);
+    if (status != KERF_OK || out.device == nullptr) {
+        error = "the device `" + station.device + "` cannot be opened: " + text_in(out.message);
+        return nullptr;
+    }
+    const std::string name = text_in(out.facts.name);
+    return take(driver, out, found->id + (name.empty() ? "" : " " + name), error);
+}
+
+std::unique_ptr<OpenedDevice> OpenedDevice::take(const kerf_device& driver, const kerf_device_open_out& opened,
+                                                 std::string name, std::string& error) {
+    std::unique_ptr<OpenedDevice> device(new OpenedDevice(driver, opened));
+    std::string fault;
+    device->stated_ = StatedDevice::of(name, opened.facts, fault);
+    if (device->stated_ != nullptr) return device;
+    error = "the device `" + name + "` cannot be used: " + fault + ".";
+    return nullptr;
+}
+
+std::vector<ListedDevice> find_devices(const PluginRegistry& plugins) {
+    std::vector<ListedDevice> listed;
+    for (const ComponentInfo& component : plugins.catalog()) {
+        if (component.kind != KERF_KIND_DEVICE) continue;
+        const std::vector<double> defaults = defaults_of(component);
+        std::vector<kerf_device_found> found(max_found);
+        const kerf_device& driver = *plugins.find(component.plugin, KERF_KIND_DEVICE, component.id)->device;
+        found.resize(std::min(driver.find(defaults.data(), found.data(), max_found), max_found));
+        for (const kerf_device_found& one : found)
+            listed.push_back({component.id, component.help, text_in(one.id), text_in(one.name), text_in(one.problem)});
+        if (found.empty()) listed.push_back({component.id, component.help, "", "", ""});
+    }
+    return listed;
+}
+
+}  // namespace kerf::run

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/plugin/loader.h"
+#include "documents/station.h"
+#include "kerf/device.h"
+#include "run/device/stated_device.h"
+
+namespace kerf::run {
+
+/// A haptic device, opened through the driver of a plugin. Closed with this object: the driver then sends a zero force.
+class OpenedDevice {
+public:
+    /// Opens the device that a station names. Returns null with the reason in `error`.   [main] may wait for the device
+    /// @param is_cancelled  called ten times a second or more while it waits; true ends the wait
+    [[nodiscard]] static std::unique_ptr<OpenedDevice> open(const PluginRegistry& plugins,
+                                                            const documents::DeviceStation& station,
+                                                            const std::function<bool()>& is_cancelled,
+                                                            std::string& error);
+    /// Takes over a device that its driver has opened. Returns null with the reason in `error` if the loop cannot use
+    /// it.   [main]
+    /// @param name  for people
+    [[nodiscard]] static std::unique_ptr<OpenedDevice> take(const kerf_device& driver,
+                                                            const kerf_device_open_out& opened, std::string name,
+                                                            std::string& error);
+    ~OpenedDevice() { driver_->close(device_); }
+    OpenedDevice(const OpenedDevice&) = delete;
+    OpenedDevice& operator=(const OpenedDevice&) = delete;
+
+    /// Returns what the loop needs to know of it.
+    [[nodiscard]] const DeviceRecord& record() const noexcept { return stated_->record(); }
+    [[nodiscard]] const kerf_device_facts& facts() const noexcept { return facts_; }
+
+    /// Returns the newest report.   [haptic, nonblocking]
+    [[nodiscard]] kerf_device_state read() noexcept {
+        kerf_device_state state{};
+        driver_->read(device_, &state);
+        return state;
+    }
+    /// [haptic, nonblocking]
+    void write(const kerf_device_command& command) noexcept { driver_->write(device_, &command); }
+
+private:
+    OpenedDevice(const kerf_device& driver, const kerf_device_open_out& opened)
+        : driver_(&driver), device_(opened.device), facts_(opened.facts) {}
+
+    const kerf_device* driver_;
+    void* device_;
+    kerf_device_facts facts_;
+    std::unique_ptr<StatedDevice> stated_;
+};
+
+/// A device that a driver has found, or the driver itself if it has found none.
+struct ListedDevice {
+    std::string driver, help;
+    std::string id, name, problem;  ///< empty without a device
+};
+/// Returns the devices that the drivers of all plugins find now.   [main]
+[[nodiscard]] std::vector<ListedDevice> find_devices(const PluginRegistry& plugins);
+
+}  // namespace kerf::run

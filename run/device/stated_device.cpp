@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/device/stated_device.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::run {
+
+namespace {
+
+constexpr double viscosity = 0.1;  // [N·s/m] of a handle [assumed]
+constexpr double friction = 0.05;  // [N] of a handle [assumed]
+
+struct Value {
+    const char* name;
+    double DeviceRecord::*member;
+};
+constexpr Value values[] = {{"peak_force", &DeviceRecord::peak_force},
+                            {"continuous_force", &DeviceRecord::continuous_force},
+                            {"peak_torque", &DeviceRecord::peak_torque},
+                            {"largest_stiffness", &DeviceRecord::largest_stiffness},
+                            {"largest_damping", &DeviceRecord::largest_damping},
+                            {"mass", &DeviceRecord::mass},
+                            {"resolution", &DeviceRecord::resolution}};
+
+bool is_between(double value, double min, double max) { return value >= min && value <= max; }
+
+/// Returns why the loop cannot use a device; empty if it can.
+std::string fault_of(const DeviceRecord& d) {
+    if (!is_between(d.peak_force, 0.1, 100.0) || !is_between(d.continuous_force, 0.05, d.peak_force))
+        return "its force must be 0.1 N to 100 N at the peak, and its continuous force 0.05 N to the peak";
+    if (d.peak_torque != 0.0 && !is_between(d.peak_torque, 1e-3, 10.0))
+        return "its torque must be 0, or 1 mN m to 10 N m at the peak";
+    if (!is_between(d.largest_stiffness, 10.0, 1e5)) return "its stiffness must be 10 N/m to 100 N/mm";
+    if (!is_between(d.largest_damping, 0.0, 1e3)) return "its damping must be 0 to 1 N s/mm";
+    if (!is_between(d.mass, 1e-3, 10.0)) return "its mass must be 1 g to 10 kg";
+    if (!is_between(d.resolution, 1e-9, 2e-3)) return "its resolution must be 1 nm to 2 mm";
+    return {};
+}
+
+/// Sets what follows from the stated values.
+void complete(DeviceRecord& d) {
+    d.viscosity = viscosity;
+    d.friction = friction;
+    // A sampled spring's limit falls as 1 / (1 + latency in ticks).
+    for (int latency = 0; latency <= max_latency; ++latency)
+        d.stiffest_wall[latency] = d.largest_stiffness / (1 + latency);
+    d.source = "stated by the device";
+    d.can_overheat = true;
+}
+
+}  // namespace
+
+std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const Values& recorded, std::string& fault) {
+    std::unique_ptr<StatedDevice> device(new StatedDevice(std::move(id)));
+    for (const Value& value : values) {
+        const auto found =
+            std::find_if(recorded.begin(), recorded.end(), [&](const auto& one) { return one.first == value.name; });
+        if (found == recorded.end()) {
+            fault = std::string("its ") + value.name + " is missing";
+            return nullptr;
+        }
+        device->record_.*value.member = found->second;
+    }
+    complete(device->record_);
+    fault = fault_of(device->record_);
+    return fault.empty() ? std::move(device) : nullptr;
+}
+
+std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const kerf_device_facts& facts, std::string& fault) {
+    if ((facts.abilities & KERF_DEVICE_POSITION) == 0) fault = "it senses no position";
+    if ((facts.abilities & KERF_DEVICE_FORCE) == 0) fault = "it makes no force; such devices are not supported yet";
+    if (!fault.empty()) return nullptr;
+    return of(std::move(id),
+              {{"peak_force", facts.peak_force},
+               {"continuous_force", facts.continuous_force},
+               {"peak_torque", (facts.abilities & KERF_DEVICE_TORQUE) != 0 ? facts.peak_torque : 0.0},
+               {"largest_stiffness", facts.largest_stiffness},
+               {"largest_damping", facts.largest_damping},
+               {"mass", facts.mass},
+               {"resolution", facts.resolution}},
+              fault);
+}
+
+StatedDevice::Values StatedDevice::values_of(const DeviceRecord& record) {
+    Values all;
+    for (const Value& value : values) all.emplace_back(value.name, record.*value.member);
+    return all;
+}
+
+}  // namespace kerf::run

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/haptics/loop/device_record.h"
+#include "kerf/device.h"
+
+namespace kerf::run {
+
+/// The capabilities of a connected device, as its driver states them or as a session recorded them.
+class StatedDevice {
+public:
+    using Values = std::vector<std::pair<std::string, double>>;  ///< SI, by name
+
+    /// Returns the device of a driver's statements, or null with the reason in `fault`.   [main]
+    [[nodiscard]] static std::unique_ptr<StatedDevice> of(std::string id, const kerf_device_facts& facts,
+                                                          std::string& fault);
+    /// Returns the device that a session recorded, or null with the reason in `fault`.   [main]
+    [[nodiscard]] static std::unique_ptr<StatedDevice> of(std::string id, const Values& recorded, std::string& fault);
+    StatedDevice(const StatedDevice&) = delete;
+    StatedDevice& operator=(const StatedDevice&) = delete;
+
+    [[nodiscard]] const DeviceRecord& record() const noexcept { return record_; }
+    /// Returns what a session records, so that a replay has the same device.
+    [[nodiscard]] static Values values_of(const DeviceRecord& record);
+
+private:
+    explicit StatedDevice(std::string id) : id_(std::move(id)) { record_.id = id_.c_str(); }
+    std::string id_;
+    DeviceRecord record_{};
+};
+
+}  // namespace kerf::run

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/next_actions.h"
+
+namespace kerf::run {
+
+NextActions::NextActions(const documents::Rehearsal& rehearsal) {
+    for (const documents::Waypoint& waypoint : rehearsal.path)
+        if (!waypoint.inputs.empty()) actions_.push_back({waypoint.step, waypoint.inputs});
+}
+
+std::size_t NextActions::find(std::size_t step) const noexcept {
+    std::size_t at = next_;
+    while (at < actions_.size() && actions_[at].step < step) ++at;
+    return at < actions_.size() && actions_[at].step == step ? at : actions_.size();
+}
+
+std::vector<documents::HandInput> NextActions::take(std::size_t step) {
+    const std::size_t at = find(step);
+    if (at == actions_.size()) return {};
+    next_ = at + 1;
+    return actions_[at].inputs;
+}
+
+std::string NextActions::words(std::size_t step) const {
+    const std::size_t at = find(step);
+    std::string text;
+    if (at < actions_.size())
+        for (const documents::HandInput& input : actions_[at].inputs)
+            text += (text.empty() ? "" : ", ") + documents::text_of(input);
+    return text;
+}
+
+}  // namespace kerf::run

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "documents/read_station.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "kerf/math.hpp"
+
+namespace kerf::documents {
+namespace {
+
+Station read(const std::string& devices) {
+    text::Diagnostics found;
+    auto station =
+        read_station_text("station.yaml", "apiVersion: kerf/v1\nkind: Station\ndevices:\n" + devices).take(found);
+    EXPECT_TRUE(station) << text::to_text(found);
+    return station ? *station : Station{};
+}
+
+/// Returns the code of the only error.
+std::string error_of(const std::string& devices) {
+    text::Diagnostics found;
+    EXPECT_FALSE(
+        read_station_text("station.yaml", "apiVersion: kerf/v1\nkind: Station\ndevices:\n" + devices).take(found));
+    return text::to_text(found);
+}
+
+TEST(Station, HasTheDefaultsOfADeviceThatItDoesNotName) {
+    const DeviceStation station = read("  - {device: stylus}\n").of("udp/port-4190");
+    EXPECT_EQ(station.device, "udp/port-4190");
+    EXPECT_EQ(station.scale, 1.0);
+    EXPECT_EQ(station.buttons[0], ButtonAction::drive);
+    EXPECT_EQ(station.buttons[1], ButtonAction::next);
+}
+
+TEST(Station, ReadsHowADeviceStands) {
+    const Station station = read(
+        "  - device: udp\n    axes: {right: anterior, up: superior}\n    scale: 2\n    buttons: [next, none, drive]\n"
+        "    peer: 192.168.1.7\n    key_file: /etc/kerf.key\n  - {device: udp/port-5000, scale: 0.5}\n");
+    const DeviceStation udp = station.of("udp/port-4190");
+    EXPECT_EQ(udp.device, "udp/port-4190");
+    EXPECT_EQ(udp.scale, 2.0);
+    EXPECT_EQ(length(udp.right - Vec3{0, -1, 0}), 0.0);
+    EXPECT_EQ(udp.buttons[0], ButtonAction::next);
+    EXPECT_EQ(udp.buttons[1], ButtonAction::none);
+    EXPECT_EQ(udp.buttons[2], ButtonAction::drive);
+    EXPECT_EQ(udp.buttons[3], ButtonAction::none) << "a list replaces all";
+    ASSERT_EQ(udp.settings.size(), 2u);
+    EXPECT_EQ(udp.settings[0].second, "192.168.1.7");
+    EXPECT_EQ(station.of("udp/port-5000").scale, 0.5) << "its own entry precedes that of its driver";
+}
+
+TEST(Station, TurnsTheAxesOfTheDevice) {
+    const Vec3 sides[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (const Vec3& right : sides)
+        for (const Vec3& up : sides) {
+            if (dot(right, up) != 0.0) continue;
+            const Quat turn = DeviceStation{.right = right, .up = up}.world_from_device();
+            EXPECT_NEAR(length(rotate(turn, {1, 0, 0}) - right), 0.0, 1e-12);
+            EXPECT_NEAR(length(rotate(turn, {0, 1, 0}) - up), 0.0, 1e-12);
+            EXPECT_NEAR(length(rotate(turn, {0, 0, 1}) - cross(right, up)), 0.0, 1e-12) << "right-handed";
+        }
+}
+
+TEST(Station, SaysWhatIsWrong) {
+    EXPECT_NE(error_of("  - {device: udp, axes: {right: left, up: right}}\n").find("perpendicular"), std::string::npos);
+    EXPECT_NE(error_of("  - {device: udp, axes: {right: leftt, up: superior}}\n").find("left"), std::string::npos);
+    EXPECT_NE(error_of("  - {device: udp, buttons: [drive, jump]}\n").find("`jump`"), std::string::npos);
+    EXPECT_NE(error_of("  - {device: udp, scale: 1000}\n").find("E0412"), std::string::npos);
+    EXPECT_NE(error_of("  - {device: udp}\n  - {device: udp}\n").find("twice"), std::string::npos);
+    EXPECT_NE(error_of("  - {scale: 1}\n").find("device"), std::string::npos);
+    EXPECT_NE(error_of("  - {device: udp, frame: left}\n").find("`frame`"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf::documents

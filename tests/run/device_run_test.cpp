@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs with a hand at a device: through the driver's table, on a virtual clock.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kerf/device_driver.hpp"
+#include "run/device/device_hand.h"
+#include "run/live_run.h"
+#include "session/read_session.h"
+#include "tests/support/short_scene.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/watched_run.h"
+
+namespace kerf::run {
+namespace {
+
+using documents::ButtonAction;
+using documents::DeviceStation;
+using test::short_scene;
+
+constexpr Quat no_turn{1, 0, 0, 0};
+
+/// A driver without parameters; the tests make its links.
+struct Double {
+    static constexpr auto about() { return describe("double", "A device of a test."); }
+    [[nodiscard]] std::vector<DeviceFound> find() const { return {}; }
+    [[nodiscard]] std::unique_ptr<DeviceLink> open(const DeviceRequest& /*request*/) const { return nullptr; }
+};
+
+kerf_device_facts facts_of_premium() {
+    const DeviceRecord& premium = *find_device("premium-1.5-6dof");
+    return {.name = "double",
+            .abilities = KERF_DEVICE_POSITION | KERF_DEVICE_ROTATION | KERF_DEVICE_FORCE | KERF_DEVICE_TORQUE,
+            .button_count = 2,
+            .peak_force = premium.peak_force,
+            .continuous_force = premium.peak_force,  // ideal motors
+            .peak_torque = premium.peak_torque,
+            .continuous_torque = 0.25 * premium.peak_torque,
+            .largest_stiffness = premium.largest_stiffness,
+            .largest_damping = premium.largest_damping,
+            .mass = premium.mass,
+            .resolution = premium.resolution};
+}
+
+/// A device at which the simulated hand of a rehearsal stands: the force that the device gets moves it. Button 0 runs
+/// the motor. The hand presses button 1 at the waypoints at which its rehearsal has an action.
+class HandAtDouble final : public DeviceLink {
+public:
+    /// @param silent  ranges of ticks in which it reports nothing
+    HandAtDouble(const HandPlan& plan, std::vector<std::pair<std::uint64_t, std::uint64_t>> silent = {})
+        : plan_(plan), hand_(plan.plant, plan.intent, plan.start, 1e-3), silent_(std::move(silent)) {}
+
+    [[nodiscard]] kerf_device_facts facts() const override { return facts_of_premium(); }
+    [[nodiscard]] kerf_device_state read() noexcept override {
+        kerf_device_state state{};
+        const bool is_silent = std::any_of(silent_.begin(), silent_.end(), [&](const auto& range) {
+            return tick_ >= range.first && tick_ < range.second;
+        });
+        state.reports = tick_;
+        state.device_from_handle = hand_.reported();
+        state.flags = is_silent ? 0u : std::uint32_t{KERF_DEVICE_VALID};
+        state.buttons = 1u | (presses_next() ? 2u : 0u);
+        return state;
+    }
+    void write(const kerf_device_command& command) noexcept override {
+        ++tick_;
+        if ((command.flags & KERF_DEVICE_RUNNING) == 0) return;
+        DeviceCommand felt;
+        felt.wrench = make_vec6(command.force, command.torque);
+        hand_.step(felt, simulated_hand::SensedTool{.world_from_tool = command.device_from_tool});
+    }
+
+private:
+    /// Presses for one tick at each leg with an action.
+    bool presses_next() noexcept {
+        if (hand_.leg() < legs_pressed_) return false;
+        const std::size_t leg = hand_.leg();
+        legs_pressed_ = leg + 1;
+        return leg < plan_.inputs.size() && !plan_.inputs[leg].empty();
+    }
+
+    HandPlan plan_;
+    simulated_hand::SimulatedHand hand_;
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> silent_;
+    std::uint64_t tick_ = 0;
+    std::size_t legs_pressed_ = 0;
+};
+
+std::unique_ptr<OpenedDevice> opened(std::unique_ptr<DeviceLink> link) {
+    kerf_device_open_out out{};
+    out.facts = link->facts();
+    out.device = link.release();
+    std::string error;
+    auto device = OpenedDevice::take(detail::ComponentTable<Double>::table, out, "double", error);
+    EXPECT_EQ(error, "");
+    return device;
+}
+
+class SteadyClock final : public TickClock {
+public:
+    [[nodiscard]] std::uint32_t wait() noexcept override { return 0; }
+};
+
+DeviceStation station_in_world() { return {.device = "double", .right = {1, 0, 0}, .up = {0, 1, 0}}; }
+
+RunOutcome run_at_double(const Scene& scene, const std::string& out,
+                         std::vector<std::pair<std::uint64_t, std::uint64_t>> silent = {}) {
+    const HandPlan plan = plan_of(scene.procedure.rehearsals.front(), scene);
+    const auto device = opened(std::make_unique<HandAtDouble>(plan, std::move(silent)));
+    RunRequest request;
+    request.out = out;
+    SteadyClock clock;
+    return run_on_clock(scene, test::plugins(), request, clock, *device, station_in_world());
+}
+
+RunOutcome replayed(const Scene& scene, const std::string& session) {
+    std::string error;
+    auto inputs = session::read_session(session, error);
+    EXPECT_TRUE(inputs) << error;
+    RunRequest again;
+    if (!inputs) return {};
+    again.replay = std::move(inputs->device_from_handle);
+    again.adoptions = std::move(inputs->adoptions);
+    for (const auto& [tick, text] : inputs->hand_inputs)
+        again.hand_inputs.emplace_back(tick, documents::hand_input(text).value());
+    again.missed = std::move(inputs->missed);
+    again.lost = std::move(inputs->lost);
+    return run_procedure(scene, test::plugins(), again);
+}
+
+// ---- a whole run --------------------------------------------------------------------------------------------------
+
+TEST(DeviceRun, TwoButtonsCompleteTheTrochanter) {
+    text::Diagnostics diagnostics;
+    const auto scene =
+        make_scene(KERF_SOURCE_DIR "/procedures/trochanter-fixation.yaml", "", test::plugins()).take(diagnostics);
+    ASSERT_TRUE(scene) << text::to_text(diagnostics);
+    const RunOutcome led = run_at_double(*scene, "");
+    EXPECT_EQ(led.error, "");
+    EXPECT_EQ(led.summary.verdict, session::Verdict::pass)
+        << (led.summary.reasons.empty() ? "" : led.summary.reasons.front());
+    EXPECT_EQ(led.summary.hand, "device");
+}
+
+TEST(DeviceRun, ReplaysALossOfTheDeviceToTheBit) {
+    const test::TemporaryFolder folder;
+    const RunOutcome led = run_at_double(short_scene(), folder.path() + "/led", {{1000, 1100}, {4000, 4001}});
+    ASSERT_EQ(led.error, "");
+    EXPECT_NE(led.summary.hash, run_at_double(short_scene(), "").summary.hash);
+    EXPECT_EQ(replayed(short_scene(), folder.path() + "/led/session.db").summary.hash, led.summary.hash);
+    std::string error;
+    const auto inputs = session::read_session(folder.path() + "/led/session.db", error);
+    ASSERT_TRUE(inputs) << error;
+    using Loss = std::pair<std::uint64_t, bool>;
+    EXPECT_EQ(inputs->lost, (std::vector<Loss>{{1000, true}, {1100, false}, {4000, true}, {4001, false}}));
+}
+
+TEST(DeviceRun, EndsWhenTheDeviceDoesNotComeBack) {
+    const RunOutcome led = run_at_double(short_scene(), "", {{1000, 1'000'000}});
+    EXPECT_EQ(led.summary.verdict, session::Verdict::incomplete);
+    EXPECT_EQ(led.summary.ticks, 11'000u);
+    ASSERT_FALSE(led.summary.reasons.empty());
+    EXPECT_EQ(led.summary.reasons.front(), "The run ended early: the device was silent for 10 s.");
+}
+
+// ---- the hand at a device -------------------------------------------------------------------------------------------
+
+kerf_device_state at(Vec3 position, std::uint32_t buttons = 0) {
+    kerf_device_state state{};
+    state.device_from_handle = {position, no_turn};
+    state.buttons = buttons;
+    state.flags = KERF_DEVICE_VALID;
+    return state;
+}
+
+TEST(DeviceHand, MovesTheToolAlongTheAxesOfTheStation) {
+    // By default the user looks from behind: the device's right, up and back are the patient's -x, +z and +y.
+    const Pose start{{0.1, 0.2, 0.3}, no_turn};
+    DeviceHand hand({.scale = 0.5}, facts_of_premium(), start);
+    EXPECT_EQ(length(hand.take(at({7.0, 8.0, 9.0})).world_from_handle.position - start.position), 0.0)
+        << "wherever the handle is";
+    const Vec3 moved = hand.take(at({7.010, 8.020, 9.030})).world_from_handle.position - start.position;
+    EXPECT_NEAR(moved.x, -0.005, 1e-12);
+    EXPECT_NEAR(moved.y, 0.015, 1e-12);
+    EXPECT_NEAR(moved.z, 0.010, 1e-12);
+
+    TickResult result;
+    result.command.wrench = make_vec6({1.0, 2.0, 3.0}, {});
+    result.world_from_tool = {start.position + moved, no_turn};
+    const kerf_device_command command = hand.command(result, 5);
+    EXPECT_NEAR(command.force.x, -1.0, 1e-12);
+    EXPECT_NEAR(command.force.y, 3.0, 1e-12);
+    EXPECT_NEAR(command.force.z, 2.0, 1e-12);
+    EXPECT_NEAR(length(command.device_from_tool.position - Vec3{7.010, 8.020, 9.030}), 0.0, 1e-12);
+    EXPECT_EQ(command.flags, std::uint32_t{KERF_DEVICE_RUNNING | KERF_DEVICE_FORCE_ON});
+}
+
+TEST(DeviceHand, HoldsTheToolWhileItIsClutched) {
+    DeviceHand hand(station_in_world(), facts_of_premium(), identity_pose());
+    constexpr std::uint32_t clutch = 1u << 2;
+    static_cast<void>(hand.take(at({})));
+    const Vec3 before = hand.take(at({0.01, 0, 0})).world_from_handle.position;
+    EXPECT_EQ(length(hand.take(at({0.02, 0, 0}, clutch)).world_from_handle.position - before), 0.0);
+    EXPECT_EQ(length(hand.take(at({-0.05, 0, 0}, clutch)).world_from_handle.position - before), 0.0);
+    EXPECT_EQ(length(hand.take(at({-0.05, 0, 0})).world_from_handle.position - before), 0.0)
+        << "no jump when it is let go";
+    EXPECT_NEAR(hand.take(at({-0.04, 0, 0})).world_from_handle.position.x, 0.02, 1e-12);
+}
+
+TEST(DeviceHand, IsLostWhileTheDeviceIsSilent) {
+    DeviceHand hand(station_in_world(), facts_of_premium(), identity_pose());
+    static_cast<void>(hand.take(at({})));
+    const Vec3 before = hand.take(at({0.01, 0, 0}, 1u)).world_from_handle.position;
+    EXPECT_TRUE(hand.presses().is_driving);
+    kerf_device_state late = at({0.02, 0, 0}, 1u);
+    late.age = 20e-3;
+    EXPECT_FALSE(hand.take(late).is_lost);
+    late.age = 20.1e-3;
+    EXPECT_TRUE(hand.take(late).is_lost);
+    EXPECT_FALSE(hand.presses().is_driving) << "a motor does not run on without a hand";
+    const Vec3 at_loss = hand.take(late).world_from_handle.position;
+    EXPECT_GT(at_loss.x, before.x);
+    const DeviceSample back = hand.take(at({0.5, 0.5, 0.5}));
+    EXPECT_FALSE(back.is_lost);
+    EXPECT_EQ(length(back.world_from_handle.position - at_loss), 0.0)
+        << "the handle is joined to the tool where both are";
+}
+
+TEST(DeviceHand, TakesNoNumberForTheAgeOfAReportAsALoss) {
+    DeviceHand hand(station_in_world(), facts_of_premium(), identity_pose());
+    kerf_device_state state = at({});
+    state.age = std::nan("");
+    EXPECT_TRUE(hand.take(state).is_lost);
+}
+
+TEST(DeviceHand, AsksForAnActionOnceAPress) {
+    DeviceHand hand(station_in_world(), facts_of_premium(), identity_pose());
+    constexpr std::uint32_t next = 1u << 1;
+    static_cast<void>(hand.take(at({})));
+    static_cast<void>(hand.take(at({}, next)));
+    EXPECT_TRUE(hand.presses().wants_next);
+    static_cast<void>(hand.take(at({}, next)));
+    EXPECT_FALSE(hand.presses().wants_next) << "it is still held";
+    static_cast<void>(hand.take(at({})));
+    static_cast<void>(hand.take(at({}, next)));
+    EXPECT_TRUE(hand.presses().wants_next);
+}
+
+TEST(StatedDevice, RefusesADeviceThatTheLoopCannotUse) {
+    const auto fault_of = [](auto&& change) {
+        kerf_device_facts facts = facts_of_premium();
+        change(facts);
+        std::string fault;
+        static_cast<void>(StatedDevice::of("double", facts, fault));
+        return fault;
+    };
+    EXPECT_EQ(fault_of([](auto&) {}), "");
+    EXPECT_NE(fault_of([](auto& f) { f.peak_force = 0.0; }), "");
+    EXPECT_NE(fault_of([](auto& f) { f.peak_force = 1e6; }), "");
+    EXPECT_NE(fault_of([](auto& f) { f.continuous_force = f.peak_force + 1.0; }), "");
+    EXPECT_NE(fault_of([](auto& f) { f.largest_stiffness = std::nan(""); }), "");
+    EXPECT_NE(fault_of([](auto& f) { f.resolution = 0.0; }), "");
+    EXPECT_NE(fault_of([](auto& f) { f.mass = -1.0; }), "");
+    EXPECT_NE(fault_of([](auto& f) { f.abilities = KERF_DEVICE_POSITION; }), "");
+}
+
+}  // namespace
+}  // namespace kerf::run
