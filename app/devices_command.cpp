@@ -163,7 +163,7 @@ ExitCode set_up(const std::string& id, const PluginRegistry& plugins) {
     }
     const std::string file = station_file();
     if (const std::string error = write_station(file, device); !error.empty()) return complain(error, exit_bad_input);
-    print(file + "\nChange it to how your device stands; docs/guide/devices.md explains the keys.\n");
+    print(file + "\nChange it for your device; docs/guide/devices.md explains the keys.\n");
     return exit_pass;
 }
 
@@ -187,7 +187,7 @@ ExitCode report_health(const PluginRegistry& plugins) {
           ", needed 49\n  locked memory: limit " + limit_text(memory.rlim_cur, 1u << 20, " MiB") +
           ", needed unlimited\n");
     for (const std::string& refusal : state.refusals) print("  " + refusal + "\n");
-    if (state.refusals.empty()) print("  the haptic thread gets all that it asks for\n");
+    if (state.refusals.empty()) print("  the haptic thread gets all that it needs\n");
     print("\ndevices\n");
     text::Diagnostics diagnostics;
     const std::string file = station_file();

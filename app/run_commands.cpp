@@ -194,6 +194,10 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         return complain("a replay has no clock. Leave out `--live` or `--replay`.", exit_bad_input);
     if (!options.device.empty() && !options.replay.empty())
         return complain("a replay repeats the recorded hand. Leave out `--device` or `--replay`.", exit_bad_input);
+    if (!options.device.empty() && documents->procedure.is_direct)
+        return complain(file + ": `coupling: direct` has no limit for the stiffness that a device feels. Leave out "
+                               "`--device`, or the coupling.",
+                        exit_bad_input);
     // Checked before the bone is made, which may take minutes.
     std::string rehearsal = options.hand;
     std::optional<session::RecordedInputs> recorded;

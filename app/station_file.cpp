@@ -44,7 +44,7 @@ std::string write_station(const std::string& file, const std::string& device) {
     const std::string text =
         std::string("# ") + session::notice_line +
         "\n"
-        "# How the devices of this table stand. `kerf devices` lists the devices.\n"
+        "# The setup of the devices of this table. `kerf devices` lists the devices.\n"
         "apiVersion: kerf/v1\n"
         "kind: Station\n"
         "devices:\n"

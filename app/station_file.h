@@ -6,7 +6,7 @@
 #include "documents/station.h"
 #include "text/result.h"
 
-/// The file that states how the devices of this table stand.
+/// The file with the setup of the devices of this table.
 namespace kerf::app {
 
 /// Returns its path: $KERF_STATION, or kerf/station.yaml in the user's configuration folder. Empty if there is no such

@@ -13,7 +13,8 @@ Quat DeviceStation::world_from_device() const noexcept {
 }
 
 DeviceStation Station::of(const std::string& device) const {
-    for (const std::string& name : {device, device.substr(0, device.find('/'))}) {
+    const std::string driver = device.substr(0, device.find('/'));
+    for (const std::string& name : {device, driver, driver.substr(driver.rfind('.') + 1)}) {
         const auto found =
             std::find_if(devices.begin(), devices.end(), [&](const DeviceStation& one) { return one.device == name; });
         if (found == devices.end()) continue;

@@ -13,12 +13,12 @@
 namespace kerf::documents {
 
 /// What a button of a device does. `drive` runs the tool's motor while it is held. `next` carries out the next action
-/// of the step. `clutch` holds the tool while the hand moves the handle elsewhere.
+/// of the step. `clutch` keeps the tool where it is while the hand moves the handle elsewhere.
 enum class ButtonAction : std::uint8_t { none, drive, next, clutch, undo };
 
 inline constexpr std::size_t max_buttons = 32;
 
-/// How a device stands on its table, and how a hand uses it.
+/// The setup of a device on its table, and its use by a hand.
 struct DeviceStation {
     std::string device{};  ///< driver, and the device's id if it matters: "udp", "udp/port-4190"
     /// Directions of the patient (LPS) in which the device's axes +x (right) and +y (up) lead. The default is the view

@@ -43,14 +43,16 @@ public:
         if (led->run_ == nullptr) return nullptr;
         led->hand_.emplace(station, device.facts(), led->run_->simulation().world_from_tool());
         led->run_->send_to(*led);
+        led->run_->prepare(led->hand_->presses());
         return led;
     }
     [[nodiscard]] Run& run() noexcept { return *run_; }
     bool tick(std::uint32_t missed) {
-        run_->prepare(hand_->presses());
-        DeviceSample sample = hand_->take(device_.read());
+        DeviceSample sample = hand_->take(device_.read(), grip());
         sample.missed = missed;
         const bool has_more = run_->step(sample);
+        // Now, so that the clock counts the time that it takes before the device is read again.
+        if (has_more) run_->prepare(hand_->presses());
         if (!has_more) rest();
         return has_more;
     }
@@ -59,6 +61,7 @@ private:
     static constexpr std::uint64_t max_silence = 10'000;  // ticks
 
     explicit LedRun(OpenedDevice& device) : device_(device) {}
+    [[nodiscard]] Vec3 grip() const noexcept { return {0, 0, run_->simulation().outline().handling.grip_z}; }
     /// Ends the force after the last tick, before results are written.
     void rest() noexcept {
         kerf_device_command none{};
@@ -69,7 +72,7 @@ private:
         device_.write(hand_->command(result, tick));
     }
     std::optional<RunEnd> end() override {
-        return hand_->is_gone(max_silence) ? std::optional(RunEnd::device_gone) : std::nullopt;
+        return hand_->is_silent(max_silence) ? std::optional(RunEnd::device_silent) : std::nullopt;
     }
 
     OpenedDevice& device_;

@@ -18,7 +18,7 @@ class NextActions {
 public:
     explicit NextActions(const documents::Rehearsal& rehearsal);
 
-    /// Returns the next action of a step, and goes on to the one after it. Empty: the step has no more.
+    /// Returns the next action of a step, and selects the one after it. Empty: the step has no more.
     [[nodiscard]] std::vector<documents::HandInput> take(std::size_t step);
     /// Returns the next action of a step in words; empty: the step has no more.   [any] also while another thread takes
     [[nodiscard]] std::string words(std::size_t step) const;

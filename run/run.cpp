@@ -153,7 +153,6 @@ void Run::move_hand(std::uint32_t periods) {
 }
 
 void Run::prepare(const ButtonPresses& presses) {
-    request_.is_led = true;
     take_tool_of_step();
     end_of(TickPart::tool);
     take_presses(presses);
@@ -162,7 +161,7 @@ void Run::prepare(const ButtonPresses& presses) {
 }
 
 bool Run::step(const DeviceSample& sample) {
-    request_.is_led = true;
+    if (!request_.is_led) request_.is_led = true;  // another thread may read it
     take_tool_of_step();
     end_of(TickPart::tool);
     take_hand_inputs(std::exchange(requested_, {}));
@@ -183,14 +182,17 @@ void Run::take_presses(const ButtonPresses& presses) {
     if (!presses.wants_next) return;
     const auto action = next_actions_.take(monitor_.current());
     requested_.insert(requested_.end(), action.begin(), action.end());
-    if (action.empty()) add_event_at(simulation_.ticks(), "hand.refused", "next: the step has no further action");
 }
 
-/// Records that the device was lost, or is back.
-void Run::note_loss(bool is_lost) {
-    if (is_lost == std::exchange(is_lost_, is_lost)) return;
-    add_event_at(simulation_.ticks(), is_lost ? session::lost_event : session::back_event, "");
-    hash_.add(std::uint32_t{is_lost});
+/// Records the inputs of the tick that just ran, other than its pose: missed periods, and a device lost or back.
+void Run::note_reading(const DeviceSample& reported) {
+    if (reported.missed > 0) {
+        add_event(session::missed_event, std::to_string(reported.missed));
+        hash_.add(reported.missed);
+    }
+    if (reported.is_lost == std::exchange(is_lost_, reported.is_lost)) return;
+    add_event(reported.is_lost ? session::lost_event : session::back_event, "");
+    hash_.add(std::uint32_t{reported.is_lost});
 }
 
 DeviceSample Run::recorded_reading() {
@@ -206,14 +208,10 @@ DeviceSample Run::recorded_reading() {
 
 bool Run::tick(const DeviceSample& reported) {
     const Pose handle = without_negative_zeros(reported.world_from_handle);
-    if (reported.missed > 0) {
-        add_event_at(simulation_.ticks(), session::missed_event, std::to_string(reported.missed));
-        hash_.add(reported.missed);
-    }
-    note_loss(reported.is_lost);
     const DeviceSample sample{handle, reported.missed, reported.is_lost};
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
     if (sink_ != nullptr) sink_->write(result_, simulation_.ticks());
+    note_reading(reported);
     end_of(TickPart::motion);
     if (!is_replay() && !request_.is_led) {
         note_force();

@@ -54,8 +54,8 @@ public:
     /// Runs one tick of a rehearsal on a clock that has missed this number of periods since the last tick. The
     /// simulated hand moves on during them, under the last command. Pre: not a replay.
     bool step_after(std::uint32_t missed);
-    /// Takes the tool of the step and carries out requests, before the device is read for the next tick: both may take
-    /// longer than a tick.
+    /// Takes the tool of the step and carries out requests before the next tick with a device. Both may take longer
+    /// than a tick, so call it before the clock waits and the device is read.
     /// @param presses  of the device's buttons
     void prepare(const ButtonPresses& presses);
     /// Runs one tick with a device that reported this sample [world frame]; send it `last().command`. Ignores the
@@ -108,7 +108,7 @@ private:
     [[nodiscard]] DeviceSample recorded_reading();
     void note_force();
     void take_presses(const ButtonPresses& presses);
-    void note_loss(bool is_lost);
+    void note_reading(const DeviceSample& reported);
     [[nodiscard]] simulated_hand::SensedTool sensed_tool() const;
     [[nodiscard]] bool tick(const DeviceSample& reported);
     void move_hand(std::uint32_t periods);

@@ -237,9 +237,9 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
     if (end == RunEnd::interrupted) summary.reasons.insert(summary.reasons.begin(), "The run was interrupted.");
     if (end == RunEnd::unrecorded)
         summary.reasons.insert(summary.reasons.begin(), "The run ended early: it could not be recorded any more.");
-    if (end == RunEnd::device_gone)
+    if (end == RunEnd::device_silent)
         summary.reasons.insert(summary.reasons.begin(), "The run ended early: the device was silent for 10 s.");
-    is_missing = is_missing || end == RunEnd::interrupted || end == RunEnd::unrecorded || end == RunEnd::device_gone;
+    is_missing = is_missing || end == RunEnd::interrupted || end == RunEnd::unrecorded || end == RunEnd::device_silent;
     summary.verdict = end == RunEnd::fault ? session::Verdict::invalid
                       : is_broken          ? session::Verdict::fail
                       : is_missing         ? session::Verdict::incomplete

@@ -10,7 +10,7 @@
 namespace kerf::run {
 
 /// Reason for the end of a run.
-enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrecorded, device_gone };
+enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrecorded, device_silent };
 
 /// Computes step rows, verdict, reasons and score. Pass: every goal reached and no limit broken. Fail: a limit broken.
 /// Incomplete: goals missing, or interrupted before a limit broke. Invalid: a fault.   [any] pure.

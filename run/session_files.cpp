@@ -70,7 +70,7 @@ session::SessionHeader header_of(const Scene& scene, const RunRequest& request, 
     header.envelope.mode = request.mode;
     header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness,
                          scene.procedure.variant};
-    if (find_device(scene.device->id) == nullptr) header.device_values = StatedDevice::values_of(*scene.device);
+    if (scene.device->is_connected) header.device_values = StatedDevice::values_of(*scene.device);
     header.signals = summary.signals;
     header.tissues = summary.tissues;
     return header;

@@ -139,7 +139,9 @@ std::string summary_json(const RunSummary& summary) {
                   {"hash", hex16(summary.hash)},
                   {"versions", std::move(versions)},
                   {"anatomy_notes", summary.anatomy_notes},
-                  {"variant", summary.variant}};
+                  {"variant", summary.variant},
+                  {"hand", summary.hand},
+                  {"device", summary.device}};
     if (summary.exact) document["exact_surface"] = exact_summary(*summary.exact);
     if (summary.clock) document["clock"] = to_json(*summary.clock);
     return text::printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";

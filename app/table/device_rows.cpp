@@ -23,7 +23,7 @@ std::vector<Command> device_commands() {
                         .member = in<T>(&T::device)}},
          .examples = {{"kerf devices", "lists drivers and the devices that they find"},
                       {"kerf devices test udp", "shows rate, range, rest and buttons of a device for 10 s"},
-                      {"kerf devices setup udp", "writes a file that states how the device stands, to be changed"},
+                      {"kerf devices setup udp", "writes a file with the setup of the device, to be changed"},
                       {"kerf devices doctor", "reports limits of the system and problems, for a message to others"}},
          .defaults = T{},
          .run = with_environment(&commands::devices)}};

@@ -176,28 +176,28 @@ std::optional<Content> read(Type type, Reader& from) {
     return std::nullopt;
 }
 
-std::nullopt_t refuse(Refusal why, Refusal& refusal) noexcept {
-    refusal = why;
+std::nullopt_t refuse(DatagramFault why, DatagramFault& fault) noexcept {
+    fault = why;
     return std::nullopt;
 }
 
 }  // namespace
 
-const char* text_of(Refusal refusal) noexcept {
-    switch (refusal) {
-        case Refusal::none:
+const char* text_of(DatagramFault fault) noexcept {
+    switch (fault) {
+        case DatagramFault::none:
             return "";
-        case Refusal::foreign:
+        case DatagramFault::foreign:
             return "it does not begin with KERF";
-        case Refusal::version:
+        case DatagramFault::version:
             return "it is of another version than 1";
-        case Refusal::type:
-            return "its type is none of 1 to 5";
-        case Refusal::size:
-            return "its length is not that of its type";
-        case Refusal::tag:
-            return "its tag is not that of the key";
-        case Refusal::value:
+        case DatagramFault::type:
+            return "its type is unknown";
+        case DatagramFault::size:
+            return "its length is wrong for its type";
+        case DatagramFault::tag:
+            return "its tag is wrong for the key";
+        case DatagramFault::value:
             return "a number in it is not finite, a rotation not of unit length, or a limit not positive";
     }
     return "";
@@ -215,24 +215,24 @@ std::size_t encode(const Datagram& datagram, const Key* key, Bytes& bytes) noexc
     return to.size();
 }
 
-std::optional<Datagram> decode(std::span<const std::uint8_t> bytes, const Key* key, Refusal& refusal) {
-    refusal = Refusal::none;
+std::optional<Datagram> decode(std::span<const std::uint8_t> bytes, const Key* key, DatagramFault& fault) {
+    fault = DatagramFault::none;
     if (bytes.size() < sizeof magic || std::memcmp(bytes.data(), magic, sizeof magic) != 0)
-        return refuse(Refusal::foreign, refusal);
-    if (bytes.size() < header_size) return refuse(Refusal::size, refusal);
-    if (bytes[4] != version) return refuse(Refusal::version, refusal);
-    if (bytes[5] < 1 || bytes[5] > 5) return refuse(Refusal::type, refusal);
+        return refuse(DatagramFault::foreign, fault);
+    if (bytes.size() < header_size) return refuse(DatagramFault::size, fault);
+    if (bytes[4] != version) return refuse(DatagramFault::version, fault);
+    if (bytes[5] < 1 || bytes[5] > 5) return refuse(DatagramFault::type, fault);
     const auto type = static_cast<Type>(bytes[5]);
     const std::size_t size = size_of(type), whole = size + (key != nullptr ? tag_size : 0);
-    if (bytes.size() != whole || bytes[6] + 256u * bytes[7] != whole) return refuse(Refusal::size, refusal);
+    if (bytes.size() != whole || bytes[6] + 256u * bytes[7] != whole) return refuse(DatagramFault::size, fault);
     if (key != nullptr && Reader(bytes.subspan(size)).take<std::uint64_t>() != siphash(bytes.first(size), *key))
-        return refuse(Refusal::tag, refusal);
+        return refuse(DatagramFault::tag, fault);
     Reader from(bytes.subspan(8));
     Datagram datagram{.header = {.type = type}, .content = Goodbye{}};
     datagram.header.session = from.take<std::uint64_t>();
     datagram.header.sequence = from.take<std::uint64_t>();
     auto content = read(type, from);
-    if (!content || !from.is_sound()) return refuse(Refusal::value, refusal);
+    if (!content || !from.is_sound()) return refuse(DatagramFault::value, fault);
     datagram.content = std::move(*content);
     return datagram;
 }

@@ -50,10 +50,10 @@ struct Datagram {
     Content content;
 };
 
-/// Why bytes are no datagram of ours.
-enum class Refusal { none, foreign, version, type, size, tag, value };
+/// The reason why bytes cannot be read.
+enum class DatagramFault { none, foreign, version, type, size, tag, value };
 /// Returns a sentence for people.
-[[nodiscard]] const char* text_of(Refusal refusal) noexcept;
+[[nodiscard]] const char* text_of(DatagramFault fault) noexcept;
 
 inline constexpr std::size_t max_size = 160;  ///< [bytes]
 using Bytes = std::array<std::uint8_t, max_size>;
@@ -62,6 +62,6 @@ using Bytes = std::array<std::uint8_t, max_size>;
 [[nodiscard]] std::size_t encode(const Datagram& datagram, const Key* key, Bytes& bytes) noexcept;
 /// Reads a datagram. With a key it must have the right tag; without one it must have none. Numbers must be finite,
 /// rotations of unit length, and limits positive.   [any] pure
-[[nodiscard]] std::optional<Datagram> decode(std::span<const std::uint8_t> bytes, const Key* key, Refusal& refusal);
+[[nodiscard]] std::optional<Datagram> decode(std::span<const std::uint8_t> bytes, const Key* key, DatagramFault& fault);
 
 }  // namespace kerf::udp

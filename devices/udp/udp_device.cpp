@@ -31,7 +31,7 @@ namespace kerf::udp {
 namespace {
 
 constexpr int priority = 48;  // below the haptic thread
-constexpr int poll_ms = 5;    // between two looks at the end of the run
+constexpr int poll_ms = 5;    // maximum wait before it checks for the end of the run
 constexpr std::uint32_t period_us = 1000, watchdog_ms = 20;
 constexpr const char* guide = "docs/guide/devices.md";
 
@@ -53,7 +53,7 @@ public:
         const int error = errno;
         if (fd_ >= 0) close(fd_);
         throw std::runtime_error("UDP port " + std::to_string(port) + " cannot be opened (" + std::strerror(error) +
-                                 "). Another Kerf may use it: end it, or set another `port`.");
+                                 "). Another Kerf may use it: end it, or write another port, as in `udp/port-5000`.");
     }
     ~Socket() { close(fd_); }
     Socket(const Socket&) = delete;
@@ -88,7 +88,7 @@ bool are_same(const sockaddr_in& a, const sockaddr_in& b) noexcept {
     return a.sin_port == b.sin_port && a.sin_addr.s_addr == b.sin_addr.s_addr;
 }
 
-/// The other end, with its place in the stream of datagrams.
+/// The other end, and the sequence of its last datagram.
 struct Peer {
     sockaddr_in address{};
     std::uint64_t session = 0, last_sequence = 0;
@@ -157,8 +157,8 @@ std::uint16_t port_of(std::string_view id, std::uint16_t usual) {
     return number;
 }
 
-/// Reads the datagrams of one peer and answers each pose with the newest force. All but `read` and `write` run on its
-/// own thread.
+/// Reads the datagrams of one peer and answers each pose with the newest force. Except for `read` and `write`, its
+/// functions run on its own thread.
 class Link final : public DeviceLink {
 public:
     Link(std::uint16_t port, Door door) : door_(std::move(door)), socket_(port, door_.only.has_value()) {}
@@ -177,7 +177,7 @@ public:
             if (now() > end)
                 throw std::runtime_error("no device said hello on UDP port " + std::to_string(port) + " within " +
                                          std::to_string(static_cast<int>(seconds)) + " s" +
-                                         (refused_ != Refusal::none
+                                         (refused_ != DatagramFault::none
                                               ? "; the last datagram was refused: " + std::string(text_of(refused_))
                                               : std::string()) +
                                          ". Start the device's program; " + guide + " states what it must send.");
@@ -185,6 +185,7 @@ public:
             take_all();
         }
         facts_ = peer_.facts;
+        is_in_use_ = true;
         thread_ = std::thread([this] { exchange(); });
     }
 
@@ -195,11 +196,16 @@ public:
         state.age = newest.time > 0.0 ? now() - newest.time : 0.0;
         return state;
     }
-    void write(const kerf_device_command& command) noexcept override { commanded_.put(command); }
+    void write(const kerf_device_command& command) noexcept override { commanded_.put({command, now()}); }
 
 private:
     struct Arrived {
         kerf_device_state state{};
+        double time = 0.0;  ///< [s]
+    };
+
+    struct Commanded {
+        kerf_device_command command = at_rest();
         double time = 0.0;  ///< [s]
     };
 
@@ -215,16 +221,25 @@ private:
         static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));  // or the normal class
         while (!is_ending_.load(std::memory_order_relaxed)) {
             socket_.wait(poll_ms);
-            if (take_all()) send(ForceCommand{.answered = peer_.last_sequence, .command = commanded_.get()});
+            if (take_all()) send(ForceCommand{.answered = peer_.last_sequence, .command = newest_command()});
         }
     }
 
-    /// Takes all datagrams that have come. Returns whether a new pose was among them.
+    /// Returns the newest command, or no force if the loop is silent: the device must not hold an old force.
+    kerf_device_command newest_command() noexcept {
+        const Commanded& newest = commanded_.get();
+        return now() - newest.time <= 1e-3 * watchdog_ms ? newest.command : at_rest();
+    }
+
+    /// Takes the datagrams that have come, at most 64, so that a flood delays no force. Returns whether a new pose was
+    /// among them.
     bool take_all() noexcept {
         bool has_pose = false;
         sockaddr_in from{};
         std::array<std::uint8_t, max_size + 1> bytes;  // one more, so that a longer datagram is not one of ours
-        while (const auto size = socket_.receive(bytes, from)) {
+        for (int i = 0; i < 64; ++i) {
+            const auto size = socket_.receive(bytes, from);
+            if (!size) break;
             if (!door_.admits(from)) continue;
             const auto datagram = decode({bytes.data(), *size}, door_.key_or_null(), refused_);
             if (datagram) has_pose |= take(*datagram, from);
@@ -245,6 +260,8 @@ private:
         if (peer_.session == 0 || header.session != peer_.session || !are_same(from, peer_.address) ||
             header.sequence <= peer_.last_sequence)
             return false;  // of a stranger, of an earlier session, late, or seen before
+        if (!std::holds_alternative<Goodbye>(datagram.content) && !std::holds_alternative<PoseReport>(datagram.content))
+            return false;
         peer_.last_sequence = header.sequence;
         if (std::holds_alternative<Goodbye>(datagram.content)) {
             newest_.flags = 0;
@@ -259,19 +276,21 @@ private:
         return true;
     }
 
-    /// Takes the first peer, or the same device again after its program was started anew. A second device must wait
-    /// until the first is silent.
+    /// Takes the first peer, or the same device again after its program was started anew. A second one must wait until
+    /// the first is silent. While the device is in use, its limits must stay the same.
     void welcome(const Hello& hello, const Header& header, const sockaddr_in& from) noexcept {
-        const bool is_known = peer_.session != 0;
+        const bool is_known = peer_.session != 0, is_silent = now() - arrived_time_ > 1e-3 * watchdog_ms;
         const bool is_same = is_known && are_same(from, peer_.address);
-        if (is_known && !is_same && now() - arrived_time_ < 1e-3 * watchdog_ms) return;
-        if (!is_same || header.sequence > hello_sequence_) {
+        if (is_known && !is_same && !is_silent) return;
+        if (is_in_use_ && std::memcmp(&hello.facts, &facts_, sizeof facts_) != 0) return;
+        if (!is_same || is_silent || header.sequence > hello_sequence_) {
             std::uint64_t session = 0;
             while (session == 0)
                 if (getrandom(&session, sizeof session, 0) != sizeof session) session = 0;
             peer_ = {.address = from, .session = session, .last_sequence = 0, .facts = hello.facts};
             hello_sequence_ = header.sequence;
         }
+        arrived_time_ = now();
         send(Welcome{period_us, watchdog_ms});
     }
 
@@ -289,9 +308,10 @@ private:
     kerf_device_state newest_{};
     double arrived_time_ = 0.0;
     std::uint64_t sent_ = 0, hello_sequence_ = 0;
-    Refusal refused_ = Refusal::none;
+    bool is_in_use_ = false;  ///< the loop has its limits
+    DatagramFault refused_ = DatagramFault::none;
     Newest<Arrived> arrived_;
-    Newest<kerf_device_command> commanded_{at_rest()};
+    Newest<Commanded> commanded_;
     std::atomic<bool> is_ending_{false};
     std::thread thread_;
 };

@@ -34,7 +34,7 @@ struct Udp {
                                            .source = "assumed"}));
     }
     [[nodiscard]] std::vector<DeviceFound> find() const;
-    /// Waits until a program says hello. Throws std::runtime_error with the reason if none does.
+    /// Waits for the hello of a program. Throws std::runtime_error with the reason if none does.
     [[nodiscard]] std::unique_ptr<DeviceLink> open(const DeviceRequest& request) const;
 };
 

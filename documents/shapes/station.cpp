@@ -25,22 +25,23 @@ const MapShape<DeviceStation> device_axes{
 
 const MapShape<DeviceStation> station_device{
     "station_device",
-    "How one device stands, and what its buttons do.",
+    "The setup of one device.",
     {{required, "device", &DeviceStation::device, text(), "The device as `kerf devices` shows it, or its driver.",
       "udp"},
-     {optional, "axes", part_of(device_axes), "How the device stands to the patient.", "{right: right, up: superior}"},
-     {optional, "scale", &DeviceStation::scale, number(0.05, 20.0), "Motion of the tool per motion of the handle.", "1",
+     {optional, "axes", part_of(device_axes), "The axes of the device as directions of the patient.",
+      "{right: right, up: superior}"},
+     {optional, "scale", &DeviceStation::scale, number(0.05, 1.0),
+      "Motion of the tool per motion of the handle. A larger one would make the device stiffer than it can be.", "1",
       "1"},
      {optional, "buttons", list(word({"none", "drive", "next", "clutch", "undo"})), "The action of each button.",
       "[drive, next, clutch, undo]", "[drive, next, clutch, undo]"},
      {optional, "peer", text(), "The address of another machine whose program drives the device.", "192.168.1.7"},
      {optional, "key_file", text(), "The file of the key that both machines share.", "/home/user/kerf.key"}}};
 
-const Shape station{
-    "station",
-    "The devices of one table.",
-    {{required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
-     {required, "kind", word({"Station"}), "What this document describes.", "Station"},
-     {required, "devices", list(map(station_device)), "How each of them stands.", "[{device: udp, scale: 1}]"}}};
+const Shape station{"station",
+                    "The devices of one table.",
+                    {{required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
+                     {required, "kind", word({"Station"}), "What this document describes.", "Station"},
+                     {required, "devices", list(map(station_device)), "Their setups.", "[{device: udp, scale: 1}]"}}};
 
 }  // namespace kerf::documents::shapes

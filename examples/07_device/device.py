@@ -96,7 +96,7 @@ class Handle:
         self.along = None  # direction of the tool, device frame
         self.position, self.velocity = 0.0, 0.0  # [m], [m/s] along it
         self.aim, self.leg, self.force = 0.0, 0, 0.0
-        self.tip = 0.0
+        self.tip, self.start = 0.0, 0.0  # [m] along it, the latter at the start
 
     def is_done(self):
         return self.leg >= len(self.path)
@@ -109,8 +109,9 @@ class Handle:
         """Takes the force on the hand [N] and the pose of the tool, both in the device's frame."""
         if self.along is None:
             self.along = rotate(tool_rotation, [0.0, 0.0, 1.0])
+            self.start = sum(p * a for p, a in zip(tool_position, self.along))
         self.force = sum(f * a for f, a in zip(force, self.along))
-        self.tip = sum(p * a for p, a in zip(tool_position, self.along))
+        self.tip = sum(p * a for p, a in zip(tool_position, self.along)) - self.start
 
     def release(self):
         self.force = 0.0
@@ -130,25 +131,9 @@ class Handle:
             self.aim = self.position
 
 
-def main():
-    parser = argparse.ArgumentParser(description="A simulated device that does an operation along the tool's axis.")
-    parser.add_argument("--host", default="127.0.0.1")
-    parser.add_argument("--port", type=int, default=4190)
-    parser.add_argument("--wait", type=float, default=60.0, help="seconds to wait for Kerf")
-    parser.add_argument("--path", default="10:2,0:10,27:1,0:10", help="legs, each DISTANCE in mm:SPEED in mm/s")
-    arguments = parser.parse_args()
-    path = [tuple(1e-3 * float(x) for x in leg.split(":")) for leg in arguments.path.split(",")]
-
-    handle = Handle(path)
-    kerf = Connection(arguments.host, arguments.port)
-    # Peak and continuous force [N], torques [N m], stiffness [N/m], damping [N s/m], mass [kg], resolution [m]
-    limits = (8.5, 2.1, 0.0, 0.0, 800.0, 5.0, 0.075, 30e-6)
-    if not kerf.connect("Python example", POSITION | ROTATION | FORCE_ABILITY, 1, limits, arguments.wait):
-        print("device.py: Kerf did not answer. Start `kerf run PROCEDURE.yaml --device udp`.", file=sys.stderr)
-        return 1
-    print("device.py: connected")
-    newest = time.monotonic()
-    due = newest
+def serve(kerf, handle):
+    """Exchanges poses and forces until the path is done or Kerf ends. Returns the exit code."""
+    newest = due = time.monotonic()
     while not handle.is_done():
         due += PERIOD
         if (wait := due - time.monotonic()) > 0:
@@ -173,6 +158,29 @@ def main():
     kerf.send(TYPE_GOODBYE)
     print("device.py: the path is done")
     return 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description="A simulated device that does an operation along the tool's axis.")
+    parser.add_argument("--host", default="127.0.0.1")
+    parser.add_argument("--port", type=int, default=4190)
+    parser.add_argument("--wait", type=float, default=60.0, help="seconds to wait for Kerf")
+    parser.add_argument("--path", default="10:2,0:10,27:1,0:10", help="legs, each DISTANCE in mm:SPEED in mm/s")
+    arguments = parser.parse_args()
+    path = [tuple(1e-3 * float(x) for x in leg.split(":")) for leg in arguments.path.split(",")]
+
+    handle = Handle(path)
+    kerf = Connection(arguments.host, arguments.port)
+    # Peak and continuous force [N], torques [N m], stiffness [N/m], damping [N s/m], mass [kg], resolution [m]
+    limits = (8.5, 2.1, 0.0, 0.0, 800.0, 5.0, 0.075, 30e-6)
+    if not kerf.connect("Python example", POSITION | ROTATION | FORCE_ABILITY, 1, limits, arguments.wait):
+        print("device.py: Kerf did not answer. Start `kerf run PROCEDURE.yaml --device udp`.", file=sys.stderr)
+        return 1
+    print("device.py: connected")
+    try:
+        return serve(kerf, handle)
+    finally:
+        handle.release()  # whatever has happened, the motors are off
 
 
 if __name__ == "__main__":

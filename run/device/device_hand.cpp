@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/device/device_hand.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "core/haptics/loop/tick_result.h"
 
 namespace kerf::run {
 
 namespace {
-constexpr double max_age = 20e-3;  // [s] of a report; a slower device than 50 Hz cannot be used
+
+constexpr double max_age = 20e-3;     // [s] of a report
+constexpr double max_distance = 5.0;  // [m] of a handle from its origin
+
+bool is_usable(const Pose& device_from_handle) noexcept {
+    const Quat& q = device_from_handle.rotation;
+    return is_finite(device_from_handle) && length(device_from_handle.position) < max_distance &&
+           std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1.0) < 1e-3;
 }
+
+}  // namespace
 
 DeviceHand::DeviceHand(const documents::DeviceStation& station, const kerf_device_facts& facts,
                        const Pose& world_from_tool)
     : station_(station),
       frame_(station, (facts.abilities & KERF_DEVICE_ROTATION) != 0),
-      has_drive_button_(std::find(station.buttons.begin(), station.buttons.begin() + facts.button_count,
-                                  documents::ButtonAction::drive) != station.buttons.begin() + facts.button_count),
+      pressable_(facts.button_count >= documents::max_buttons ? ~0u : (1u << facts.button_count) - 1u),
+      has_drive_button_(is_pressed(documents::ButtonAction::drive, pressable_)),
       wanted_(world_from_tool) {
     presses_.is_driving = !has_drive_button_;
 }
@@ -27,27 +36,31 @@ bool DeviceHand::is_pressed(documents::ButtonAction action, std::uint32_t button
     return false;
 }
 
-DeviceSample DeviceHand::take(const kerf_device_state& state) noexcept {
+/// Lets the force fade, and the motor stop if a button runs it.
+DeviceSample DeviceHand::rest() noexcept {
+    is_joined_ = false;
+    presses_ = {.is_driving = !has_drive_button_};
+    return {.world_from_handle = wanted_, .is_lost = true};
+}
+
+DeviceSample DeviceHand::take(const kerf_device_state& state, Vec3 grip) noexcept {
     using documents::ButtonAction;
-    if ((state.flags & KERF_DEVICE_VALID) == 0 || !(state.age <= max_age)) {
-        ++lost_ticks_;
-        is_joined_ = false;
-        presses_ = {.is_driving = !has_drive_button_};
-        buttons_ = 0;
-        return {.world_from_handle = wanted_, .is_lost = true};
-    }
-    lost_ticks_ = 0;
-    const bool is_clutched = is_pressed(ButtonAction::clutch, state.buttons);
-    if (!is_joined_) frame_.join(state.device_from_handle, wanted_);
-    is_joined_ = !is_clutched;
-    if (!is_clutched) wanted_ = frame_.tool_for(state.device_from_handle);
-    const auto is_new = [&](ButtonAction action) {
-        return is_pressed(action, state.buttons) && !is_pressed(action, buttons_);
-    };
-    presses_ = {.is_driving = !has_drive_button_ || is_pressed(ButtonAction::drive, state.buttons),
+    const bool is_there =
+        (state.flags & KERF_DEVICE_VALID) != 0 && state.age <= max_age && is_usable(state.device_from_handle);
+    lost_ticks_ = is_there ? 0 : lost_ticks_ + 1;
+    if (!is_there) return rest();
+    const std::uint32_t buttons = state.buttons & pressable_;
+    const std::uint32_t before = buttons_.value_or(buttons);  // what is pressed at the start was not pressed now
+    buttons_ = buttons;
+    if (is_pressed(ButtonAction::clutch, buttons)) return rest();
+    if (!is_joined_ || length(grip - grip_) > 0.0) frame_.join(state.device_from_handle, wanted_, grip);
+    is_joined_ = was_joined_ = true;
+    grip_ = grip;
+    wanted_ = frame_.tool_for(state.device_from_handle);
+    const auto is_new = [&](ButtonAction action) { return is_pressed(action, buttons) && !is_pressed(action, before); };
+    presses_ = {.is_driving = !has_drive_button_ || is_pressed(ButtonAction::drive, buttons),
                 .wants_next = is_new(ButtonAction::next),
                 .wants_undo = is_new(ButtonAction::undo)};
-    buttons_ = state.buttons;
     return {.world_from_handle = wanted_};
 }
 
@@ -57,7 +70,8 @@ kerf_device_command DeviceHand::command(const TickResult& result, std::uint64_t 
             .force = frame_.to_device(linear(result.command.wrench)),
             .torque = frame_.to_device(angular(result.command.wrench)),
             .device_from_tool = frame_.to_device(result.world_from_tool),
-            .flags = KERF_DEVICE_RUNNING | (has_force ? std::uint32_t{KERF_DEVICE_FORCE_ON} : 0u),
+            .flags = (was_joined_ ? std::uint32_t{KERF_DEVICE_RUNNING} : 0u) |
+                     (has_force ? std::uint32_t{KERF_DEVICE_FORCE_ON} : 0u),
             .reserved = 0};
 }
 

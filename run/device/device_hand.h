@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "documents/station.h"
 #include "kerf/device.h"
@@ -18,29 +19,34 @@ namespace kerf::run {
 
 /// A hand at a device: turns its reports into samples of the loop, and the loop's results into forces.
 ///
-/// A device that is silent for 20 ms, or not valid, is lost: the force fades. It is joined to the tool again when it
-/// returns.
+/// A device that is silent for 20 ms, not valid, or clutched, is lost to the loop: the force fades. The handle is
+/// joined to the tool again when it returns.
 class DeviceHand {
 public:
     DeviceHand(const documents::DeviceStation& station, const kerf_device_facts& facts, const Pose& world_from_tool);
 
-    /// Takes the newest report. Returns what the loop gets.   [haptic, nonblocking]
-    [[nodiscard]] DeviceSample take(const kerf_device_state& state) noexcept;
+    /// Takes the newest report. Returns the sample for the loop.   [haptic, nonblocking]
+    /// @param grip  point of the tool that the hand grips, tool frame [m]
+    [[nodiscard]] DeviceSample take(const kerf_device_state& state, Vec3 grip) noexcept;
     [[nodiscard]] const ButtonPresses& presses() const noexcept { return presses_; }
     /// Returns the command for the device.   [haptic, nonblocking]
     [[nodiscard]] kerf_device_command command(const TickResult& result, std::uint64_t tick) const noexcept;
-    /// Returns whether the device has not been there for this number of ticks.
-    [[nodiscard]] bool is_gone(std::uint64_t ticks) const noexcept { return lost_ticks_ >= ticks; }
+    /// Returns whether the device has been silent for this number of ticks.
+    [[nodiscard]] bool is_silent(std::uint64_t ticks) const noexcept { return lost_ticks_ >= ticks; }
 
 private:
     [[nodiscard]] bool is_pressed(documents::ButtonAction action, std::uint32_t buttons) const noexcept;
 
+    [[nodiscard]] DeviceSample rest() noexcept;
+
     documents::DeviceStation station_;
     HandleFrame frame_;
-    bool has_drive_button_ = false;
-    bool is_joined_ = false;
-    Pose wanted_;  ///< last sample
-    std::uint32_t buttons_ = 0;
+    std::uint32_t pressable_;  ///< the buttons that the device has
+    bool has_drive_button_;
+    bool is_joined_ = false, was_joined_ = false;
+    Vec3 grip_{};
+    Pose wanted_;                             ///< last sample
+    std::optional<std::uint32_t> buttons_{};  ///< of the last report
     std::uint64_t lost_ticks_ = 0;
     ButtonPresses presses_;
 };

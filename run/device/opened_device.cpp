@@ -63,6 +63,7 @@ std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, 
     };
     const kerf_status status = driver.open(&in, should_end, const_cast<std::function<bool()>*>(&is_cancelled), &out);
     if (status != KERF_OK || out.device == nullptr) {
+        if (out.device != nullptr) driver.close(out.device);
         error = "the device `" + station.device + "` cannot be opened: " + text_in(out.message);
         return nullptr;
     }

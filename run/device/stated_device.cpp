@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "documents/station.h"
+
 namespace kerf::run {
 
 namespace {
@@ -18,6 +20,7 @@ struct Value {
 constexpr Value values[] = {{"peak_force", &DeviceRecord::peak_force},
                             {"continuous_force", &DeviceRecord::continuous_force},
                             {"peak_torque", &DeviceRecord::peak_torque},
+                            {"continuous_torque", &DeviceRecord::continuous_torque},
                             {"largest_stiffness", &DeviceRecord::largest_stiffness},
                             {"largest_damping", &DeviceRecord::largest_damping},
                             {"mass", &DeviceRecord::mass},
@@ -29,8 +32,9 @@ bool is_between(double value, double min, double max) { return value >= min && v
 std::string fault_of(const DeviceRecord& d) {
     if (!is_between(d.peak_force, 0.1, 100.0) || !is_between(d.continuous_force, 0.05, d.peak_force))
         return "its force must be 0.1 N to 100 N at the peak, and its continuous force 0.05 N to the peak";
-    if (d.peak_torque != 0.0 && !is_between(d.peak_torque, 1e-3, 10.0))
-        return "its torque must be 0, or 1 mN m to 10 N m at the peak";
+    if (d.peak_torque != 0.0 &&
+        (!is_between(d.peak_torque, 1e-3, 10.0) || !is_between(d.continuous_torque, 1e-4, d.peak_torque)))
+        return "its torque must be 0, or 1 mN m to 10 N m at the peak, and its continuous torque 0.1 mN m to the peak";
     if (!is_between(d.largest_stiffness, 10.0, 1e5)) return "its stiffness must be 10 N/m to 100 N/mm";
     if (!is_between(d.largest_damping, 0.0, 1e3)) return "its damping must be 0 to 1 N s/mm";
     if (!is_between(d.mass, 1e-3, 10.0)) return "its mass must be 1 g to 10 kg";
@@ -46,7 +50,7 @@ void complete(DeviceRecord& d) {
     for (int latency = 0; latency <= max_latency; ++latency)
         d.stiffest_wall[latency] = d.largest_stiffness / (1 + latency);
     d.source = "stated by the device";
-    d.can_overheat = true;
+    d.is_connected = true;
 }
 
 }  // namespace
@@ -70,11 +74,14 @@ std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const Values& rec
 std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const kerf_device_facts& facts, std::string& fault) {
     if ((facts.abilities & KERF_DEVICE_POSITION) == 0) fault = "it senses no position";
     if ((facts.abilities & KERF_DEVICE_FORCE) == 0) fault = "it makes no force; such devices are not supported yet";
+    if (facts.button_count > documents::max_buttons) fault = "it states more than 32 buttons";
     if (!fault.empty()) return nullptr;
+    const bool has_torque = (facts.abilities & KERF_DEVICE_TORQUE) != 0;
     return of(std::move(id),
               {{"peak_force", facts.peak_force},
                {"continuous_force", facts.continuous_force},
-               {"peak_torque", (facts.abilities & KERF_DEVICE_TORQUE) != 0 ? facts.peak_torque : 0.0},
+               {"peak_torque", has_torque ? facts.peak_torque : 0.0},
+               {"continuous_torque", has_torque ? facts.continuous_torque : 0.0},
                {"largest_stiffness", facts.largest_stiffness},
                {"largest_damping", facts.largest_damping},
                {"mass", facts.mass},

@@ -16,14 +16,14 @@ bool kerf::fuzz::reads(std::string_view input) {
     const udp::Key some_key{1, 2, 3};
     const udp::Key* const key = input[0] == 'k' ? &some_key : nullptr;
     const std::span bytes(reinterpret_cast<const std::uint8_t*>(input.data()) + 1, input.size() - 1);
-    udp::Refusal refusal{};
-    const auto datagram = udp::decode(bytes, key, refusal);
-    require(datagram.has_value() == (refusal == udp::Refusal::none), "a refusal has a reason");
-    require(datagram.has_value() || *udp::text_of(refusal) != '\0', "a reason has a text");
+    udp::DatagramFault fault{};
+    const auto datagram = udp::decode(bytes, key, fault);
+    require(datagram.has_value() == (fault == udp::DatagramFault::none), "a fault has a reason");
+    require(datagram.has_value() || *udp::text_of(fault) != '\0', "a reason has a text");
     if (!datagram) return false;
     udp::Bytes again{};
     require(udp::encode(*datagram, key, again) == bytes.size(), "it has the size of its type");
-    const auto second = udp::decode({again.data(), bytes.size()}, key, refusal);
+    const auto second = udp::decode({again.data(), bytes.size()}, key, fault);
     require(second.has_value() && second->content.index() == datagram->content.index(), "what was read can be written");
     if (const auto* pose = std::get_if<udp::PoseReport>(&datagram->content)) {
         const kerf_quat& q = pose->device_from_handle.rotation;

@@ -43,20 +43,31 @@ kerf_device_facts facts_of_premium() {
             .peak_force = premium.peak_force,
             .continuous_force = premium.peak_force,  // ideal motors
             .peak_torque = premium.peak_torque,
-            .continuous_torque = 0.25 * premium.peak_torque,
+            .continuous_torque = premium.peak_torque,
             .largest_stiffness = premium.largest_stiffness,
             .largest_damping = premium.largest_damping,
             .mass = premium.mass,
             .resolution = premium.resolution};
 }
 
-/// A device at which the simulated hand of a rehearsal stands: the force that the device gets moves it. Button 0 runs
-/// the motor. The hand presses button 1 at the waypoints at which its rehearsal has an action.
-class HandAtDouble final : public DeviceLink {
+/// A device with the simulated hand of a rehearsal at its handle: the force that the device gets moves it. Button 0
+/// runs the motor. The hand presses button 1 at the waypoints at which its rehearsal has an action.
+class HandAtDouble final : public DeviceLink, public RunObserver {
 public:
     /// @param silent  ranges of ticks in which it reports nothing
-    HandAtDouble(const HandPlan& plan, std::vector<std::pair<std::uint64_t, std::uint64_t>> silent = {})
-        : plan_(plan), hand_(plan.plant, plan.intent, plan.start, 1e-3), silent_(std::move(silent)) {}
+    HandAtDouble(const Scene& scene, std::vector<std::pair<std::uint64_t, std::uint64_t>> silent = {})
+        : scene_(scene),
+          plan_(plan_of(scene.procedure.rehearsals.front(), scene)),
+          hand_(plan_.plant, plan_.intent, plan_.start, 1e-3),
+          silent_(std::move(silent)),
+          grip_(grip_of(0)) {}
+
+    /// Takes another tool as soon as the run has.
+    void on_event(const session::EventRow& event) override {
+        if (event.id != "tool.taken") return;
+        for (std::size_t step = 0; step < scene_.procedure.steps.size(); ++step)
+            if (scene_.procedure.steps[step].instrument == event.detail) grip_ = grip_of(step);
+    }
 
     [[nodiscard]] kerf_device_facts facts() const override { return facts_of_premium(); }
     [[nodiscard]] kerf_device_state read() noexcept override {
@@ -65,7 +76,8 @@ public:
             return tick_ >= range.first && tick_ < range.second;
         });
         state.reports = tick_;
-        state.device_from_handle = hand_.reported();
+        const Pose tool = hand_.reported();
+        state.device_from_handle = {tool * grip_, tool.rotation};
         state.flags = is_silent ? 0u : std::uint32_t{KERF_DEVICE_VALID};
         state.buttons = 1u | (presses_next() ? 2u : 0u);
         return state;
@@ -73,12 +85,13 @@ public:
     void write(const kerf_device_command& command) noexcept override {
         ++tick_;
         if ((command.flags & KERF_DEVICE_RUNNING) == 0) return;
-        DeviceCommand felt;
-        felt.wrench = make_vec6(command.force, command.torque);
-        hand_.step(felt, simulated_hand::SensedTool{.world_from_tool = command.device_from_tool});
+        DeviceCommand rendered;
+        rendered.wrench = make_vec6(command.force, command.torque);
+        hand_.step(rendered, simulated_hand::SensedTool{.world_from_tool = command.device_from_tool});
     }
 
 private:
+    [[nodiscard]] Vec3 grip_of(std::size_t step) const { return {0, 0, scene_.tool(step).outline.handling.grip_z}; }
     /// Presses for one tick at each leg with an action.
     bool presses_next() noexcept {
         if (hand_.leg() < legs_pressed_) return false;
@@ -87,17 +100,19 @@ private:
         return leg < plan_.inputs.size() && !plan_.inputs[leg].empty();
     }
 
+    const Scene& scene_;
     HandPlan plan_;
     simulated_hand::SimulatedHand hand_;
     std::vector<std::pair<std::uint64_t, std::uint64_t>> silent_;
     std::uint64_t tick_ = 0;
     std::size_t legs_pressed_ = 0;
+    Vec3 grip_;  ///< of the tool in hand, tool frame [m]
 };
 
 std::unique_ptr<OpenedDevice> opened(std::unique_ptr<DeviceLink> link) {
     kerf_device_open_out out{};
     out.facts = link->facts();
-    out.device = link.release();
+    out.device = static_cast<DeviceLink*>(link.release());
     std::string error;
     auto device = OpenedDevice::take(detail::ComponentTable<Double>::table, out, "double", error);
     EXPECT_EQ(error, "");
@@ -113,9 +128,10 @@ DeviceStation station_in_world() { return {.device = "double", .right = {1, 0, 0
 
 RunOutcome run_at_double(const Scene& scene, const std::string& out,
                          std::vector<std::pair<std::uint64_t, std::uint64_t>> silent = {}) {
-    const HandPlan plan = plan_of(scene.procedure.rehearsals.front(), scene);
-    const auto device = opened(std::make_unique<HandAtDouble>(plan, std::move(silent)));
+    auto hand = std::make_unique<HandAtDouble>(scene, std::move(silent));
     RunRequest request;
+    request.observers = {hand.get()};
+    const auto device = opened(std::move(hand));
     request.out = out;
     SteadyClock clock;
     return run_on_clock(scene, test::plugins(), request, clock, *device, station_in_world());
@@ -185,9 +201,9 @@ TEST(DeviceHand, MovesTheToolAlongTheAxesOfTheStation) {
     // By default the user looks from behind: the device's right, up and back are the patient's -x, +z and +y.
     const Pose start{{0.1, 0.2, 0.3}, no_turn};
     DeviceHand hand({.scale = 0.5}, facts_of_premium(), start);
-    EXPECT_EQ(length(hand.take(at({7.0, 8.0, 9.0})).world_from_handle.position - start.position), 0.0)
+    EXPECT_EQ(length(hand.take(at({0.7, 0.8, 0.9}), {}).world_from_handle.position - start.position), 0.0)
         << "wherever the handle is";
-    const Vec3 moved = hand.take(at({7.010, 8.020, 9.030})).world_from_handle.position - start.position;
+    const Vec3 moved = hand.take(at({0.710, 0.820, 0.930}), {}).world_from_handle.position - start.position;
     EXPECT_NEAR(moved.x, -0.005, 1e-12);
     EXPECT_NEAR(moved.y, 0.015, 1e-12);
     EXPECT_NEAR(moved.z, 0.010, 1e-12);
@@ -199,58 +215,99 @@ TEST(DeviceHand, MovesTheToolAlongTheAxesOfTheStation) {
     EXPECT_NEAR(command.force.x, -1.0, 1e-12);
     EXPECT_NEAR(command.force.y, 3.0, 1e-12);
     EXPECT_NEAR(command.force.z, 2.0, 1e-12);
-    EXPECT_NEAR(length(command.device_from_tool.position - Vec3{7.010, 8.020, 9.030}), 0.0, 1e-12);
+    EXPECT_NEAR(length(command.device_from_tool.position - Vec3{0.710, 0.820, 0.930}), 0.0, 1e-12);
     EXPECT_EQ(command.flags, std::uint32_t{KERF_DEVICE_RUNNING | KERF_DEVICE_FORCE_ON});
 }
 
 TEST(DeviceHand, HoldsTheToolWhileItIsClutched) {
-    DeviceHand hand(station_in_world(), facts_of_premium(), identity_pose());
-    constexpr std::uint32_t clutch = 1u << 2;
-    static_cast<void>(hand.take(at({})));
-    const Vec3 before = hand.take(at({0.01, 0, 0})).world_from_handle.position;
-    EXPECT_EQ(length(hand.take(at({0.02, 0, 0}, clutch)).world_from_handle.position - before), 0.0);
-    EXPECT_EQ(length(hand.take(at({-0.05, 0, 0}, clutch)).world_from_handle.position - before), 0.0);
-    EXPECT_EQ(length(hand.take(at({-0.05, 0, 0})).world_from_handle.position - before), 0.0)
+    DeviceStation station = station_in_world();
+    station.buttons = {ButtonAction::drive, ButtonAction::clutch};
+    DeviceHand hand(station, facts_of_premium(), identity_pose());
+    constexpr std::uint32_t clutch = 1u << 1;
+    static_cast<void>(hand.take(at({}), {}));
+    const Vec3 before = hand.take(at({0.01, 0, 0}), {}).world_from_handle.position;
+    const DeviceSample clutched = hand.take(at({0.02, 0, 0}, clutch), {});
+    EXPECT_TRUE(clutched.is_lost) << "the force fades: the handle is free";
+    EXPECT_FALSE(hand.is_silent(1));
+    EXPECT_EQ(length(clutched.world_from_handle.position - before), 0.0);
+    EXPECT_EQ(length(hand.take(at({-0.05, 0, 0}, clutch), {}).world_from_handle.position - before), 0.0);
+    EXPECT_EQ(length(hand.take(at({-0.05, 0, 0}), {}).world_from_handle.position - before), 0.0)
         << "no jump when it is let go";
-    EXPECT_NEAR(hand.take(at({-0.04, 0, 0})).world_from_handle.position.x, 0.02, 1e-12);
+    EXPECT_NEAR(hand.take(at({-0.04, 0, 0}), {}).world_from_handle.position.x, 0.02, 1e-12);
 }
 
 TEST(DeviceHand, IsLostWhileTheDeviceIsSilent) {
     DeviceHand hand(station_in_world(), facts_of_premium(), identity_pose());
-    static_cast<void>(hand.take(at({})));
-    const Vec3 before = hand.take(at({0.01, 0, 0}, 1u)).world_from_handle.position;
+    static_cast<void>(hand.take(at({}), {}));
+    const Vec3 before = hand.take(at({0.01, 0, 0}, 1u), {}).world_from_handle.position;
     EXPECT_TRUE(hand.presses().is_driving);
     kerf_device_state late = at({0.02, 0, 0}, 1u);
     late.age = 20e-3;
-    EXPECT_FALSE(hand.take(late).is_lost);
+    EXPECT_FALSE(hand.take(late, {}).is_lost);
     late.age = 20.1e-3;
-    EXPECT_TRUE(hand.take(late).is_lost);
+    EXPECT_TRUE(hand.take(late, {}).is_lost);
     EXPECT_FALSE(hand.presses().is_driving) << "a motor does not run on without a hand";
-    const Vec3 at_loss = hand.take(late).world_from_handle.position;
+    const Vec3 at_loss = hand.take(late, {}).world_from_handle.position;
     EXPECT_GT(at_loss.x, before.x);
-    const DeviceSample back = hand.take(at({0.5, 0.5, 0.5}));
+    const DeviceSample back = hand.take(at({0.5, 0.5, 0.5}), {});
     EXPECT_FALSE(back.is_lost);
     EXPECT_EQ(length(back.world_from_handle.position - at_loss), 0.0)
         << "the handle is joined to the tool where both are";
 }
 
-TEST(DeviceHand, TakesNoNumberForTheAgeOfAReportAsALoss) {
+TEST(DeviceHand, IsLostWhereAReportCannotBe) {
     DeviceHand hand(station_in_world(), facts_of_premium(), identity_pose());
     kerf_device_state state = at({});
     state.age = std::nan("");
-    EXPECT_TRUE(hand.take(state).is_lost);
+    EXPECT_TRUE(hand.take(state, {}).is_lost);
+    EXPECT_TRUE(hand.take(at({std::nan(""), 0, 0}), {}).is_lost);
+    EXPECT_TRUE(hand.take(at({200.0, 0, 0}), {}).is_lost) << "millimetres, perhaps";
+    kerf_device_state stretched = at({});
+    stretched.device_from_handle.rotation.w = 1.1;
+    EXPECT_TRUE(hand.take(stretched, {}).is_lost);
+    EXPECT_FALSE(hand.take(at({}), {}).is_lost);
 }
 
-TEST(DeviceHand, AsksForAnActionOnceAPress) {
+TEST(DeviceHand, TurnsTheToolAboutItsGrip) {
+    const Vec3 grip{0, 0, -0.1};
+    DeviceHand hand(station_in_world(), facts_of_premium(), identity_pose());
+    static_cast<void>(hand.take(at({}), grip));
+    kerf_device_state turned = at({});
+    turned.device_from_handle.rotation = quat_from_rotation_vector({0.5, 0, 0});
+    const Pose tool = hand.take(turned, grip).world_from_handle;
+    EXPECT_NEAR(length(tool * grip - grip), 0.0, 1e-12) << "the origin of the handle stays";
+    EXPECT_NEAR(tool.position.y, -0.1 * std::sin(0.5), 1e-9);
+    TickResult result;
+    result.world_from_tool = tool;
+    const Pose seen = hand.command(result, 0).device_from_tool;
+    EXPECT_NEAR(length(seen * grip - turned.device_from_handle.position), 0.0, 1e-12);
+}
+
+TEST(DeviceHand, RepeatsNoPressAfterALoss) {
     DeviceHand hand(station_in_world(), facts_of_premium(), identity_pose());
     constexpr std::uint32_t next = 1u << 1;
-    static_cast<void>(hand.take(at({})));
-    static_cast<void>(hand.take(at({}, next)));
+    static_cast<void>(hand.take(at({}, next), {}));
+    EXPECT_FALSE(hand.presses().wants_next) << "it was pressed before the run";
+    static_cast<void>(hand.take(at({}), {}));
+    static_cast<void>(hand.take(at({}, next), {}));
     EXPECT_TRUE(hand.presses().wants_next);
-    static_cast<void>(hand.take(at({}, next)));
+    static_cast<void>(hand.take({}, {}));
+    static_cast<void>(hand.take(at({}, next), {}));
+    EXPECT_FALSE(hand.presses().wants_next);
+    static_cast<void>(hand.take(at({}, 1u << 3), {}));
+    EXPECT_FALSE(hand.presses().wants_undo) << "the device has two buttons";
+}
+
+TEST(DeviceHand, RequestsAnActionOnceAPress) {
+    DeviceHand hand(station_in_world(), facts_of_premium(), identity_pose());
+    constexpr std::uint32_t next = 1u << 1;
+    static_cast<void>(hand.take(at({}), {}));
+    static_cast<void>(hand.take(at({}, next), {}));
+    EXPECT_TRUE(hand.presses().wants_next);
+    static_cast<void>(hand.take(at({}, next), {}));
     EXPECT_FALSE(hand.presses().wants_next) << "it is still held";
-    static_cast<void>(hand.take(at({})));
-    static_cast<void>(hand.take(at({}, next)));
+    static_cast<void>(hand.take(at({}), {}));
+    static_cast<void>(hand.take(at({}, next), {}));
     EXPECT_TRUE(hand.presses().wants_next);
 }
 
@@ -270,6 +327,8 @@ TEST(StatedDevice, RefusesADeviceThatTheLoopCannotUse) {
     EXPECT_NE(fault_of([](auto& f) { f.resolution = 0.0; }), "");
     EXPECT_NE(fault_of([](auto& f) { f.mass = -1.0; }), "");
     EXPECT_NE(fault_of([](auto& f) { f.abilities = KERF_DEVICE_POSITION; }), "");
+    EXPECT_NE(fault_of([](auto& f) { f.continuous_torque = 0.0; }), "");
+    EXPECT_NE(fault_of([](auto& f) { f.button_count = 33; }), "");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 
 using test::short_scene;
 
-/// Misses the periods that a test asks for, before the ticks that it names.
+/// Misses the periods of a test, before the ticks that it names.
 class VirtualClock final : public TickClock {
 public:
     explicit VirtualClock(std::map<std::uint64_t, std::uint32_t> missed) : missed_(std::move(missed)) {}

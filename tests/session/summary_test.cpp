@@ -25,7 +25,7 @@ TEST(Summary, HasTheKeysThatScriptsDependOnInThisOrder) {
     const std::vector<std::string> promised{"schema",        "notice",     "procedure",   "verdict", "reasons",
                                             "score",         "duration_s", "steps",       "metrics", "ticks",
                                             "removed_mm3",   "pieces",     "force_scale", "hash",    "versions",
-                                            "anatomy_notes", "variant"};
+                                            "anatomy_notes", "variant",    "hand",        "device"};
     EXPECT_EQ(keys, promised);
     EXPECT_EQ(document["schema"], 1);
 }

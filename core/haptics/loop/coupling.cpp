@@ -28,7 +28,8 @@ CouplingGains gains_for(const DeviceRecord& device, double force_scale, int late
     gains.damping = std::clamp(nominal_period * (max_count_force / device.resolution - gains.stiffness), 0.0,
                                0.5 * device.largest_damping);
     gains.force_limit = device.peak_force;
-    gains.continuous_force = device.can_overheat ? device.continuous_force : 0.0;
+    if (device.is_connected) gains.continuous_force = device.continuous_force;
+    if (device.is_connected) gains.continuous_torque = device.continuous_torque;
     // Without actuated torque the limit is negligible: the tool in a clamp turns with the handle.
     gains.has_torque = device.peak_torque > 0.0;
     gains.torque_limit = gains.has_torque ? device.peak_torque : 0.01;

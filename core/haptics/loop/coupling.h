@@ -39,19 +39,20 @@ struct ShaftGains {
 
 /// Coupling gains in device newtons. Divided by the force scale they are gains in bone newtons.
 struct CouplingGains {
-    double stiffness = 0.0;         ///< K_c [N/m]
-    double damping = 0.0;           ///< B_c [N·s/m]
-    double force_limit = 0.0;       ///< [N]
-    double continuous_force = 0.0;  ///< [N] that the motors carry for ever; 0: no such limit
-    double torque_limit = 0.0;      ///< [N·m]
-    bool has_torque = false;        ///< the device actuates torques; they count as energy given to the hand
-    ShaftGains shaft{};             ///< of a device with a motor about the shaft alone
-    double resolution = 0.0;        ///< [m] of one count of the device's encoders
-    double spare_damping = 0.0;     ///< [N·s/m] maximum damping of the passivity controller
-    double force_scale = 1.0;       ///< [–] device newtons per bone newton, one for force and torque
-    double rotation_arm = 0.05;     ///< [m] K_rot = K arm², B_rot = B arm² [assumed]
-    double release_damping = 0.0;   ///< B_x [N·s/m] between hand and tool at breakthrough (docs/design/tick.md)
-    bool is_held = false;           ///< the tool is in one or two hands, as it declares; false: the handle clamps it
+    double stiffness = 0.0;          ///< K_c [N/m]
+    double damping = 0.0;            ///< B_c [N·s/m]
+    double force_limit = 0.0;        ///< [N]
+    double continuous_force = 0.0;   ///< [N] that the motors can make without end; 0: no such limit
+    double continuous_torque = 0.0;  ///< [N·m] the same
+    double torque_limit = 0.0;       ///< [N·m]
+    bool has_torque = false;         ///< the device actuates torques; they count as energy given to the hand
+    ShaftGains shaft{};              ///< of a device with a motor about the shaft alone
+    double resolution = 0.0;         ///< [m] of one count of the device's encoders
+    double spare_damping = 0.0;      ///< [N·s/m] maximum damping of the passivity controller
+    double force_scale = 1.0;        ///< [–] device newtons per bone newton, one for force and torque
+    double rotation_arm = 0.05;      ///< [m] K_rot = K arm², B_rot = B arm² [assumed]
+    double release_damping = 0.0;    ///< B_x [N·s/m] between hand and tool at breakthrough (docs/design/tick.md)
+    bool is_held = false;            ///< the tool is in one or two hands, as it declares; false: the handle clamps it
 };
 
 /// Returns the largest gains for a device whose forces arrive `latency` ticks late (0 … max_latency, asserted):
@@ -122,8 +123,11 @@ public:
     /// Returns tool_from_handle without stretch: how the tool lies in the hand. The identity if the anchor never slid.
     /// [haptic, nonblocking]
     [[nodiscard]] Pose grasp(const Pose& world_from_tool) const noexcept;
-    /// Returns the length of the anchor's slip [m].   [haptic, nonblocking]
-    [[nodiscard]] double slip() const noexcept { return length(slip_); }
+    /// Returns the largest displacement of a point between tip and centre by the anchor's slip [m].
+    /// [haptic, nonblocking]
+    [[nodiscard]] double slip() const noexcept {
+        return std::max(length(slip_), length(small_rotation_vector(rotation_slip_)) * std::abs(spring_.centre_z));
+    }
 
     /// Releases the tool about its shaft, or grips it again (false). While released, the anchor about the shaft follows
     /// the handle and carries no torque. A damper of 1 % [assumed] remains, so that the solve has one solution.

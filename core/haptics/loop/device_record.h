@@ -27,8 +27,9 @@ struct DeviceRecord {
     /// ticks of a millisecond late [N/m]. Measured on our model of the device: `kerf stability`, S-02.
     double stiffest_wall[3];
     const char* source;
-    TorqueAxis axis{};          ///< only for a device whose `peak_torque` is 0
-    bool can_overheat = false;  ///< the loop keeps its motors within what they carry for ever; a model has ideal ones
+    TorqueAxis axis{};               ///< only for a device whose `peak_torque` is 0
+    double continuous_torque = 0.0;  ///< [N·m] about every line; 0: no such limit
+    bool is_connected = false;       ///< real: the loop limits the heat of its motors; a model's are ideal
 };
 
 /// Largest latency of a device's forces for which `stiffest_wall` has a value [ticks].

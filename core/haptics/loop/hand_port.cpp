@@ -153,21 +153,23 @@ void HandPort::command(const Pose& world_from_tool, double dt, TickResult& resul
         command_coupled(world_from_tool, dt, result, wrench);
     }
     result.command.wrench = commanded_ = wrench;
-    limit_for_heat(dt, result);
+    follow_heat(dt, result);
     if (!result.is_closed_or_closing) {
         const double limit = coupling_.gains().force_limit, force = length(linear(commanded_));
-        coupling_.set_allowed_fractions(std::min(gate_.usable_fraction(limit, force, dt), cool_fraction_),
-                                        gate_.gain());
+        coupling_.set_allowed_fractions(
+            std::min(gate_.usable_fraction(limit, force, dt), force_heat_.usable_fraction()),
+            std::min(gate_.gain(), torque_heat_.usable_fraction()));
     }
     result.is_coming_back = gate_.state() == ForceGate::State::opening;
 }
 
-/// Sets the fraction of the force limit that the motors' heat allows in the next tick.
-void HandPort::limit_for_heat(double dt, TickResult& result) noexcept {
+/// Follows the heat of the motors under the command of this tick.
+void HandPort::follow_heat(double dt, TickResult& result) noexcept {
     const CouplingGains& gains = coupling_.gains();
-    const double before = cool_fraction_;
-    cool_fraction_ = heat_.usable_fraction(length(linear(commanded_)), gains.continuous_force, gains.force_limit, dt);
-    if (cool_fraction_ < 1.0 && before == 1.0) result.add_event("haptics.motors_warm");
+    const bool was_warm = force_heat_.is_warm() || torque_heat_.is_warm();
+    force_heat_.take(length(linear(commanded_)), gains.continuous_force, gains.force_limit, dt);
+    torque_heat_.take(length(angular(commanded_)), gains.continuous_torque, gains.torque_limit, dt);
+    if (!was_warm && (force_heat_.is_warm() || torque_heat_.is_warm())) result.add_event("haptics.motors_warm");
 }
 
 void HandPort::command_direct(double dt, TickResult& result) noexcept {
@@ -179,11 +181,12 @@ void HandPort::command_direct(double dt, TickResult& result) noexcept {
         torque = std::clamp(dot(angular(result.bone_on_tool), shaft), -limit, limit) * shaft;
     }
     result.coupled_on_hand = result.bone_on_tool;
-    result.limited_on_hand =
-        make_vec6(clamped(linear(result.bone_on_tool), cool_fraction_ * gains.force_limit / gains.force_scale), torque);
+    result.limited_on_hand = make_vec6(
+        clamped(linear(result.bone_on_tool), force_heat_.usable_fraction() * gains.force_limit / gains.force_scale),
+        torque);
     add_scaled(result.limited_on_hand, gains.force_scale, result.command.wrench);
     commanded_ = result.command.wrench;
-    limit_for_heat(dt, result);
+    follow_heat(dt, result);
 }
 
 }  // namespace kerf

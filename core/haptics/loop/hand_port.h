@@ -79,7 +79,7 @@ public:
 
 private:
     [[nodiscard]] Vec3 torque_for_device(Vec3 torque_on_hand, const Pose& world_from_tool, double dt) noexcept;
-    void limit_for_heat(double dt, TickResult& result) noexcept;
+    void follow_heat(double dt, TickResult& result) noexcept;
     void command_coupled(const Pose& world_from_tool, double dt, TickResult& result, Vec6& wrench) noexcept;
 
     HandMotion motion_;
@@ -87,8 +87,7 @@ private:
     Coupling coupling_;
     PassivityGuard guard_;
     ForceGate gate_;
-    MotorHeat heat_;
-    double cool_fraction_ = 1.0;       ///< [–] of the force limit that the motors' heat allows
+    MotorHeat force_heat_, torque_heat_;
     Vec6 commanded_{};                 ///< the last command: on the hand, device newtons
     Vec6 before_fault_{};              ///< command that the closing gate fades
     double supplied_ = 0.0;            ///< [J] work of the tool's motor since the last `read`, device side

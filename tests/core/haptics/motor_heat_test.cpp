@@ -13,10 +13,9 @@ constexpr double continuous = 2.0, peak = 8.0, dt = 1e-3;  // [N], [s]
 
 /// A hand that pushes with this force, as far as the device resists. Returns the last usable fraction.
 double push(MotorHeat& heat, double force, double seconds) {
-    double fraction = 1.0;
     for (int tick = 0; tick < static_cast<int>(seconds / dt); ++tick)
-        fraction = heat.usable_fraction(std::min(force, fraction * peak), continuous, peak, dt);
-    return fraction;
+        heat.take(std::min(force, heat.usable_fraction() * peak), continuous, peak, dt);
+    return heat.usable_fraction();
 }
 
 TEST(MotorHeat, AllowsThePeakForAsLongAsItIsCool) {
@@ -43,13 +42,17 @@ TEST(MotorHeat, CoolsInRest) {
     MotorHeat heat;
     push(heat, peak, 60.0);
     EXPECT_EQ(push(heat, 0.0, 7.0), 1.0) << "from 1 to 0.8 in 6.7 s";
+    EXPECT_TRUE(heat.is_warm());
+    push(heat, 0.0, 4.0);
+    EXPECT_FALSE(heat.is_warm()) << "from 1 to 0.7 in 10.7 s";
 }
 
 TEST(MotorHeat, NeverJumps) {
     MotorHeat heat;
     double last = 1.0;
     for (int tick = 0; tick < 60000; ++tick) {
-        const double fraction = heat.usable_fraction(last * peak, continuous, peak, dt);
+        heat.take(last * peak, continuous, peak, dt);
+        const double fraction = heat.usable_fraction();
         EXPECT_LT(std::abs(fraction - last) * peak, 0.03) << "[N] in a tick; S-21 allows 0.5 N";
         last = fraction;
     }
@@ -57,7 +60,8 @@ TEST(MotorHeat, NeverJumps) {
 
 TEST(MotorHeat, LimitsNothingWithoutAContinuousForce) {
     MotorHeat heat;
-    for (int tick = 0; tick < 100000; ++tick) ASSERT_EQ(heat.usable_fraction(peak, 0.0, peak, dt), 1.0);
+    for (int tick = 0; tick < 100000; ++tick) heat.take(peak, 0.0, peak, dt);
+    EXPECT_EQ(heat.usable_fraction(), 1.0);
 }
 
 }  // namespace

@@ -52,9 +52,9 @@ kerf_device_facts some_facts() {
 }
 
 TEST(Datagram, ReadsAPoseByItsBytes) {
-    Refusal refusal{};
-    const auto datagram = decode(pose_bytes(), nullptr, refusal);
-    ASSERT_TRUE(datagram) << text_of(refusal);
+    DatagramFault fault{};
+    const auto datagram = decode(pose_bytes(), nullptr, fault);
+    ASSERT_TRUE(datagram) << text_of(fault);
     EXPECT_EQ(datagram->header.session, 0x1122334455667788u);
     EXPECT_EQ(datagram->header.sequence, 42u);
     const auto& pose = std::get<PoseReport>(datagram->content);
@@ -86,7 +86,7 @@ TEST(Datagram, WritesAForceByItsBytes) {
     EXPECT_EQ(number_at(144, std::uint32_t{}), std::uint32_t{KERF_DEVICE_RUNNING});
 }
 
-TEST(Datagram, GivesWhatWasWritten) {
+TEST(Datagram, ReadsBackEachType) {
     const Key key{1, 2, 3};
     ForceCommand force{.answered = 1, .command = {}};
     force.command.device_from_tool.rotation.w = 1.0;
@@ -97,49 +97,49 @@ TEST(Datagram, GivesWhatWasWritten) {
         for (const Content& content : contents) {
             Bytes bytes{}, again{};
             const std::size_t size = encode({.header = {.session = 5, .sequence = 6}, .content = content}, with, bytes);
-            Refusal refusal{};
-            const auto datagram = decode({bytes.data(), size}, with, refusal);
-            ASSERT_TRUE(datagram) << content.index() << ": " << text_of(refusal);
+            DatagramFault fault{};
+            const auto datagram = decode({bytes.data(), size}, with, fault);
+            ASSERT_TRUE(datagram) << content.index() << ": " << text_of(fault);
             EXPECT_EQ(encode(*datagram, with, again), size);
             EXPECT_EQ(bytes, again) << content.index();
         }
 }
 
-TEST(Datagram, RefusesWhatIsNotOne) {
+TEST(Datagram, RefusesOtherBytes) {
     const auto refusal_of = [](ByteList bytes, const Key* key = nullptr) {
-        Refusal refusal{};
-        EXPECT_FALSE(decode(bytes, key, refusal));
-        return refusal;
+        DatagramFault fault{};
+        EXPECT_FALSE(decode(bytes, key, fault));
+        return fault;
     };
     const auto changed = [](std::size_t at, std::uint8_t to) {
         ByteList bytes = pose_bytes();
         bytes[at] = to;
         return bytes;
     };
-    EXPECT_EQ(refusal_of({}), Refusal::foreign);
-    EXPECT_EQ(refusal_of({'K', 'E', 'R'}), Refusal::foreign);
-    EXPECT_EQ(refusal_of(changed(0, 'k')), Refusal::foreign);
-    EXPECT_EQ(refusal_of(changed(4, 2)), Refusal::version);
-    EXPECT_EQ(refusal_of(changed(5, 0)), Refusal::type);
-    EXPECT_EQ(refusal_of(changed(5, 6)), Refusal::type);
-    EXPECT_EQ(refusal_of(changed(5, 1)), Refusal::size);
-    EXPECT_EQ(refusal_of(changed(6, 87)), Refusal::size);
+    EXPECT_EQ(refusal_of({}), DatagramFault::foreign);
+    EXPECT_EQ(refusal_of({'K', 'E', 'R'}), DatagramFault::foreign);
+    EXPECT_EQ(refusal_of(changed(0, 'k')), DatagramFault::foreign);
+    EXPECT_EQ(refusal_of(changed(4, 2)), DatagramFault::version);
+    EXPECT_EQ(refusal_of(changed(5, 0)), DatagramFault::type);
+    EXPECT_EQ(refusal_of(changed(5, 6)), DatagramFault::type);
+    EXPECT_EQ(refusal_of(changed(5, 1)), DatagramFault::size);
+    EXPECT_EQ(refusal_of(changed(6, 87)), DatagramFault::size);
     const Key key{};
-    EXPECT_EQ(refusal_of(pose_bytes(), &key), Refusal::size) << "a key needs a tag";
+    EXPECT_EQ(refusal_of(pose_bytes(), &key), DatagramFault::size) << "a key needs a tag";
     for (std::size_t size = 4; size < pose_bytes().size(); ++size) {
         ByteList cut = pose_bytes();
         cut.resize(size);
-        EXPECT_EQ(refusal_of(cut), Refusal::size) << size;
+        EXPECT_EQ(refusal_of(cut), DatagramFault::size) << size;
     }
     ByteList longer = pose_bytes();
     longer.push_back(0);
-    EXPECT_EQ(refusal_of(longer), Refusal::size);
+    EXPECT_EQ(refusal_of(longer), DatagramFault::size);
     ByteList infinite = pose_bytes(), stretched = pose_bytes();
     const double infinity = std::numeric_limits<double>::infinity(), half = 0.5;
     std::memcpy(infinite.data() + 24, &infinity, sizeof infinity);
     std::memcpy(stretched.data() + 48, &half, sizeof half);
-    EXPECT_EQ(refusal_of(infinite), Refusal::value);
-    EXPECT_EQ(refusal_of(stretched), Refusal::value) << "the rotation is no longer of unit length";
+    EXPECT_EQ(refusal_of(infinite), DatagramFault::value);
+    EXPECT_EQ(refusal_of(stretched), DatagramFault::value) << "the rotation is no longer of unit length";
 }
 
 TEST(Datagram, RefusesAHelloWithLimitsThatCannotBe) {
@@ -148,8 +148,8 @@ TEST(Datagram, RefusesAHelloWithLimitsThatCannotBe) {
         change(hello.facts);
         Bytes bytes{};
         const std::size_t size = encode({.header = {}, .content = hello}, nullptr, bytes);
-        Refusal refusal{};
-        return decode({bytes.data(), size}, nullptr, refusal).has_value();
+        DatagramFault fault{};
+        return decode({bytes.data(), size}, nullptr, fault).has_value();
     };
     EXPECT_TRUE(is_taken([](auto&) {}));
     EXPECT_FALSE(is_taken([](auto& f) { f.abilities = KERF_DEVICE_FORCE; }));
@@ -170,13 +170,13 @@ TEST(Datagram, WithAKeyNoByteCanBeChanged) {
     for (std::size_t i = 0; i < size; ++i) {
         Bytes other = bytes;
         other[i] ^= 1u;
-        Refusal refusal{};
-        EXPECT_FALSE(decode({other.data(), size}, &key, refusal)) << i;
+        DatagramFault fault{};
+        EXPECT_FALSE(decode({other.data(), size}, &key, fault)) << i;
     }
     const Key wrong{9, 8, 6};
-    Refusal refusal{};
-    EXPECT_FALSE(decode({bytes.data(), size}, &wrong, refusal));
-    EXPECT_EQ(refusal, Refusal::tag);
+    DatagramFault fault{};
+    EXPECT_FALSE(decode({bytes.data(), size}, &wrong, fault));
+    EXPECT_EQ(fault, DatagramFault::tag);
 }
 
 // Source: the first and the sixteenth of the vectors of the reference implementation; the latter is in appendix A, too.

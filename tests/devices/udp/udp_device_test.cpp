@@ -57,22 +57,21 @@ public:
         std::array<std::uint8_t, 512> bytes{};
         for (int i = 0; i < 1000; ++i) {
             const ssize_t size = recv(fd_, bytes.data(), bytes.size(), 0);
-            Refusal refusal{};
-            if (size > 0)
-                return decode({bytes.data(), static_cast<std::size_t>(size)}, key_ ? &*key_ : nullptr, refusal);
+            DatagramFault fault{};
+            if (size > 0) return decode({bytes.data(), static_cast<std::size_t>(size)}, key_ ? &*key_ : nullptr, fault);
             std::this_thread::sleep_for(1ms);
         }
         return std::nullopt;
     }
     /// Sends `content` until a datagram comes. Returns it.
-    std::optional<Datagram> ask(const Content& content) {
+    std::optional<Datagram> send_until_answered(const Content& content) {
         for (int i = 0; i < 5; ++i) {
             send(content);
             if (auto answer = receive()) return answer;
         }
         return std::nullopt;
     }
-    /// Says hello. Returns whether Kerf has taken the device.
+    /// Sends hello. Returns whether Kerf has taken the device.
     bool connect() {
         session = 0;
         kerf_device_facts facts{};
@@ -83,7 +82,7 @@ public:
         facts.largest_stiffness = 800.0;
         facts.mass = 0.1;
         facts.resolution = 1e-5;
-        const auto answer = ask(Hello{.name = "test rig", .facts = facts});
+        const auto answer = send_until_answered(Hello{.name = "test rig", .facts = facts});
         if (!answer || !std::holds_alternative<Welcome>(answer->content)) return false;
         session = answer->header.session;
         return session != 0;
@@ -96,7 +95,7 @@ private:
     sockaddr_in to_{};
 };
 
-/// Returns a port that nobody uses at present.
+/// Returns a port that is free at present.
 std::uint16_t free_port() {
     const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
     sockaddr_in any{};
@@ -169,7 +168,7 @@ TEST(UdpDevice, ExchangesPosesAndForces) {
     command.device_from_tool.rotation.w = 1.0;
     command.flags = KERF_DEVICE_RUNNING;
     rig.link->write(command);
-    const auto answer = rig.program.ask(pose_at(0.25, 1));
+    const auto answer = rig.program.send_until_answered(pose_at(0.25, 1));
     ASSERT_TRUE(answer && std::holds_alternative<ForceCommand>(answer->content));
     const auto& force = std::get<ForceCommand>(answer->content);
     EXPECT_EQ(force.answered, rig.program.sequence);
@@ -184,9 +183,21 @@ TEST(UdpDevice, ExchangesPosesAndForces) {
     EXPECT_GE(rig.link->read().age, 30e-3) << "the device is silent";
 }
 
+TEST(UdpDevice, SendsNoForceThatTheLoopHasNotRenewed) {
+    Connected rig;
+    kerf_device_command command{};
+    command.force = {5.0, 0.0, 0.0};
+    command.device_from_tool.rotation.w = 1.0;
+    rig.link->write(command);
+    std::this_thread::sleep_for(60ms);
+    const auto answer = rig.program.send_until_answered(pose_at(0.1));
+    ASSERT_TRUE(answer && std::holds_alternative<ForceCommand>(answer->content));
+    EXPECT_EQ(std::get<ForceCommand>(answer->content).command.force.x, 0.0) << "the loop is silent";
+}
+
 TEST(UdpDevice, IgnoresStrangersAndWhatItHasSeen) {
     Connected rig;
-    ASSERT_TRUE(rig.program.ask(pose_at(0.1)));
+    ASSERT_TRUE(rig.program.send_until_answered(pose_at(0.1)));
     const std::uint64_t session = rig.program.session, sequence = rig.program.sequence;
     rig.program.send({.session = session, .sequence = sequence}, pose_at(0.2));      // seen before
     rig.program.send({.session = session, .sequence = sequence - 1}, pose_at(0.3));  // late
@@ -196,7 +207,7 @@ TEST(UdpDevice, IgnoresStrangersAndWhatItHasSeen) {
     const std::uint8_t garbage[] = {'K', 'E', 'R', 'F', 1, 3, 88, 0, 7};
     for (int i = 0; i < 100; ++i) rig.program.send_bytes(garbage);
     rig.program.send_bytes(std::vector<std::uint8_t>(2000, 0xff));
-    ASSERT_TRUE(rig.program.ask(pose_at(0.6)));
+    ASSERT_TRUE(rig.program.send_until_answered(pose_at(0.6)));
     const kerf_device_state state = rig.link->read();
     EXPECT_EQ(state.device_from_handle.position.x, 0.6);
     EXPECT_EQ(state.reports, 2u) << "two poses were the device's";
@@ -204,14 +215,14 @@ TEST(UdpDevice, IgnoresStrangersAndWhatItHasSeen) {
 
 TEST(UdpDevice, TakesTheDeviceAgainAfterItLeft) {
     Connected rig;
-    ASSERT_TRUE(rig.program.ask(pose_at(0.1)));
+    ASSERT_TRUE(rig.program.send_until_answered(pose_at(0.1)));
     rig.program.send(Goodbye{});
     EXPECT_TRUE(comes(*rig.link, [](const kerf_device_state& s) { return s.flags == 0; }));
     std::this_thread::sleep_for(50ms);
     Program again(rig.port);
     ASSERT_TRUE(again.connect());
     EXPECT_NE(again.session, rig.program.session);
-    ASSERT_TRUE(again.ask(pose_at(0.7)));
+    ASSERT_TRUE(again.send_until_answered(pose_at(0.7)));
     EXPECT_EQ(rig.link->read().device_from_handle.position.x, 0.7);
 }
 
@@ -221,7 +232,7 @@ TEST(UdpDevice, SendsZeroForceAndGoodbyeWhenItIsClosed) {
     command.force = {5.0, 0.0, 0.0};
     command.device_from_tool.rotation.w = 1.0;
     rig.link->write(command);
-    ASSERT_TRUE(rig.program.ask(pose_at(0.1)));
+    ASSERT_TRUE(rig.program.send_until_answered(pose_at(0.1)));
     rig.link.reset();
     std::optional<double> last_force;
     bool has_left = false;
@@ -248,9 +259,9 @@ TEST(UdpDevice, WithAKeyTakesOnlyItsHolder) {
     EXPECT_TRUE(holder.connect());
     const auto link = opening.get();
     EXPECT_STREQ(link->facts().name, "test rig");
-    ASSERT_TRUE(holder.ask(pose_at(0.3)));
+    ASSERT_TRUE(holder.send_until_answered(pose_at(0.3)));
     keyless.send({.session = holder.session, .sequence = 1000}, pose_at(0.9));
-    ASSERT_TRUE(holder.ask(pose_at(0.4)));
+    ASSERT_TRUE(holder.send_until_answered(pose_at(0.4)));
     EXPECT_EQ(link->read().device_from_handle.position.x, 0.4);
 }
 
@@ -265,7 +276,7 @@ TEST(UdpDevice, TakesThePortOfItsId) {
         EXPECT_THROW(static_cast<void>(open(4190, {}, 0.05, wrong)), std::runtime_error) << wrong;
 }
 
-TEST(UdpDevice, SaysWhyItCannotBeOpened) {
+TEST(UdpDevice, GivesTheReasonIfItCannotBeOpened) {
     const std::uint16_t port = free_port();
     EXPECT_NE(refusal_of(port, {}).find("no device said hello on UDP port " + std::to_string(port)), std::string::npos);
     EXPECT_NE(refusal_of(port, {{"peer", "192.168.1.7"}}).find("`key_file`"), std::string::npos);

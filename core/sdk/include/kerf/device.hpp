@@ -12,7 +12,7 @@ namespace kerf {
 struct DeviceSample {
     Pose world_from_handle = identity_pose();  ///< pose that the hand wants for the tool
     std::uint32_t missed = 0;                  ///< ticks that were due since the last sample and did not run
-    bool is_lost = false;                      ///< the device is silent or unplugged: the pose is the last one
+    bool is_lost = false;  ///< the device is silent, unplugged or clutched: the pose is the last one
 };
 
 /// Setpoint of a device that closes the spring itself, faster than the loop. Until the next setpoint it applies

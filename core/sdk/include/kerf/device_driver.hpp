@@ -76,10 +76,11 @@ concept DeviceComponent = requires(const T& driver, const DeviceRequest& request
 
 namespace detail {
 
-/// Copies a text, cut to the size of its array.
+/// Copies a text, cut to the size of its array between two characters.
 template <std::size_t size>
 void copy_text(char (&to)[size], std::string_view from) noexcept {
-    const std::size_t count = std::min(from.size(), size - 1);
+    std::size_t count = std::min(from.size(), size - 1);
+    while (count < from.size() && count > 0 && (static_cast<unsigned char>(from[count]) & 0xc0u) == 0x80u) --count;
     std::memcpy(to, from.data(), count);
     to[count] = '\0';
 }

@@ -34,7 +34,7 @@ private:
     std::array<T, 3> slots_;
     std::uint32_t written_ = 0;             ///< slot that the writer fills next
     std::atomic<std::uint32_t> middle_{1};  ///< slot that changes hands, with `fresh` if it was not read yet
-    std::uint32_t read_ = 2;                ///< slot that the reader holds
+    std::uint32_t read_ = 2;                ///< slot of the reader
 };
 
 }  // namespace kerf
