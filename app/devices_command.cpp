@@ -140,7 +140,7 @@ ExitCode test_device(const std::string& id, const PluginRegistry& plugins) {
                     static_cast<double>(reports.count) / reports.seconds, 1e3 * reports.longest_gap,
                     reports.longest_gap > 20e-3 ? ": a run fades the force after 20 ms" : ""));
     print("  range, from -150 mm to 150 mm:\n");
-    constexpr const char* axes[] = {"x (right)     ", "y (up)        ", "z (to the user)"};
+    constexpr const char* axes[] = {"x (right)      ", "y (up)         ", "z (to the user)"};
     for (std::size_t i = 0; i < 3; ++i)
         print("    " + std::string(axes[i]) + " " + bar(reports.low[i], reports.high[i]) +
               formatted("  %.1f to %.1f mm\n", 1e3 * reports.low[i], 1e3 * reports.high[i]));

@@ -187,7 +187,7 @@ TEST(CommandLine, ReportsMistakesWithACorrection) {
               "`--set` is `spacing`. Write a path and a value, as in `--set accuracy.spacing=0.5 mm`."},
              {{"run", "p.yaml", "--set", "a b=1"}, "Write a path and a value"},
              {{"run", "p.yaml", "--variant", ""}, "`--variant` is empty. Write the id of a variant."},
-             {{"schema", "bone"}, "`KIND` is `bone`. Write `procedure` or `anatomy`."},
+             {{"schema", "bone"}, "`KIND` is `bone`. Write `procedure`, `anatomy` or `station`."},
              {{"check", "a.so", "--level", "6"}, "`--level` is `6`. Write 1, 2, 3, 4 or 5."},
              {{"completion"}, "for which shell? Write `kerf completion bash`."},
              {{"completion", "csh"}, "`SHELL` is `csh`. Write `bash`, `zsh` or `fish`."},

@@ -81,7 +81,7 @@ TEST_F(BashCompletion, OffersWords) {
             EXPECT_EQ(offered({command.name, option.name, ""}), words) << command.name << option.name;
         }
     EXPECT_EQ(offered({"run", "--mode", "e"}), Words{"exam"});
-    EXPECT_EQ(offered({"schema", ""}), (Words{"anatomy", "procedure"}));
+    EXPECT_EQ(offered({"schema", ""}), (Words{"anatomy", "procedure", "station"}));
     EXPECT_EQ(offered({"anatomy", ""}), Words{"check"});
     EXPECT_EQ(offered({"new", ""}), Words{"plugin"});
     EXPECT_EQ(offered({"completion", ""}), (Words{"bash", "fish", "zsh"}));

@@ -55,11 +55,14 @@ kerf_device_facts facts_of_premium() {
 class HandAtDouble final : public DeviceLink, public RunObserver {
 public:
     /// @param silent  ranges of ticks in which it reports nothing
-    HandAtDouble(const Scene& scene, std::vector<std::pair<std::uint64_t, std::uint64_t>> silent = {})
+    /// @param idle    range of ticks in which the hand does not hold button 0
+    HandAtDouble(const Scene& scene, std::vector<std::pair<std::uint64_t, std::uint64_t>> silent,
+                 std::pair<std::uint64_t, std::uint64_t> idle)
         : scene_(scene),
           plan_(plan_of(scene.procedure.rehearsals.front(), scene)),
           hand_(plan_.plant, plan_.intent, plan_.start, 1e-3),
           silent_(std::move(silent)),
+          idle_(idle),
           grip_(grip_of(0)) {}
 
     /// Takes another tool as soon as the run has.
@@ -79,7 +82,8 @@ public:
         const Pose tool = hand_.reported();
         state.device_from_handle = {tool * grip_, tool.rotation};
         state.flags = is_silent ? 0u : std::uint32_t{KERF_DEVICE_VALID};
-        state.buttons = 1u | (presses_next() ? 2u : 0u);
+        const bool is_idle = tick_ >= idle_.first && tick_ < idle_.second;
+        state.buttons = (is_idle ? 0u : 1u) | (presses_next() ? 2u : 0u);
         return state;
     }
     void write(const kerf_device_command& command) noexcept override {
@@ -104,6 +108,7 @@ private:
     HandPlan plan_;
     simulated_hand::SimulatedHand hand_;
     std::vector<std::pair<std::uint64_t, std::uint64_t>> silent_;
+    std::pair<std::uint64_t, std::uint64_t> idle_;
     std::uint64_t tick_ = 0;
     std::size_t legs_pressed_ = 0;
     Vec3 grip_;  ///< of the tool in hand, tool frame [m]
@@ -127,8 +132,9 @@ public:
 DeviceStation station_in_world() { return {.device = "double", .right = {1, 0, 0}, .up = {0, 1, 0}}; }
 
 RunOutcome run_at_double(const Scene& scene, const std::string& out,
-                         std::vector<std::pair<std::uint64_t, std::uint64_t>> silent = {}) {
-    auto hand = std::make_unique<HandAtDouble>(scene, std::move(silent));
+                         std::vector<std::pair<std::uint64_t, std::uint64_t>> silent = {},
+                         std::pair<std::uint64_t, std::uint64_t> idle = {}) {
+    auto hand = std::make_unique<HandAtDouble>(scene, std::move(silent), idle);
     RunRequest request;
     request.observers = {hand.get()};
     const auto device = opened(std::move(hand));
@@ -177,6 +183,19 @@ TEST(DeviceRun, ReplaysALossOfTheDeviceToTheBit) {
     ASSERT_TRUE(inputs) << error;
     using Loss = std::pair<std::uint64_t, bool>;
     EXPECT_EQ(inputs->lost, (std::vector<Loss>{{1000, true}, {1100, false}, {4000, true}, {4001, false}}));
+}
+
+TEST(DeviceRun, ReplaysItsButtonsToTheBit) {
+    const test::TemporaryFolder folder;
+    const RunOutcome led = run_at_double(short_scene(), folder.path() + "/led", {}, {2000, 3000});
+    ASSERT_EQ(led.error, "");
+    EXPECT_NE(led.summary.hash, run_at_double(short_scene(), "").summary.hash);
+    EXPECT_EQ(replayed(short_scene(), folder.path() + "/led/session.db").summary.hash, led.summary.hash);
+    std::string error;
+    const auto inputs = session::read_session(folder.path() + "/led/session.db", error);
+    ASSERT_TRUE(inputs) << error;
+    ASSERT_GE(inputs->hand_inputs.size(), 2u);
+    EXPECT_EQ(inputs->hand_inputs.back().first, 3001u) << "the motor runs from the tick after the press";
 }
 
 TEST(DeviceRun, EndsWhenTheDeviceDoesNotComeBack) {
