@@ -147,6 +147,56 @@ ExitCode rehearse_file(const std::string& file, const DocumentOptions& options, 
 
 // ---- run ---------------------------------------------------------------------------------------------------------
 
+/// Returns why options do not fit together, or to the procedure; empty if they do.
+std::string refusal_of(const RunOptions& options, const documents::Procedure& procedure) {
+    if (options.is_live && !options.replay.empty()) return "a replay has no clock. Leave out `--live` or `--replay`.";
+    if (options.device.empty()) return {};
+    if (!options.replay.empty()) return "a replay repeats the recorded hand. Leave out `--device` or `--replay`.";
+    if (procedure.is_direct)
+        return options.procedure +
+               ": `coupling: direct` has no limit for the stiffness that a device feels. Leave out `--device`, or the "
+               "coupling.";
+    return {};
+}
+
+/// The device of a run other than the one that its procedure names.
+struct DeviceOfRun {
+    documents::DeviceStation station;
+    std::unique_ptr<run::OpenedDevice> opened;    ///< that leads the tool
+    std::unique_ptr<run::StatedDevice> recorded;  ///< of a replayed session
+
+    /// Returns null if there is none.
+    [[nodiscard]] const DeviceRecord* record() const noexcept {
+        return opened != nullptr ? &opened->record() : recorded != nullptr ? &recorded->record() : nullptr;
+    }
+};
+
+/// Opens the device of `--device`, or makes that of a recorded session. Prints why it cannot.
+ExitCode choose_device(const RunOptions& options, const std::optional<session::RecordedInputs>& recorded,
+                       const Environment& with, const Interruption& interruption, DeviceOfRun& chosen) {
+    if (recorded && !recorded->device_values.empty()) {
+        std::string fault;
+        chosen.recorded = run::StatedDevice::of(recorded->device, recorded->device_values, fault);
+        if (chosen.recorded == nullptr)
+            return complain(
+                options.replay + ": the recorded device cannot be used: " + fault + ". The file was changed.",
+                exit_bad_input);
+    }
+    if (options.device.empty()) return exit_pass;
+    text::Diagnostics diagnostics;
+    const auto own = read_own_station().take(diagnostics);
+    if (!own) {
+        print_error(to_text(diagnostics));
+        return exit_bad_input;
+    }
+    chosen.station = own->of(options.device);
+    std::string error;
+    print_error("kerf: opening the device `" + options.device + "`; Ctrl-C ends\n");
+    chosen.opened = run::OpenedDevice::open(
+        with.plugins, chosen.station, [&] { return interruption.has_come(); }, error);
+    return chosen.opened != nullptr ? exit_pass : complain(error, exit_bad_input);
+}
+
 /// Prints whether a replay ended as its recording did, and whether the recording is unchanged.
 ExitCode compare(const session::RecordedInputs& recorded, const session::RunSummary& replayed) {
     ExitCode code = exit_pass;
@@ -190,14 +240,8 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         return exit_bad_input;
     }
 
-    if (options.is_live && !options.replay.empty())
-        return complain("a replay has no clock. Leave out `--live` or `--replay`.", exit_bad_input);
-    if (!options.device.empty() && !options.replay.empty())
-        return complain("a replay repeats the recorded hand. Leave out `--device` or `--replay`.", exit_bad_input);
-    if (!options.device.empty() && documents->procedure.is_direct)
-        return complain(file + ": `coupling: direct` has no limit for the stiffness that a device feels. Leave out "
-                               "`--device`, or the coupling.",
-                        exit_bad_input);
+    if (const std::string refusal = refusal_of(options, documents->procedure); !refusal.empty())
+        return complain(refusal, exit_bad_input);
     // Checked before the bone is made, which may take minutes.
     std::string rehearsal = options.hand;
     std::optional<session::RecordedInputs> recorded;
@@ -222,32 +266,10 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     }
     for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
     const Interruption interruption;  // a second Ctrl-C ends the program at once
-    documents::DeviceStation station{.device = options.device};
-    std::unique_ptr<run::StatedDevice> recorded_device;
-    if (recorded && !recorded->device_values.empty()) {
-        std::string fault;
-        recorded_device = run::StatedDevice::of(recorded->device, recorded->device_values, fault);
-        if (recorded_device == nullptr)
-            return complain(
-                options.replay + ": the recorded device cannot be used: " + fault + ". The file was changed.",
-                exit_bad_input);
-        documents->device = &recorded_device->record();
-    }
-    std::unique_ptr<run::OpenedDevice> device;
-    if (!options.device.empty()) {
-        auto own = read_own_station().take(diagnostics);
-        if (!own) {
-            with_findings(std::nullopt, diagnostics);
-            return exit_bad_input;
-        }
-        station = own->of(options.device);
-        std::string error;
-        print_error("kerf: opening the device `" + options.device + "`; Ctrl-C ends\n");
-        device = run::OpenedDevice::open(
-            with.plugins, station, [&] { return interruption.has_come(); }, error);
-        if (device == nullptr) return complain(error, exit_bad_input);
-        documents->device = &device->record();
-    }
+    DeviceOfRun of_run;
+    if (const ExitCode code = choose_device(options, recorded, with, interruption, of_run); code != exit_pass)
+        return code;
+    if (of_run.record() != nullptr) documents->device = of_run.record();
     auto made = make_bone(std::move(*documents), file).take(diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
     if (!scene) return exit_bad_input;
@@ -270,7 +292,8 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (!options.replay.empty() && std::filesystem::equivalent(options.replay, request.out + "/session.db", ignored))
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
 
-    const run::RunOutcome outcome = device != nullptr ? run::run_live(*scene, with.plugins, request, *device, station)
+    const run::RunOutcome outcome = of_run.opened != nullptr
+                                        ? run::run_live(*scene, with.plugins, request, *of_run.opened, of_run.station)
                                     : options.is_live ? run::run_live(*scene, with.plugins, request)
                                                       : run::run_procedure(*scene, with.plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);

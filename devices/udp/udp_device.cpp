@@ -161,7 +161,7 @@ std::uint16_t port_of(std::string_view id, std::uint16_t usual) {
 /// functions run on its own thread.
 class Link final : public DeviceLink {
 public:
-    Link(std::uint16_t port, Door door) : door_(std::move(door)), socket_(port, door_.only.has_value()) {}
+    Link(std::uint16_t port, const Door& door) : door_(door), socket_(port, door_.only.has_value()) {}
     ~Link() override {
         is_ending_.store(true, std::memory_order_relaxed);
         if (thread_.joinable()) thread_.join();

@@ -72,7 +72,7 @@ std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, 
 }
 
 std::unique_ptr<OpenedDevice> OpenedDevice::take(const kerf_device& driver, const kerf_device_open_out& opened,
-                                                 std::string name, std::string& error) {
+                                                 const std::string& name, std::string& error) {
     std::unique_ptr<OpenedDevice> device(new OpenedDevice(driver, opened));
     std::string fault;
     device->stated_ = StatedDevice::of(name, opened.facts, fault);

@@ -27,7 +27,7 @@ public:
     /// it.   [main]
     /// @param name  for people
     [[nodiscard]] static std::unique_ptr<OpenedDevice> take(const kerf_device& driver,
-                                                            const kerf_device_open_out& opened, std::string name,
+                                                            const kerf_device_open_out& opened, const std::string& name,
                                                             std::string& error);
     ~OpenedDevice() { driver_->close(device_); }
     OpenedDevice(const OpenedDevice&) = delete;

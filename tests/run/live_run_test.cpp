@@ -35,7 +35,7 @@ private:
     std::uint64_t ticks_ = 0;
 };
 
-RunOutcome on_clock(RunRequest request, std::map<std::uint64_t, std::uint32_t> missed) {
+RunOutcome on_clock(const RunRequest& request, std::map<std::uint64_t, std::uint32_t> missed) {
     VirtualClock clock(std::move(missed));
     return run_on_clock(short_scene(), test::plugins(), request, clock);
 }
