@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # python_device.sh KERF SOURCE OUT
 #
-# The device of examples/07_device leads the awl for 3 s on the wall clock. The session must replay to the same bits.
+# The device of examples/07_device leads the awl for 8 s on the wall clock. The session must replay to the same bits.
 set -euo pipefail
 readonly kerf=$1 source=$2 out=$3
 
@@ -12,7 +12,7 @@ if ! command -v python3 > /dev/null; then
 fi
 rm -rf "$out" && mkdir -p "$out"
 readonly port=$((20000 + $$ % 20000))
-readonly awl=(run "$source/procedures/pedicle-awl.yaml" --set "time_limit=3 s")
+readonly awl=(run "$source/procedures/pedicle-awl.yaml" --set "time_limit=8 s")
 
 fail() {
     echo "FAILED: $1"
@@ -22,9 +22,9 @@ fail() {
 
 "$kerf" "${awl[@]}" --device "udp/port-$port" --out "$out/led" > "$out/led.txt" 2>&1 &
 readonly run=$!
-timeout 60 python3 "$source/examples/07_device/device.py" --port "$port" --path 10:5 > "$out/device.txt" 2>&1 ||
+timeout 60 python3 "$source/examples/07_device/device.py" --port "$port" --path 12:8 > "$out/device.txt" 2>&1 ||
     fail "the device ended with an error"
-wait "$run" && fail "an operation of 3 s passed"
+wait "$run" && fail "an operation of 8 s passed"
 grep -q "verdict: incomplete" "$out/led.txt" || fail "the run has no verdict"
 grep -q "connected" "$out/device.txt" || fail "the device did not connect"
 grep -q '"device": "udp Python example"' "$out/led/summary.json" || fail "the summary does not name the device"
