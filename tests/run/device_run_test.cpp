@@ -160,10 +160,9 @@ RunOutcome replayed(const Scene& scene, const std::string& session) {
 
 // ---- a whole run --------------------------------------------------------------------------------------------------
 
-TEST(DeviceRun, TwoButtonsCompleteTheTrochanter) {
+void expect_two_buttons_complete(const std::string& procedure) {
     text::Diagnostics diagnostics;
-    const auto scene =
-        make_scene(KERF_SOURCE_DIR "/procedures/trochanter-fixation.yaml", "", test::plugins()).take(diagnostics);
+    const auto scene = make_scene(KERF_SOURCE_DIR "/procedures/" + procedure, "", test::plugins()).take(diagnostics);
     ASSERT_TRUE(scene) << text::to_text(diagnostics);
     const RunOutcome led = run_at_double(*scene, "");
     EXPECT_EQ(led.error, "");
@@ -171,6 +170,9 @@ TEST(DeviceRun, TwoButtonsCompleteTheTrochanter) {
         << (led.summary.reasons.empty() ? "" : led.summary.reasons.front());
     EXPECT_EQ(led.summary.hand, "device");
 }
+
+TEST(DeviceRun, TwoButtonsCompleteTheTrochanter) { expect_two_buttons_complete("trochanter-fixation.yaml"); }
+TEST(DeviceRun, TwoButtonsCompleteTheAmputation) { expect_two_buttons_complete("amputation.yaml"); }
 
 TEST(DeviceRun, ReplaysALossOfTheDeviceToTheBit) {
     const test::TemporaryFolder folder;
