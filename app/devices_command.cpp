@@ -15,10 +15,10 @@
 
 #include "app/commands.h"
 #include "app/interruption.h"
+#include "app/own_device.h"
 #include "app/program.h"
 #include "app/standard_streams.h"
 #include "app/station_file.h"
-#include "documents/station.h"
 #include "run/clock/realtime_thread.h"
 #include "run/device/opened_device.h"
 #include "session/recorder.h"
@@ -114,26 +114,18 @@ ExitCode test_device(const std::string& id, const PluginRegistry& plugins) {
     if (id.empty())
         return complain("which device? Write `kerf devices test ID`; `kerf devices` shows them.", exit_bad_input);
     constexpr double seconds = 10.0;
-    text::Diagnostics diagnostics;
-    const auto own = read_own_station().take(diagnostics);
-    if (!own) {
-        print_error(to_text(diagnostics));
-        return exit_bad_input;
-    }
     const Interruption interruption;
-    std::string error;
-    print_error("kerf: opening the device `" + id + "`; Ctrl-C ends\n");
-    const auto device = run::OpenedDevice::open(
-        plugins, own->of(id), [&] { return interruption.has_come(); }, error);
-    if (device == nullptr) return complain(error, exit_bad_input);
-    const kerf_device_facts& facts = device->facts();
-    print(std::string(device->record().id) + "\n" +
+    OwnDevice own;
+    if (const ExitCode code = open_own_device(id, plugins, interruption, own); code != exit_pass) return code;
+    run::OpenedDevice& device = *own.opened;
+    const kerf_device_facts& facts = device.facts();
+    print(std::string(device.record().id) + "\n" +
           formatted("  states: %.1f N at the peak, %.1f N continuous, up to %.2f N/mm, %u %s; senses %s\n",
                     facts.peak_force, facts.continuous_force, 1e-3 * facts.largest_stiffness, facts.button_count,
                     facts.button_count == 1 ? "button" : "buttons",
                     (facts.abilities & KERF_DEVICE_ROTATION) != 0 ? "position and rotation" : "position"));
     print_error("kerf: move the handle to all ends, press each button, then hold still; no force is made\n");
-    const Reports reports = watch_reports(*device, seconds, interruption);
+    const Reports reports = watch_reports(device, seconds, interruption);
     if (reports.count == 0)
         return complain("the device sent no pose in " + formatted("%.0f s", reports.seconds) + ".", exit_not_passed);
     print(formatted("  %.0f poses a second, the longest silence %.1f ms%s\n",

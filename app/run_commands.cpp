@@ -15,15 +15,14 @@
 #include "app/interruption.h"
 #include "app/make_bone.h"
 #include "app/outputs.h"
+#include "app/own_device.h"
 #include "app/program.h"
 #include "app/progress.h"
 #include "app/read_scene.h"
 #include "app/replay.h"
 #include "app/standard_streams.h"
-#include "app/station_file.h"
 #include "app/watch.h"
-#include "documents/station.h"
-#include "run/device/opened_device.h"
+#include "run/device/stated_device.h"
 #include "run/exact/exact_strategies.h"
 #include "run/live_run.h"
 #include "run/run_checks.h"
@@ -161,13 +160,12 @@ std::string refusal_of(const RunOptions& options, const documents::Procedure& pr
 
 /// The device of a run other than the one that its procedure names.
 struct DeviceOfRun {
-    documents::DeviceStation station;
-    std::unique_ptr<run::OpenedDevice> opened;    ///< that leads the tool
+    OwnDevice own;                                ///< that leads the tool
     std::unique_ptr<run::StatedDevice> recorded;  ///< of a replayed session
 
     /// Returns null if there is none.
     [[nodiscard]] const DeviceRecord* record() const noexcept {
-        return opened != nullptr ? &opened->record() : recorded != nullptr ? &recorded->record() : nullptr;
+        return own.opened != nullptr ? &own.opened->record() : recorded != nullptr ? &recorded->record() : nullptr;
     }
 };
 
@@ -182,19 +180,7 @@ ExitCode choose_device(const RunOptions& options, const std::optional<session::R
                 options.replay + ": the recorded device cannot be used: " + fault + ". The file was changed.",
                 exit_bad_input);
     }
-    if (options.device.empty()) return exit_pass;
-    text::Diagnostics diagnostics;
-    const auto own = read_own_station().take(diagnostics);
-    if (!own) {
-        print_error(to_text(diagnostics));
-        return exit_bad_input;
-    }
-    chosen.station = own->of(options.device);
-    std::string error;
-    print_error("kerf: opening the device `" + options.device + "`; Ctrl-C ends\n");
-    chosen.opened = run::OpenedDevice::open(
-        with.plugins, chosen.station, [&] { return interruption.has_come(); }, error);
-    return chosen.opened != nullptr ? exit_pass : complain(error, exit_bad_input);
+    return options.device.empty() ? exit_pass : open_own_device(options.device, with.plugins, interruption, chosen.own);
 }
 
 /// Prints whether a replay ended as its recording did, and whether the recording is unchanged.
@@ -292,10 +278,10 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (!options.replay.empty() && std::filesystem::equivalent(options.replay, request.out + "/session.db", ignored))
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
 
-    const run::RunOutcome outcome = of_run.opened != nullptr
-                                        ? run::run_live(*scene, with.plugins, request, *of_run.opened, of_run.station)
-                                    : options.is_live ? run::run_live(*scene, with.plugins, request)
-                                                      : run::run_procedure(*scene, with.plugins, request);
+    const run::RunOutcome outcome = of_run.own.opened != nullptr ? run::run_live(*scene, with.plugins, request,
+                                                                                 *of_run.own.opened, of_run.own.station)
+                                    : options.is_live            ? run::run_live(*scene, with.plugins, request)
+                                                                 : run::run_procedure(*scene, with.plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print_summary(outcome.summary);
     if (outcome.summary.clock) print(text_of(*outcome.summary.clock));

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/replay.h"
 #include "kerf/device_driver.hpp"
 #include "run/device/device_hand.h"
 #include "run/live_run.h"
@@ -143,18 +144,17 @@ RunOutcome run_at_double(const Scene& scene, const std::string& out,
     return run_on_clock(scene, test::plugins(), request, clock, *device, station_in_world());
 }
 
-RunOutcome replayed(const Scene& scene, const std::string& session) {
+/// Returns the inputs that the run recorded in this folder.
+session::RecordedInputs inputs_in(const std::string& folder) {
     std::string error;
-    auto inputs = session::read_session(session, error);
+    const auto inputs = session::read_session(folder + "/session.db", error);
     EXPECT_TRUE(inputs) << error;
+    return inputs.value_or(session::RecordedInputs{});
+}
+
+RunOutcome replayed(const Scene& scene, const session::RecordedInputs& inputs) {
     RunRequest again;
-    if (!inputs) return {};
-    again.replay = std::move(inputs->device_from_handle);
-    again.adoptions = std::move(inputs->adoptions);
-    for (const auto& [tick, text] : inputs->hand_inputs)
-        again.hand_inputs.emplace_back(tick, documents::hand_input(text).value());
-    again.missed = std::move(inputs->missed);
-    again.lost = std::move(inputs->lost);
+    EXPECT_EQ(app::repeat(inputs, "session.db", again), "");
     return run_procedure(scene, test::plugins(), again);
 }
 
@@ -179,12 +179,10 @@ TEST(DeviceRun, ReplaysALossOfTheDeviceToTheBit) {
     const RunOutcome led = run_at_double(short_scene(), folder.path() + "/led", {{1000, 1100}, {4000, 4001}});
     ASSERT_EQ(led.error, "");
     EXPECT_NE(led.summary.hash, run_at_double(short_scene(), "").summary.hash);
-    EXPECT_EQ(replayed(short_scene(), folder.path() + "/led/session.db").summary.hash, led.summary.hash);
-    std::string error;
-    const auto inputs = session::read_session(folder.path() + "/led/session.db", error);
-    ASSERT_TRUE(inputs) << error;
+    const session::RecordedInputs inputs = inputs_in(folder.path() + "/led");
+    EXPECT_EQ(replayed(short_scene(), inputs).summary.hash, led.summary.hash);
     using Loss = std::pair<std::uint64_t, bool>;
-    EXPECT_EQ(inputs->lost, (std::vector<Loss>{{1000, true}, {1100, false}, {4000, true}, {4001, false}}));
+    EXPECT_EQ(inputs.lost, (std::vector<Loss>{{1000, true}, {1100, false}, {4000, true}, {4001, false}}));
 }
 
 TEST(DeviceRun, ReplaysItsButtonsToTheBit) {
@@ -192,12 +190,10 @@ TEST(DeviceRun, ReplaysItsButtonsToTheBit) {
     const RunOutcome led = run_at_double(short_scene(), folder.path() + "/led", {}, {2000, 3000});
     ASSERT_EQ(led.error, "");
     EXPECT_NE(led.summary.hash, run_at_double(short_scene(), "").summary.hash);
-    EXPECT_EQ(replayed(short_scene(), folder.path() + "/led/session.db").summary.hash, led.summary.hash);
-    std::string error;
-    const auto inputs = session::read_session(folder.path() + "/led/session.db", error);
-    ASSERT_TRUE(inputs) << error;
-    ASSERT_GE(inputs->hand_inputs.size(), 2u);
-    EXPECT_EQ(inputs->hand_inputs.back().first, 3001u) << "the motor runs from the tick after the press";
+    const session::RecordedInputs inputs = inputs_in(folder.path() + "/led");
+    EXPECT_EQ(replayed(short_scene(), inputs).summary.hash, led.summary.hash);
+    ASSERT_GE(inputs.hand_inputs.size(), 2u);
+    EXPECT_EQ(inputs.hand_inputs.back().first, 3001u) << "the motor runs from the tick after the press";
 }
 
 TEST(DeviceRun, EndsWhenTheDeviceDoesNotComeBack) {

@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/replay.h"
 #include "run/clock/wall_clock.h"
 #include "session/read_session.h"
 #include "tests/support/short_scene.h"
@@ -58,15 +59,11 @@ TEST(LiveRun, ReplaysMissedPeriodsToTheBit) {
     EXPECT_NE(live.summary.hash, on_clock({}, {}).summary.hash);
 
     std::string error;
-    auto inputs = session::read_session(request.out + "/session.db", error);
+    const auto inputs = session::read_session(request.out + "/session.db", error);
     ASSERT_TRUE(inputs) << error;
     ASSERT_EQ(inputs->missed.size(), missed.size());
     RunRequest again;
-    again.replay = std::move(inputs->device_from_handle);
-    again.adoptions = std::move(inputs->adoptions);
-    for (const auto& [tick, text] : inputs->hand_inputs)
-        again.hand_inputs.emplace_back(tick, documents::hand_input(text).value());
-    again.missed = std::move(inputs->missed);
+    ASSERT_EQ(app::repeat(*inputs, "session.db", again), "");
     EXPECT_EQ(run_procedure(short_scene(), test::plugins(), again).summary.hash, live.summary.hash);
 }
 

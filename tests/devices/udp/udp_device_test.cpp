@@ -157,6 +157,14 @@ bool comes(DeviceLink& link, const std::function<bool(const kerf_device_state&)>
     return false;
 }
 
+/// Returns the command of a tick with this force along x [N].
+kerf_device_command command_with(double force) {
+    kerf_device_command command{};
+    command.force = {force, 0.0, 0.0};
+    command.device_from_tool.rotation.w = 1.0;
+    return command;
+}
+
 TEST(UdpDevice, ExchangesPosesAndForces) {
     Connected rig;
     EXPECT_STREQ(rig.link->facts().name, "test rig");
@@ -185,10 +193,7 @@ TEST(UdpDevice, ExchangesPosesAndForces) {
 
 TEST(UdpDevice, SendsNoForceThatTheLoopHasNotRenewed) {
     Connected rig;
-    kerf_device_command command{};
-    command.force = {5.0, 0.0, 0.0};
-    command.device_from_tool.rotation.w = 1.0;
-    rig.link->write(command);
+    rig.link->write(command_with(5.0));
     std::this_thread::sleep_for(60ms);
     const auto answer = rig.program.send_until_answered(pose_at(0.1));
     ASSERT_TRUE(answer && std::holds_alternative<ForceCommand>(answer->content));
@@ -228,10 +233,7 @@ TEST(UdpDevice, TakesTheDeviceAgainAfterItLeft) {
 
 TEST(UdpDevice, SendsZeroForceAndGoodbyeWhenItIsClosed) {
     Connected rig;
-    kerf_device_command command{};
-    command.force = {5.0, 0.0, 0.0};
-    command.device_from_tool.rotation.w = 1.0;
-    rig.link->write(command);
+    rig.link->write(command_with(5.0));
     ASSERT_TRUE(rig.program.send_until_answered(pose_at(0.1)));
     rig.link.reset();
     std::optional<double> last_force;

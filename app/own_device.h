@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/exit_code.h"
+#include "app/interruption.h"
+#include "core/plugin/loader.h"
+#include "documents/station.h"
+#include "run/device/opened_device.h"
+
+namespace kerf::app {
+
+/// A device of this table, with its setup.
+struct OwnDevice {
+    documents::DeviceStation station;
+    std::unique_ptr<run::OpenedDevice> opened;
+};
+
+/// Reads the station and opens one of its devices. Prints the reason if it cannot.   [main] may wait for the device
+[[nodiscard]] ExitCode open_own_device(const std::string& id, const PluginRegistry& plugins,
+                                       const Interruption& interruption, OwnDevice& device);
+
+}  // namespace kerf::app
