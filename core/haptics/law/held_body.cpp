@@ -66,6 +66,7 @@ void HeldBody::take(Bodies bodies, std::size_t body, const Pose& world_from_tool
     body_ = body;
     members_ = 0;
     count_ = 0;
+    ++grip_;
     for (const auto& other : bodies) {
         if (other->group != bodies[body]->group) continue;
         members_ |= 1u << other->id;
@@ -73,7 +74,7 @@ void HeldBody::take(Bodies bodies, std::size_t body, const Pose& world_from_tool
     }
 }
 
-void HeldBody::find_points(Bodies bodies) {
+HeldPoints HeldBody::points_of(Bodies bodies) const {
     std::vector<Vec3> surface;
     double apart = 1.5e-3;
     for (const auto& body : bodies) {
@@ -82,7 +83,12 @@ void HeldBody::find_points(Bodies bodies) {
         for (const Vec3 p : bone_surface(*body->bone, body->committed).vertices)
             surface.push_back(tool_from_[body->id] * p);
     }
-    const std::vector<Vec3> points = thinned(surface, max_points, apart);
+    return {thinned(surface, max_points, apart), grip_};
+}
+
+void HeldBody::set_points(const HeldPoints& found) noexcept {
+    if (found.grip != grip_) return;
+    const std::vector<Vec3>& points = found.points;
     count_ = points.size();
     if (count_ == 0) return;
     low_ = high_ = points.front();

@@ -13,6 +13,12 @@
 
 namespace kerf {
 
+/// Contact points on the surface of a held body, for one grip of it.
+struct HeldPoints {
+    std::vector<Vec3> points;  ///< tool frame [m]
+    std::uint64_t grip = 0;    ///< number of the grip
+};
+
 /// The body that the tool grips, with the bodies fused to it: the held bodies. They move rigidly with the tool. Contact
 /// with other bodies is found at points on the surface of the held bodies.
 class HeldBody {
@@ -28,16 +34,18 @@ public:
     [[nodiscard]] bool contains(std::size_t body) const noexcept { return (members_ >> body & 1u) != 0; }
     [[nodiscard]] std::size_t body() const noexcept { return body_; }  ///< id of the gripped body
 
-    /// Grips a body and the bodies fused to it. They have no contact until `find_points` is called.
+    /// Grips a body and the bodies fused to it. They have no contact until `set_points` is called.
     /// [haptic, nonblocking]
     void take(Bodies bodies, std::size_t body, const Pose& world_from_tool) noexcept;
     void release() noexcept { members_ = 0; }
     /// Discards the contact points after a change of shape.   [haptic, nonblocking]
     void forget_points() noexcept { count_ = 0; }
 
-    /// Finds the contact points on the surface of the held bodies, as committed. Needed after `take` and
-    /// `forget_points`. [main] between ticks
-    void find_points(Bodies bodies);
+    /// Returns contact points on the surface of the held bodies, as committed.   [main] between ticks
+    [[nodiscard]] HeldPoints points_of(Bodies bodies) const;
+    /// Sets the contact points; needed after `take` and `forget_points`. Ignores those of another grip.
+    /// [haptic, nonblocking]
+    void set_points(const HeldPoints& found) noexcept;
     [[nodiscard]] bool lacks_points() const noexcept { return is_any() && count_ == 0; }
 
     /// Moves the held bodies with the tool.   [haptic, nonblocking]
@@ -55,6 +63,7 @@ public:
 
 private:
     std::size_t body_ = 0;
+    std::uint64_t grip_ = 0;                    ///< number of grips so far
     std::uint32_t members_ = 0;                 ///< bit i: body i is held
     std::array<Pose, max_bodies> tool_from_{};  ///< tool_from_body of each held body
     std::vector<Vec3> points_;                  ///< tool frame [m]; size `max_points`, the first `count_` are in use

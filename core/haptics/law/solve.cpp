@@ -241,6 +241,8 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
     // A channel with the smallest w, 1 µm/s, has slopes of 3e8 N·s/m: rounding of the rate alone can leave this
     // residual.
     constexpr double rounding = 1e-6;
+    // Without forces the rounding of a rate of 1e-14 m/s is all that is left. Norm below: 1e-12 is about 1e-11 N.
+    constexpr double negligible = 1e-12;
     Motion motion;
 
     // The norm √(xᵀA⁻¹x) makes newtons and newton metres comparable. A is the Hessian of coupling and inertia without
@@ -271,9 +273,10 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
     Evaluation at = evaluate(b, u);
     for (; motion.iterations < iteration_cap; ++motion.iterations) {
         const double before = motion.residual;
-        motion.residual = size(at.out_of_balance) / scale;
+        const double unbalanced = size(at.out_of_balance);
+        motion.residual = unbalanced / scale;
         const bool is_rounding = motion.iterations > 0 && motion.residual <= rounding && motion.residual > 0.5 * before;
-        if (motion.residual <= tolerance || is_rounding) {
+        if (motion.residual <= tolerance || is_rounding || unbalanced <= negligible) {
             motion.has_converged = true;
             break;
         }

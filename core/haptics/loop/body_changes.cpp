@@ -58,6 +58,23 @@ bool LoopBodies::take(Offer& offer, const ToolNow& tool) noexcept {
     return offer.is_history_change() ? take_turn(offer, tool) : take_change(offer, tool);
 }
 
+Takeover LoopBodies::can_take(const Offer& offer, const ToolNow& tool) const noexcept {
+    if (offer.is_history_change()) {
+        if (is_in_reach(tool, 0.0)) return Takeover::in_bone;
+        const bool is_open = std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) {
+            return body->tracker.solid_count() > body->tracker.pending_count();
+        });
+        if (is_open) return Takeover::not_yet;  // closing that stretch would remove bone
+        return offer.removing == removing_ ? Takeover::possible : Takeover::outdated;
+    }
+    const bool is_outdated = std::any_of(offer.made.begin(), offer.made.end(), [&](const Offer::NewBody& made) {
+        if (made.body == nullptr || !made.follows) return false;
+        const MissingRecords missing(bodies_[*made.follows]->tracker, made.through);
+        return missing.is_too_many || missing.count == max_missing;  // the open stretch may become one more
+    });
+    return is_outdated ? Takeover::outdated : Takeover::possible;
+}
+
 /// Takes over an undo or redo: replaces all bodies by those of a step in the history. Returns as `take`.
 bool LoopBodies::take_turn(Offer& offer, const ToolNow& tool) noexcept {
     if (is_in_reach(tool, 0.0)) return false;

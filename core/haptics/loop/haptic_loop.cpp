@@ -49,6 +49,18 @@ void HapticLoop::take_tool(std::size_t tool, double back) {
     start_tool();
 }
 
+void HapticLoop::take(LoopChange& change) {
+    if (change.guide) lead(*change.guide);
+    if (change.offer.needs_closed_stretches()) close_stretches();
+    if (change.offer.is_any()) static_cast<void>(take(change.offer));
+    if (change.removes_held) remove_held();
+    if (change.held_points) set_held_points(*change.held_points);
+    if (change.tool) {
+        close_stretches();
+        take_tool(*change.tool, change.back);
+    }
+}
+
 /// Starts the law of the tool in hand and moves the tool out of bone.
 void HapticLoop::start_tool() {
     tools_.begin(bodies_.view().query(), period_, tick_);

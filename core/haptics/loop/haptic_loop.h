@@ -13,6 +13,7 @@
 #include "core/haptics/loop/following.h"
 #include "core/haptics/loop/hand_port.h"
 #include "core/haptics/loop/loop_bodies.h"
+#include "core/haptics/loop/loop_change.h"
 #include "core/haptics/loop/loop_tools.h"
 #include "core/haptics/loop/offer.h"
 #include "core/haptics/loop/tick_result.h"
@@ -133,6 +134,10 @@ public:
     /// eight records that remove bone. An undo or redo first closes the open stretches, also if it then returns false.
     /// `closed` gets those records, and a subtraction's.   [haptic, nonblocking] between ticks
     bool take(Offer& offer) noexcept { return bodies_.take(offer, now()); }
+    /// Takes over a change. Pre: `can_take` its offer.   [haptic] between ticks; a tool's law may take long to begin
+    void take(LoopChange& change);
+    /// Returns whether the offer can be taken over now, after `close_stretches`.   [haptic, nonblocking] between ticks
+    [[nodiscard]] Takeover can_take(const Offer& offer) const noexcept { return bodies_.can_take(offer, now()); }
 
     // ---- its records
 
@@ -142,7 +147,18 @@ public:
     [[nodiscard]] std::uint64_t next_sequence() const noexcept { return bodies_.next_sequence(); }
     /// Allocates bricks for coming cuts, and finds the held body's contact points if it lacks them.
     /// [main] between ticks
-    void make_room() { bodies_.reserve(); }
+    void make_room() {
+        reserve_bricks(bricks_of_a_tick);
+        if (lacks_held_points()) set_held_points(held_points());
+    }
+    /// Allocates until at least `count` bricks of each body are free for coming cuts.   [main] between ticks
+    void reserve_bricks(std::size_t count) { bodies_.reserve(count); }
+    /// Returns whether a body is held of which no contact points are known.
+    [[nodiscard]] bool lacks_held_points() const noexcept { return bodies_.held().lacks_points(); }
+    /// Returns contact points on the surface of the held bodies, as committed.   [main] between ticks
+    [[nodiscard]] HeldPoints held_points() const { return bodies_.held().points_of(bodies_.all()); }
+    /// Sets the contact points of the held body. Ignores those of another grip.   [haptic, nonblocking] between ticks
+    void set_held_points(const HeldPoints& points) noexcept { bodies_.held().set_points(points); }
     /// Closes the open stretches; `closed` then returns their records alone.   [haptic, nonblocking] between ticks
     void close_stretches() noexcept {
         bodies_.clear_closed();

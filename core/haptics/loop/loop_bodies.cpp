@@ -104,9 +104,8 @@ void LoopBodies::close_stretches(std::uint64_t tick) noexcept {
     for (const auto& body : bodies_) take_closed(body->tracker, body->tracker.close(tick));
 }
 
-void LoopBodies::reserve() {
-    for (const auto& body : bodies_) body->committed.reserve(bricks_of_a_tick);
-    if (held_.lacks_points()) held_.find_points(bodies_);
+void LoopBodies::reserve(std::size_t count) {
+    for (const auto& body : bodies_) body->committed.reserve(count);
 }
 
 void LoopBodies::flush() {

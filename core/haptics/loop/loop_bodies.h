@@ -11,6 +11,7 @@
 #include "core/haptics/law/body_threads.h"
 #include "core/haptics/law/held_body.h"
 #include "core/haptics/law/live_body.h"
+#include "core/haptics/loop/loop_change.h"
 #include "core/haptics/loop/loop_tools.h"
 #include "core/haptics/loop/offer.h"
 
@@ -76,9 +77,8 @@ public:
     /// is unsound or in no near body.   [haptic, nonblocking]
     bool keep(const kerf_thread& thread) noexcept;
 
-    /// Allocates bricks for coming cuts, and finds the held body's contact points if it lacks them.
-    /// [main] between ticks
-    void reserve();
+    /// Allocates until at least `count` bricks of each body are free for coming cuts.   [main] between ticks
+    void reserve(std::size_t count);
     /// Commits all closed records. It may allocate.   [main] between ticks
     void flush();
 
@@ -86,6 +86,8 @@ public:
     [[nodiscard]] std::uint64_t next_sequence() const noexcept;
     /// Takes over a change of bodies. See `HapticLoop::take`.   [haptic, nonblocking] between ticks
     bool take(Offer& offer, const ToolNow& tool) noexcept;
+    /// Returns whether `take` would succeed after the open stretches are closed.   [haptic, nonblocking] between ticks
+    [[nodiscard]] Takeover can_take(const Offer& offer, const ToolNow& tool) const noexcept;
     void place(std::size_t body, const Pose& world_from_body, const ToolNow& tool) noexcept;
     void show(std::size_t body, bool is_present, const ToolNow& tool) noexcept;
     void remove_held(const ToolNow& tool) noexcept;

@@ -58,6 +58,14 @@ struct Offer {
 
     [[nodiscard]] bool is_any() const noexcept { return change != Change::none; }
     [[nodiscard]] bool is_history_change() const noexcept { return change == Change::undo || change == Change::redo; }
+    /// Returns whether the loop closes its open stretches before it takes the offer over.
+    [[nodiscard]] bool needs_closed_stretches() const noexcept {
+        return is_history_change() || change == Change::subtraction;
+    }
 };
+
+/// Returns an equal offer with bodies of its own, for another loop.   [main, worker]
+/// Pre: no loop has taken the offer over.
+[[nodiscard]] Offer copy_of(const Offer& offer);
 
 }  // namespace kerf

@@ -19,6 +19,7 @@ TickResult Simulation::tick(const DeviceSample& sample) {
     const TickResult result = HapticLoop::tick(sample);
     follow();
     if (result.is_stripping) strip();
+    if (is_deferring_) prepare_late_changes();
     return result;
 }
 
@@ -26,6 +27,7 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) {
     const TickResult result = HapticLoop::tick_direct(sample);
     follow();
     if (result.is_stripping) strip();
+    if (is_deferring_) prepare_late_changes();
     return result;
 }
 
@@ -43,7 +45,10 @@ void Simulation::follow_from(std::size_t first) {
         scene_.set_threads(threads());
     }
     present().reserve(bricks_of_a_tick);
-    make_room();
+    if (is_deferring_)
+        reserve_bricks(bricks_of_a_tick);
+    else
+        make_room();
     take_separations_due(false);
 }
 
@@ -62,6 +67,7 @@ void Simulation::take_another(std::size_t tool, double back) {
 }
 
 void Simulation::finish() {
+    is_deferring_ = false;  // no second loop is left
     close_and_follow();
     flush();
     take_separations_due(true);  // the last cut is done
@@ -92,13 +98,13 @@ void Simulation::take_separations_due(bool all) {
 
 std::string Simulation::insert(const Body& body, const Pose& world_from_body, bool is_cuttable,
                                std::optional<std::size_t> rigid_to) {
-    take_separations_due(true);  // ids are given in order
+    if (!is_deferring_) take_separations_due(true);  // ids are given in order
     std::string why_not;
     Offer offer = scene_.insertion(body, world_from_body, is_cuttable, body_states(), why_not);
     if (rigid_to && offer.is_any())
         offer.body_states.of[offer.body_states.count - 1].group =
             static_cast<std::uint16_t>(bodies()[*rigid_to]->group);
-    if (offer.is_any()) take_over(std::move(offer));
+    if (offer.is_any()) change(std::move(offer));
     return why_not;
 }
 
@@ -109,14 +115,15 @@ void Simulation::begin_with(const Body& body, const Pose& world_from_body) {
 
 std::string Simulation::fuse() {
     if (held() < 0) return "nothing is held";
-    take_separations_due(true);
+    if (!is_deferring_) take_separations_due(true);
     std::string why_not;
     Offer offer = scene_.fusion(static_cast<std::size_t>(held()), body_states(), why_not);
-    if (offer.is_any()) take_over(std::move(offer));
+    if (offer.is_any()) change(std::move(offer));
     return why_not;
 }
 
 void Simulation::subtract(std::size_t solid, const Pose& world_from_tool) {
+    if (is_deferring_) return prepare({static_cast<std::uint16_t>(solid), world_from_tool});
     close_and_follow();
     take_separations_due(true);
     take_over(scene_.subtraction(static_cast<std::uint16_t>(solid), world_from_tool, body_states()));
@@ -125,6 +132,10 @@ void Simulation::subtract(std::size_t solid, const Pose& world_from_tool) {
 /// Subtracts the cylinder around the tool's thread after the tick that stripped the bone. `closed` then also contains
 /// the records of that tick.
 void Simulation::strip() {
+    if (is_deferring_) {
+        stripped_at_ = {static_cast<std::uint16_t>(crest_number()), world_from_tool()};
+        return;
+    }
     const std::size_t first = closed().size();
     close_more_stretches();
     follow_from(first);
@@ -134,12 +145,74 @@ void Simulation::strip() {
 
 std::string Simulation::turn_back(HistoryChange turn) {
     if (!is_clear_of_bone()) return "the tool is not clear of the bone";
-    close_and_follow();
+    if (!is_deferring_) close_and_follow();
     scene_.end_cut();
     if (!scene_.can(turn))
         return turn == HistoryChange::undo ? "there is no cut to take back" : "there is no cut to do again";
-    take_over(scene_.turn(turn));
+    change(scene_.turn(turn));
     return {};
+}
+
+// ---- a second loop ------------------------------------------------------------------------------------------------
+
+std::unique_ptr<HapticLoop> Simulation::second_loop(std::vector<Tool> tools, const CouplingGains& gains,
+                                                    const Pose& start, std::size_t free_bricks) const {
+    auto loop = std::make_unique<HapticLoop>(*bodies().front()->bone, std::move(tools), gains, start);
+    BoneScene scene(*bodies().front()->bone, loop->cutting_solids());
+    for (const auto& body : bodies().subspan(1)) {
+        std::string why_not;
+        Offer offer =
+            scene.insertion(*body->bone, body->world_from_body, body->is_cuttable, loop->body_states(), why_not);
+        const BodyStates before = loop->body_states();
+        static_cast<void>(loop->take(offer));
+        scene.taken(offer, before, loop->next_sequence());
+    }
+    loop->reserve_bricks(free_bricks);
+    return loop;
+}
+
+void Simulation::defer_changes() {
+    is_deferring_ = true;
+    if (!adoption_ticks_) adoption_ticks_.emplace();
+}
+
+/// Makes a change of bodies, or prepares it.
+void Simulation::change(Offer offer) {
+    if (!is_deferring_) return take_over(std::move(offer));
+    prepared_.offer = std::move(offer);
+}
+
+void Simulation::prepare(const Subtraction& subtraction) {
+    subtracting_ = subtraction;
+    change(scene_.subtraction(subtraction.solid, subtraction.world_from_tool, body_states()));
+}
+
+/// Prepares what `tick` would do at once without a second loop.
+void Simulation::prepare_late_changes() {
+    if (stripped_at_ && !prepared_.is_any() && scene_.waiting() == nullptr)
+        prepare(*std::exchange(stripped_at_, std::nullopt));
+    if (lacks_held_points() && !prepared_.is_any()) prepared_.held_points = held_points();
+}
+
+LoopChange Simulation::prepared_for_second() const {
+    LoopChange copy;
+    if (prepared_.offer.is_any()) copy.offer = copy_of(prepared_.offer);
+    copy.held_points = prepared_.held_points;
+    return copy;
+}
+
+void Simulation::make_change() {
+    LoopChange made = std::exchange(prepared_, {});
+    subtracting_.reset();
+    if (made.offer.needs_closed_stretches()) close_and_follow();
+    if (made.offer.is_history_change()) scene_.end_cut();
+    if (made.offer.is_any()) take_over(std::move(made.offer));
+    if (made.held_points) set_held_points(*made.held_points);
+}
+
+void Simulation::drop_change() {
+    prepared_ = {};
+    if (subtracting_) prepare(Subtraction(*subtracting_));
 }
 
 }  // namespace kerf

@@ -3,12 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/haptics/loop/haptic_loop.h"
+#include "core/haptics/loop/loop_change.h"
 #include "core/haptics/scene/bone_scene.h"
 
 namespace kerf {
@@ -71,6 +73,36 @@ public:
     /// Repeats the change that was undone last. A new change leaves nothing to repeat. Returns as `undo`.
     std::string redo() { return turn_back(HistoryChange::redo); }
 
+    // ---- a second loop, which ticks ahead
+
+    /// Returns a loop in the state of this one, with `free_bricks` free bricks in each body. Given the same samples and
+    /// changes, it gives the same bits. Takes the arguments of the constructor. Pre: no tick has run.   [main]
+    [[nodiscard]] std::unique_ptr<HapticLoop> second_loop(std::vector<Tool> tools, const CouplingGains& gains,
+                                                          const Pose& start, std::size_t free_bricks) const;
+    /// From now on, changes of bodies are only prepared: `insert`, `subtract`, `fuse`, `undo` and `redo` return as
+    /// before, and `make_change` makes the change that they prepared, after the same tick as the second loop. So are
+    /// the bone around a stripped thread, and the contact points of a held body. Separations are made after the ticks
+    /// that `adopt_after` names. Pre: those functions are called only while `is_ready_for_change`.
+    void defer_changes();
+    /// Returns whether no change is prepared and no separation waits.
+    [[nodiscard]] bool is_ready_for_change() const noexcept {
+        return !prepared_.is_any() && !stripped_at_ && scene_.waiting() == nullptr;
+    }
+    /// Returns the prepared change, or null.
+    [[nodiscard]] const LoopChange* prepared() const noexcept { return prepared_.is_any() ? &prepared_ : nullptr; }
+    /// Returns a copy of the prepared change for the second loop.
+    [[nodiscard]] LoopChange prepared_for_second() const;
+    /// Makes the prepared change. Pre: there is one.
+    void make_change();
+    /// Drops the prepared change. A subtraction is prepared anew, with the present bone.
+    void drop_change();
+    /// Returns the first separation that waits, or null.
+    [[nodiscard]] const Separation* waiting_separation() const noexcept { return scene_.waiting(); }
+    /// Returns that separation as an offer for the second loop. Pre: one waits.
+    [[nodiscard]] Offer separation_for_second() const { return scene_.separation(); }
+    /// Makes the next separation at the end of the tick before `ticks` ticks have run.
+    void adopt_after(std::uint64_t ticks) { adoption_ticks_->push_back(ticks); }
+
     /// Returns whether a cut is open: a record was applied since the tool was last clear of bone.
     [[nodiscard]] bool is_in_a_cut() const noexcept { return scene_.is_in_a_cut(); }
 
@@ -92,16 +124,29 @@ private:
     using HapticLoop::close_stretches;
     using HapticLoop::flush;
     using HapticLoop::make_room;
+    using HapticLoop::set_held_points;
     using HapticLoop::take;
 
     void close_and_follow();
     void follow_from(std::size_t first);
     void strip();
+    void prepare_late_changes();
+    void change(Offer offer);
     void take_over(Offer offer);
     void take_separations_due(bool all);
     std::string turn_back(HistoryChange turn);
 
+    struct Subtraction {
+        std::uint16_t solid = 0;
+        Pose world_from_tool;
+    };
+    void prepare(const Subtraction& subtraction);
+
     BoneScene scene_;
+    bool is_deferring_ = false;
+    LoopChange prepared_;
+    std::optional<Subtraction> subtracting_;  ///< what `prepared_` subtracts
+    std::optional<Subtraction> stripped_at_;  ///< waits until it can be prepared
     std::vector<Separation> separations_;
     std::optional<std::vector<std::uint64_t>>
         adoption_ticks_;  ///< ticks of the adoptions still to come; no value: each after `adoption_delay`

@@ -294,6 +294,27 @@ TEST(Solve, EveryPartOfTheBalanceCountsWithItsSign) {
     EXPECT_GT(saturated, 100);
 }
 
+// A tool at rest after a fault: the coupling is without stretch but for rounding, in a law with steep friction. No
+// force is left that could measure the rest, so it counts absolutely.
+TEST(Solve, ForcesOfRoundingAreInBalance) {
+    kerf_channel flanks{}, edge = cut_along_z(417.0, 1e-5, 0.0);
+    flanks.kind = KERF_FRICTION;
+    flanks.d[2] = 0.148874;
+    flanks.d[5] = 0.00182938;
+    flanks.tau = 109.008;
+    flanks.w = 1e-6;
+    const kerf_channel channels[] = {flanks, edge};
+    Balance b;
+    b.force = {{-1.50963e-13, -7.59469e-14, 0.0}, {22.9807, 31.3725}, {2.0, 2.0}};
+    b.torque = {{-1.10053e-15, 2.88316e-15, -8.96884e-16}, {0.0508279, 0.0508279}, {0.14, 0.1}};
+    b.centre = {0, 0, -0.186};
+    b.channels = channels;
+    const Motion m = solve(b);
+    EXPECT_TRUE(m.has_converged) << m.residual;
+    EXPECT_LE(m.iterations, 10);
+    EXPECT_LT(length(linear(m.rate)), 1e-12);
+}
+
 TEST(Solve, TakesFewIterationsEvenWhereTheCouplingSlides) {
     // The derivative of a saturated pull: without it, or with a wrong one, Newton's steps are short or none
     RandomLaw law{.random = std::mt19937_64(23), .channels = {}};
