@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/replay.h"
 
+#include <charconv>
+
 namespace kerf::app {
 
 std::string refusal_of_replay(const session::RecordedInputs& recorded, const std::string& session,
@@ -29,6 +31,13 @@ std::string repeat(const session::RecordedInputs& recorded, const std::string& s
         const auto input = documents::hand_input(text);
         if (!input) return session + ": the hand requested `" + text + "`, which this Kerf does not know.";
         request.hand_inputs.emplace_back(tick, *input);
+    }
+    for (const auto& [tick, text] : recorded.late_changes) {
+        run::LateChange late{.number = 0, .tick = tick, .is_refused = text.ends_with(" refused")};
+        const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), late.number);
+        if (status != std::errc{} || end != text.data() + text.size() - (late.is_refused ? sizeof " refused" - 1 : 0))
+            return session + ": the late change `" + text + "` has no number. The file was changed.";
+        request.late_changes.push_back(late);
     }
     return {};
 }

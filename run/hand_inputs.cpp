@@ -2,24 +2,23 @@
 #include "run/hand_inputs.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <utility>
+#include <cstdint>
 
 namespace kerf::run {
 
-std::vector<documents::HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs, bool is_regripping) {
-    std::vector<documents::HandInput> inputs;
-    if (recorded_ == nullptr) {
-        if (legs == next_ && next_ < plan_->inputs.size()) inputs = plan_->inputs[next_];
-        next_ = std::max(next_, legs + 1);  // waypoints that a hand skipped have no inputs
-        // First, because the hand regrips before it releases an implant.
-        if (is_regripping != std::exchange(is_regripping_, is_regripping))
-            inputs.insert(inputs.begin(), {documents::HandInput::Kind::regrip, {}, is_regripping ? 1.0 : 0.0});
-    } else {
-        for (; next_ < recorded_->size() && (*recorded_)[next_].first <= tick; ++next_)
-            inputs.push_back((*recorded_)[next_].second);
+bool carry_out_at(HapticLoop& loop, const documents::HandInput& input) noexcept {
+    if (input.kind == documents::HandInput::Kind::regrip) {
+        if (input.value != 0.0 && !loop.outline().has_thread()) return false;
+        loop.loosen_about_shaft(input.value != 0.0);
+        return true;
     }
-    return inputs;
+    const kerf_tool& tool = *loop.setup().tool->tool;
+    for (std::uint32_t i = 0; i < tool.drive_count; ++i)
+        if (input.id == tool.drives[i].id) {
+            loop.command_drive(i, input.value);
+            return true;
+        }
+    return false;
 }
 
 namespace {
@@ -44,15 +43,8 @@ std::string bring_in(const documents::HandInput& input, const Scene& scene, Simu
 
 std::string carry_out(const documents::HandInput& input, const Scene& scene, Simulation& simulation) {
     switch (input.kind) {
-        case documents::HandInput::Kind::drive: {
-            const kerf_tool& tool = *simulation.setup().tool->tool;
-            for (std::uint32_t i = 0; i < tool.drive_count; ++i)
-                if (input.id == tool.drives[i].id) {
-                    simulation.command_drive(i, input.value);
-                    return {};
-                }
-            return "the tool in hand has no drive " + input.id;
-        }
+        case documents::HandInput::Kind::drive:
+            return carry_out_at(simulation, input) ? "" : "the tool in hand has no drive " + input.id;
         case documents::HandInput::Kind::insert:
         case documents::HandInput::Kind::place:
             return bring_in(input, scene, simulation);
@@ -68,10 +60,9 @@ std::string carry_out(const documents::HandInput& input, const Scene& scene, Sim
         case documents::HandInput::Kind::release:
             return scene.tools[simulation.tool()].outline.is_implant() ? "" : "the tool in hand is no implant";
         case documents::HandInput::Kind::regrip:
-            if (input.value != 0.0 && !scene.tools[simulation.tool()].outline.has_thread())
-                return "the tool in hand has no thread, so it is not turned by regripping";
-            simulation.loosen_about_shaft(input.value != 0.0);
-            return {};
+            return carry_out_at(simulation, input)
+                       ? ""
+                       : "the tool in hand has no thread, so it is not turned by regripping";
         case documents::HandInput::Kind::undo:
             return simulation.undo();
         case documents::HandInput::Kind::redo:

@@ -9,13 +9,18 @@
 namespace kerf::run {
 
 /// Runs a rehearsal of the scene's procedure on a clock: the simulated hand moves in real time, and the periods that
-/// the clock missed pass for the hand, too. The session replays in lock-step to the same bits.   [main] the ticks run
-/// on the calling thread
+/// the clock missed pass for the hand, too. The session replays to the same bits.   [main] ticks and run are on the
+/// calling thread, one after the other
 [[nodiscard]] RunOutcome run_on_clock(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
                                       TickClock& clock);
 
+/// Does the same with the ticks on a thread of their own, while the run follows on the calling thread: as on the wall
+/// clock, but with any clock, which must leave the run time to follow.   [main]
+[[nodiscard]] RunOutcome run_beside_clock(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
+                                          TickClock& clock);
+
 /// Runs a procedure on a clock with a hand at a device. A device that is silent for 10 s ends the run. The session
-/// replays in lock-step to the same bits.   [main] the ticks run on the calling thread
+/// replays to the same bits.   [main] ticks and run are on the calling thread, one after the other
 /// Pre: the scene was made for the device's record.
 [[nodiscard]] RunOutcome run_on_clock(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
                                       TickClock& clock, OpenedDevice& device, const documents::DeviceStation& station);

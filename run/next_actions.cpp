@@ -14,11 +14,11 @@ std::size_t NextActions::find(std::size_t step) const noexcept {
     return at < actions_.size() && actions_[at].step == step ? at : actions_.size();
 }
 
-std::vector<documents::HandInput> NextActions::take(std::size_t step) {
+std::optional<std::size_t> NextActions::take(std::size_t step) noexcept {
     const std::size_t at = find(step);
-    if (at == actions_.size()) return {};
+    if (at == actions_.size()) return std::nullopt;
     next_ = at + 1;
-    return actions_[at].inputs;
+    return at;
 }
 
 std::string NextActions::words(std::size_t step) const {

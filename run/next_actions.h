@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <cstddef>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "documents/hand_input.h"
@@ -18,9 +17,16 @@ class NextActions {
 public:
     explicit NextActions(const documents::Rehearsal& rehearsal);
 
-    /// Returns the next action of a step, and selects the one after it. Empty: the step has no more.
-    [[nodiscard]] std::vector<documents::HandInput> take(std::size_t step);
-    /// Returns the next action of a step in words; empty: the step has no more.   [any] also while another thread takes
+    /// Returns the index of the next action of a step, and selects the one after it. No value: the step has no more.
+    /// [haptic, nonblocking]
+    [[nodiscard]] std::optional<std::size_t> take(std::size_t step) noexcept;
+    /// Selects the action after this one.
+    void took(std::size_t action) noexcept { next_ = action + 1; }
+    /// Returns the inputs of an action.
+    [[nodiscard]] const std::vector<documents::HandInput>& inputs(std::size_t action) const noexcept {
+        return actions_[action].inputs;
+    }
+    /// Returns the next action of a step in words; empty: the step has no more.
     [[nodiscard]] std::string words(std::size_t step) const;
 
 private:
@@ -30,7 +36,7 @@ private:
     };
     [[nodiscard]] std::size_t find(std::size_t step) const noexcept;
     std::vector<Action> actions_;
-    std::atomic<std::size_t> next_{0};  ///< actions before this one were taken or belong to earlier steps
+    std::size_t next_ = 0;  ///< actions before this one were taken or belong to earlier steps
 };
 
 }  // namespace kerf::run

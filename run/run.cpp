@@ -11,7 +11,9 @@
 #include "run/body_ownership.h"
 #include "run/exact/exact_files.h"
 #include "run/exact/exact_strategies.h"
+#include "run/live/loop_link.h"
 #include "run/plate_steps.h"
+#include "run/recorded_pose.h"
 #include "run/tick_row.h"
 #include "run/verdict/measure_bone.h"
 #include "run/verdict/run_metrics.h"
@@ -21,16 +23,8 @@ namespace kerf::run {
 
 namespace {
 
-constexpr std::uint32_t max_moved_periods = 1000;  // of a pause; in a longer one the hand waits
-constexpr double noticed_force = 0.1;              // [N] on the hand: a hand notices when it fades [assumed]
-constexpr int volume_interval = 50;                // ticks between counts of the removed volume
-constexpr double crumb = 10e-9;                    // [m³] smaller pieces do not become bodies: they are washed away
-
-/// Removes −0, which SQLite does not store, so that a replay starts with the same bits.
-Pose without_negative_zeros(const Pose& p) {
-    return {{p.position.x + 0.0, p.position.y + 0.0, p.position.z + 0.0},
-            {p.rotation.w + 0.0, p.rotation.x + 0.0, p.rotation.y + 0.0, p.rotation.z + 0.0}};
-}
+constexpr int volume_interval = 50;  // ticks between counts of the removed volume
+constexpr double crumb = 10e-9;      // [m³] smaller pieces do not become bodies: they are washed away
 
 std::string text_of(const Separation& separation) {
     const auto volume = [](double v) { return text::quantity_text(std::round(v * 1e9) * 1e-9, "mm3"); };
@@ -111,9 +105,9 @@ Run::Run(const Scene& scene, const RunRequest& request, const documents::Rehears
       rehearsal_(&rehearsal),
       signals_(scene.tools),
       plan_(plan_of(rehearsal, scene)),
-      hand_(plan_.plant, plan_.intent, plan_.start, Simulation::dt),
+      hand_(plan_),
       simulation_(scene.body, scene.tools, scene.gains, plan_.start),
-      hand_inputs_(plan_, request_.replay.empty() ? nullptr : &request_.hand_inputs),
+      changes_(simulation_),
       monitor_(scene.procedure, scene.anatomy, scene.frames),
       next_actions_(rehearsal),
       world_from_body_(1, identity_pose()) {
@@ -129,60 +123,152 @@ Run::Run(const Scene& scene, const RunRequest& request, const documents::Rehears
     if (request_.strategies != nullptr && request_.strategies->are_any())
         exact_ = std::make_unique<bone::ExactFollower>(request_.strategies->tools(*scene_));
     lead();
+    if (is_replay()) changes_.begin_replay(request_.late_changes);
 }
 
 Run::~Run() = default;
 
 // ---- a tick -------------------------------------------------------------------------------------------------------
 
-bool Run::step_after(std::uint32_t missed) {
-    if (missed > 0) move_hand(missed);
-    end_of(TickPart::hand);
-    take_tool_of_step();
-    end_of(TickPart::tool);
-    take_hand_inputs(hand_inputs_.take(simulation_.ticks(), hand_.leg(), hand_.is_regripping()));
-    end_of(TickPart::inputs);
-    return tick(is_replay() ? recorded_reading() : DeviceSample{hand_.reported(), missed});
-}
-
-/// Lets the simulated hand move during missed periods, under the last command.
-void Run::move_hand(std::uint32_t periods) {
-    simulated_hand::SensedTool sensed = sensed_tool();
-    sensed.has_event = false;  // the hand felt the event when the last tick ended
-    for (std::uint32_t i = 0; i < std::min(periods, max_moved_periods); ++i) hand_.step(result_.command, sensed);
-}
-
-void Run::prepare(const ButtonPresses& presses) {
-    take_tool_of_step();
-    end_of(TickPart::tool);
-    take_presses(presses);
-    take_hand_inputs(std::exchange(requested_, {}));
-    end_of(TickPart::inputs);
+bool Run::step() {
+    if (changes_.is_in_lock_step()) take_tool_of_step();
+    make_due_changes();
+    if (is_replay()) {
+        take_recorded_inputs();
+        return tick(recorded_reading());
+    }
+    take_rehearsed_inputs();
+    return tick({.world_from_handle = hand_.reported()});
 }
 
 bool Run::step(const DeviceSample& sample) {
-    if (!request_.is_led) request_.is_led = true;  // another thread may read it
+    request_.is_led = true;
     take_tool_of_step();
-    end_of(TickPart::tool);
     take_hand_inputs(std::exchange(requested_, {}));
-    end_of(TickPart::inputs);
     return tick(sample);
 }
 
-/// Requests what the buttons of a device request.
-void Run::take_presses(const ButtonPresses& presses) {
-    using documents::HandInput;
-    if (std::exchange(is_driving_, presses.is_driving) != presses.is_driving) {
-        const ToolSetup& setup = simulation_.setup();
-        for (std::uint32_t i = 0; i < setup.tool->tool->drive_count; ++i)
-            if (const double value = setup.drives[i]; value != 0.0)
-                request({HandInput::Kind::drive, setup.tool->tool->drives[i].id, presses.is_driving ? value : 0.0});
-    }
-    if (presses.wants_undo) request({HandInput::Kind::undo});
-    if (!presses.wants_next) return;
-    const auto action = next_actions_.take(monitor_.current());
-    requested_.insert(requested_.end(), action.begin(), action.end());
+void Run::take_rehearsed_inputs() {
+    const RehearsedHand::Inputs due = hand_.take_inputs();
+    if (due.loosens) take_hand_inputs({{documents::HandInput::Kind::regrip, {}, *due.loosens ? 1.0 : 0.0}});
+    if (due.leg) take_hand_inputs(plan_.inputs[*due.leg]);
 }
+
+void Run::take_recorded_inputs() {
+    const RecordedInputs& recorded = request_.hand_inputs;
+    for (; next_input_ < recorded.size() && recorded[next_input_].first <= simulation_.ticks(); ++next_input_)
+        take_hand_inputs({recorded[next_input_].second});
+}
+
+// ---- a loop on the clock ------------------------------------------------------------------------------------------
+
+std::unique_ptr<HapticLoop> Run::follow_loop(LoopLink& link) {
+    constexpr std::size_t free_bricks = 4096;  // 6 MB for each body: memory that no tick touches for the first time
+    auto loop = simulation_.second_loop(scene_->tools, scene_->gains, plan_.start, free_bricks);
+    loop->lead(guide_of_step(*scene_, monitor_));
+    is_following_ = true;
+    changes_.begin_following(link);
+    return loop;
+}
+
+bool Run::take(const LoopMessage& message) {
+    using Kind = LoopMessage::Kind;
+    using documents::HandInput;
+    switch (message.kind) {
+        case Kind::tick:
+            return follow_tick(message);
+        case Kind::changed:
+        case Kind::refused:
+            make_change(message.kind == Kind::refused);
+            break;
+        case Kind::outdated:
+            changes_.renew();
+            break;
+        case Kind::separation:
+            changes_.renew_separation();
+            changes_.post_separation(!waiting_.empty());
+            break;
+        case Kind::leg:
+            take_hand_inputs(plan_.inputs[message.index]);
+            break;
+        case Kind::action:
+            next_actions_.took(message.index);
+            take_hand_inputs(next_actions_.inputs(message.index));
+            break;
+        case Kind::drive:
+            take_hand_inputs(
+                {{HandInput::Kind::drive, simulation_.setup().tool->tool->drives[message.index].id, message.value}});
+            break;
+        case Kind::regrip:
+            take_hand_inputs({{HandInput::Kind::regrip, {}, message.value}});
+            break;
+        case Kind::undo:
+            take_hand_inputs({{HandInput::Kind::undo}});
+            break;
+        case Kind::ended:
+            end_ = static_cast<RunEnd>(message.index);
+            return false;
+    }
+    post_changes();
+    return true;
+}
+
+bool Run::follow_tick(const LoopMessage& message) {
+    if (message.has_adopted) changes_.adopt();
+    const bool has_more = tick(message.sample);
+    if (bits_of(result_) == message.bits) return has_more;
+    end_ = RunEnd::diverged;
+    return false;
+}
+
+/// Gives the loop what was decided. A change of bodies waits until no separated part waits.
+void Run::post_changes() {
+    changes_.post_separation(!waiting_.empty());
+    make_waiting_changes();
+    changes_.post(monitor_.current());
+}
+
+/// Makes the changes that a replayed loop took over before this tick.
+void Run::make_due_changes() {
+    if (changes_.is_in_lock_step()) return;
+    make_waiting_changes();
+    changes_.post(monitor_.current());
+    while (const auto due = changes_.due()) {
+        make_change(due->is_refused);
+        make_waiting_changes();
+        changes_.post(monitor_.current());
+    }
+}
+
+/// Makes the posted change before the next tick, or drops it.
+void Run::make_change(bool is_refused) {
+    const LoopChanges::Made made = changes_.make(is_refused);
+    if (made.is_late)
+        add_event_at(simulation_.ticks(), session::late_change_event,
+                     std::to_string(made.number) + (made.is_refused ? " refused" : ""));
+    if (made.has_closed_stretches) pass_cuts_on();
+    if (made.tool) note_tool(*made.tool);
+    const auto input = std::exchange(changing_, std::nullopt);
+    if (input && made.is_refused)
+        add_event_at(simulation_.ticks(), "hand.refused", text_of(*input) + ": the tool has met bone since");
+    else if (input)
+        finish_input(*input);
+    before_.follow(simulation_.present());
+}
+
+void Run::make_waiting_changes() {
+    while (!waiting_.empty() && changes_.is_free()) {
+        const auto next = std::move(waiting_.front());
+        waiting_.pop_front();
+        changes_.delay();
+        if (const auto* left = std::get_if<LeftImplant>(&next))
+            note_left(*left, insert(*left));
+        else
+            change(std::get<documents::HandInput>(next));
+    }
+}
+
+// ---- a tick, its parts --------------------------------------------------------------------------------------------
 
 /// Records the inputs of the tick that just ran, other than its pose: missed periods, and a device lost or back.
 void Run::note_reading(const DeviceSample& reported) {
@@ -210,91 +296,99 @@ bool Run::tick(const DeviceSample& reported) {
     const Pose handle = without_negative_zeros(reported.world_from_handle);
     const DeviceSample sample{handle, reported.missed, reported.is_lost};
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
-    if (sink_ != nullptr) sink_->write(result_, simulation_.ticks());
     note_reading(reported);
-    end_of(TickPart::motion);
-    if (!is_replay() && !request_.is_led) {
-        note_force();
-        hand_.step(result_.command, sensed_tool());
-    }
-
-    end_of(TickPart::hand);
+    if (!is_replay() && !request_.is_led && !is_following_) hand_.feel(result_, simulation_);
 
     if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
     take_separations(simulation_.ticks() - 1);
-    end_of(TickPart::bodies);
     if (exact_ != nullptr) exact_->follow(simulation_);
-    end_of(TickPart::surface);
     const double now = static_cast<double>(simulation_.ticks() - 1) * Simulation::dt;
     const std::size_t step = monitor_.current();
     observe(handle, now);
-    end_of(TickPart::monitor);
-    if (monitor_.current() != step) judge_step(step, now);
+    if (monitor_.current() != step) end_step(step, now);
     if (monitor_.needs_measures()) monitor_.show_measures(measured_bone());
-    end_of(TickPart::step);
     for (std::size_t i = 0; i < result_.event_count; ++i) {
         add_event(result_.events[i], event_detail(result_.events[i], simulation_));
         monitor_.report(result_.events[i], now);
         add_monitor_events();
     }
-    end_of(TickPart::events);
-    const auto end = end_after_tick();
-    end_of(TickPart::record);
-    if (end) end_ = *end;
-    return !end && simulation_.ticks() < static_cast<std::uint64_t>(scene_->procedure.time_limit / Simulation::dt);
-}
-
-/// Follows the force of the device before, in and after a fault, and gives the simulated hand the tool as it then lies
-/// in the hand.
-void Run::note_force() {
-    has_slipped_ |= result_.has_event(TickResult::anchored_again);
-    const bool was_away = std::exchange(is_force_away_, result_.is_closed_or_closing || result_.is_coming_back);
-    if (is_force_away_) return;
-    force_before_ = length(linear(result_.command.wrench));
-    if (was_away || (has_slipped_ && simulation_.is_realigning())) hand_.regrasp(inverse(simulation_.grasp()));
-}
-
-/// Returns the tool state that the simulated hand senses after the last tick.
-simulated_hand::SensedTool Run::sensed_tool() const {
-    const std::string& awaited = hand_.awaited_event();
-    return {.world_from_tool = result_.world_from_tool,
-            .torque = result_.torque,
-            .is_force_lost = is_force_away_ && force_before_ > noticed_force,
-            .has_event = !awaited.empty() && result_.has_event(awaited)};
+    if (const auto end = end_after_tick()) {
+        end_ = *end;
+        return false;
+    }
+    if (simulation_.ticks() >= static_cast<std::uint64_t>(scene_->procedure.time_limit / Simulation::dt)) return false;
+    if (!changes_.is_in_lock_step()) {
+        if (result_.is_stripping) changes_.delay();  // in lock-step, within the tick
+        take_tool_of_step();
+        post_changes();
+    }
+    return true;
 }
 
 void Run::take_tool_of_step() {
     const std::size_t tool = scene_->tool_of_step[monitor_.current()];
-    if (tool == simulation_.tool() && !is_tool_left_) return;
+    if (tool == tool_ && !is_tool_left_) return;
+    tool_ = tool;
     is_tool_left_ = false;
-    is_driving_ = true;  // a tool begins with its configured drives
-    simulation_.take_another(tool, std::exchange(back_, 0.0));
+    changes_.take_tool(tool, std::exchange(back_, 0.0));
+    if (!changes_.is_in_lock_step()) return;
     pass_cuts_on();
+    note_tool(tool);
+}
+
+/// Records that another tool was taken.
+void Run::note_tool(std::size_t tool) {
     take_separations(simulation_.ticks());
-    add_event_at(simulation_.ticks(), "tool.taken", scene_->procedure.steps[monitor_.current()].instrument);
+    add_event_at(simulation_.ticks(), "tool.taken", instrument_of(*scene_, tool).id);
 }
 
 void Run::take_hand_inputs(const std::vector<documents::HandInput>& inputs) {
     for (const documents::HandInput& input : inputs) {
         add_event_at(simulation_.ticks(), session::hand_input_event, text_of(input));
-        std::string why_not = carry_out(input, *scene_, simulation_);
-        if (why_not.empty() && input.kind == documents::HandInput::Kind::release) why_not = monitor_.release();
-        if (!why_not.empty()) {
-            add_event_at(simulation_.ticks(), "hand.refused", text_of(input) + ": " + why_not);
-        } else if (input.kind != documents::HandInput::Kind::drive &&
-                   input.kind != documents::HandInput::Kind::regrip) {
-            if (input.kind == documents::HandInput::Kind::undo || input.kind == documents::HandInput::Kind::redo ||
-                input.kind == documents::HandInput::Kind::subtract)
-                pass_cuts_on();
-            if (input.kind == documents::HandInput::Kind::undo || input.kind == documents::HandInput::Kind::redo)
-                pass_owners_on();
-            if (!scene_->holes.empty()) {
-                follow_plates(*scene_, simulation_, monitor_);
-                lead();
-            }
-            before_.follow(simulation_.present());
+        if (is_immediate(input.kind)) {
+            if (const std::string why_not = carry_out(input, *scene_, simulation_); !why_not.empty())
+                add_event_at(simulation_.ticks(), "hand.refused", text_of(input) + ": " + why_not);
+        } else if (waiting_.empty() && changes_.is_free()) {
+            change(input);
+        } else {
+            waiting_.emplace_back(input);
         }
+        make_due_changes();
     }
+}
+
+/// Carries out an input that changes bodies or ends a step.
+void Run::change(const documents::HandInput& input) {
+    using Kind = documents::HandInput::Kind;
+    std::string why_not;
+    if (input.kind == Kind::remove) {
+        if (simulation_.held() < 0)
+            why_not = "nothing is held";
+        else
+            changes_.remove_held();
+    } else {
+        why_not = carry_out(input, *scene_, simulation_);
+        if (why_not.empty() && input.kind == Kind::release) why_not = monitor_.release();
+    }
+    if (!why_not.empty()) {
+        add_event_at(simulation_.ticks(), "hand.refused", text_of(input) + ": " + why_not);
+    } else if (changes_.is_in_lock_step() || input.kind == Kind::release) {
+        if (input.kind == Kind::undo || input.kind == Kind::redo || input.kind == Kind::subtract) pass_cuts_on();
+        finish_input(input);
+    } else {
+        changing_ = input;
+    }
+}
+
+/// Follows an input that has changed the bodies.
+void Run::finish_input(const documents::HandInput& input) {
+    using Kind = documents::HandInput::Kind;
+    if (input.kind == Kind::undo || input.kind == Kind::redo) pass_owners_on();
+    if (!scene_->holes.empty()) {
+        follow_plates(*scene_, simulation_, monitor_);
+        lead();
+    }
+    before_.follow(simulation_.present());
 }
 
 void Run::observe(const Pose& handle, double now) {
@@ -322,6 +416,31 @@ void Run::observe(const Pose& handle, double now) {
     add_monitor_events();
 }
 
+/// Ends the step that was done in this tick. A loop on the clock gets its next tool first, before the step is judged.
+void Run::end_step(std::size_t step, double now) {
+    const bool is_in_lock_step = changes_.is_in_lock_step(), is_last = monitor_.current() >= monitor_.steps().size();
+    const auto left = left_implant(step);
+    const bool is_left_now = left && changes_.is_free();
+    std::string why_not;
+    if (!is_in_lock_step) {
+        if (is_left_now) why_not = insert(*left);
+        if (left && !is_left_now) waiting_.emplace_back(*left);
+        if (!is_last) {
+            lead();
+            take_tool_of_step();
+        }
+        post_changes();
+    }
+    judge_step(step, now);
+    if (is_left_now) {
+        if (is_in_lock_step) why_not = insert(*left);
+        note_left(*left, why_not);
+    }
+    removed_before_step_ = removed_;
+    before_.begin(simulation_.present());
+    if (is_in_lock_step && !is_last) lead();
+}
+
 /// Measures and judges the step that ended in this tick.
 void Run::judge_step(std::size_t step, double now) {
     removed_ = simulation_.present().removed();
@@ -341,31 +460,34 @@ void Run::judge_step(std::size_t step, double now) {
         monitor_.judge_measures(step, std::move(measures), now);
         add_monitor_events();
     }
-    leave_implant(step);
-    removed_before_step_ = removed_;
-    before_.begin(simulation_.present());
-    if (monitor_.current() < scene_->procedure.steps.size()) lead();
 }
 
 std::vector<documents::MeasureReading> Run::measured_bone() const {
     return measure_bone(*scene_, simulation_.present(), world_from_body_);
 }
 
-/// Leaves an implant in bone; its driver leaves it.
-void Run::leave_implant(std::size_t step) {
+/// Returns the implant that the tool of a step leaves in bone, if it is one. Its driver leaves it.
+std::optional<Run::LeftImplant> Run::left_implant(std::size_t step) {
     const std::size_t tool = scene_->tool_of_step[step];
-    if (!scene_->tools[tool].outline.is_implant()) return;
+    if (!scene_->tools[tool].outline.is_implant()) return std::nullopt;
     is_tool_left_ = true;
     constexpr double clear = 5e-3;  // [m] distance from the bone
     back_ = std::max(0.0, monitor_.frame(step).depth_of(simulation_.world_from_tool().position)) + clear;
     for (session::MetricRow& row : implant_metrics(scene_->procedure.steps[step].id,
                                                    *scene_->tools[tool].setup.force->force, simulation_.signals()))
         left_.push_back(std::move(row));
-    const std::string& instrument = scene_->procedure.steps[step].instrument;
     const std::optional<Body>& implant = scene_->staying[tool];
-    const std::string why_not =
-        implant ? simulation_.insert(*implant, simulation_.world_from_tool(), false, monitor_.owners().step[step]) : "";
-    add_event("tool.left", why_not.empty() ? instrument : instrument + ", unseen: " + why_not);
+    return LeftImplant{scene_->procedure.steps[step].instrument, implant ? &*implant : nullptr,
+                       simulation_.world_from_tool(), monitor_.owners().step[step]};
+}
+
+/// Adds an implant that was left to the bodies. Returns the reason if it cannot.
+std::string Run::insert(const LeftImplant& left) {
+    return left.body != nullptr ? simulation_.insert(*left.body, left.world_from_body, false, left.owner) : "";
+}
+
+void Run::note_left(const LeftImplant& left, const std::string& why_not) {
+    add_event("tool.left", why_not.empty() ? left.instrument : left.instrument + ", unseen: " + why_not);
 }
 
 std::optional<RunEnd> Run::end_after_tick() {
@@ -381,9 +503,8 @@ std::optional<RunEnd> Run::end_after_tick() {
             outcome_.was_interrupted = *end == RunEnd::interrupted;
             return end;
         }
-    if (request_.is_led) return std::nullopt;
-    if (is_replay() ? ticks >= request_.replay.size() : hand_.is_done() && !hand_inputs_.is_due(hand_.leg()))
-        return RunEnd::path_ended;
+    if (request_.is_led || is_following_) return std::nullopt;
+    if (is_replay() ? ticks >= request_.replay.size() : hand_.is_done()) return RunEnd::path_ended;
     return std::nullopt;
 }
 
@@ -427,33 +548,33 @@ void Run::report_progress(double fraction, const std::string& what) {
 }
 
 void Run::note_progress() {
-    const std::uint64_t ticks = simulation_.ticks();
     const auto fraction = [](std::size_t done, std::size_t all) {
         return static_cast<double>(done) / static_cast<double>(all);
     };
-    step_ = monitor_.current();
-    path_done_ = is_replay()       ? fraction(ticks, request_.replay.size())
-                 : request_.is_led ? fraction(step_, scene_->procedure.steps.size())
-                                   : fraction(hand_.leg(), plan_.intent.legs.size());
-    ticks_done_ = ticks;
-    if (parts_ == nullptr) pass_progress_on();
-}
-
-void Run::pass_progress_on() {
-    std::string what = "working, " + std::to_string(ticks_done_ / 1000) + " s simulated";
-    if (const std::size_t step = step_; request_.is_led && step < scene_->procedure.steps.size()) {
-        what = std::to_string(ticks_done_ / 1000) + " s, step `" + scene_->procedure.steps[step].id + "`";
+    const std::uint64_t ticks = simulation_.ticks();
+    const std::size_t step = monitor_.current();
+    std::string what = "working, " + std::to_string(ticks / 1000) + " s simulated";
+    if (request_.is_led && step < scene_->procedure.steps.size()) {
+        what = std::to_string(ticks / 1000) + " s, step `" + scene_->procedure.steps[step].id + "`";
         if (const std::string next = next_actions_.words(step); !next.empty()) what += "; the button next: " + next;
     }
-    report_progress(path_done_, what);
+    report_progress(is_replay()                        ? fraction(ticks, request_.replay.size())
+                    : request_.is_led || is_following_ ? fraction(step, scene_->procedure.steps.size())
+                                                       : fraction(hand_.leg(), plan_.intent.legs.size()),
+                    what);
 }
 
 /// Sets the sleeve of the running step, on the body that owns its axis.
-void Run::lead() { simulation_.lead(guide_of_step(*scene_, monitor_)); }
+void Run::lead() { changes_.lead(guide_of_step(*scene_, monitor_)); }
 
 // ---- after the last tick ------------------------------------------------------------------------------------------
 
 RunOutcome Run::finish() {
+    // Bodies that a step has left are there although the loop takes nothing over any more; its tool is not.
+    for (changes_.drop_tool(); changes_.is_posted(); changes_.post(monitor_.current())) {
+        make_change(false);
+        changes_.drop_tool();
+    }
     simulation_.finish();
     pass_cuts_on();
     // A tick that never runs: at its end, a replay also takes over the remaining parts.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "run/hand_inputs.h"
+#include "run/loop_changes.h"
 #include "run/run_observer.h"
 #include "run/run_result.h"
 
@@ -23,7 +24,8 @@ struct RunRequest {
     std::string learner, mode = "practice";
     std::vector<Pose> replay;              ///< device poses of a recorded run, which the hand repeats
     std::vector<std::uint64_t> adoptions;  ///< of that run: ticks after which the loop took over separated bodies
-    HandInputs::Recorded hand_inputs;      ///< of that run: other inputs, each with the tick before which it came
+    RecordedInputs hand_inputs;            ///< of that run: other inputs, each with the tick before which it came
+    std::vector<LateChange> late_changes;  ///< of that run: changes that its loop took over late, in order
     std::vector<std::pair<std::uint64_t, std::uint32_t>>
         missed;  ///< of that run: numbers of missed ticks, each with the next tick, in order
     std::vector<std::pair<std::uint64_t, bool>>

@@ -239,11 +239,20 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
         summary.reasons.insert(summary.reasons.begin(), "The run ended early: it could not be recorded any more.");
     if (end == RunEnd::device_silent)
         summary.reasons.insert(summary.reasons.begin(), "The run ended early: the device was silent for 10 s.");
-    is_missing = is_missing || end == RunEnd::interrupted || end == RunEnd::unrecorded || end == RunEnd::device_silent;
-    summary.verdict = end == RunEnd::fault ? session::Verdict::invalid
-                      : is_broken          ? session::Verdict::fail
-                      : is_missing         ? session::Verdict::incomplete
-                                           : session::Verdict::pass;
+    if (end == RunEnd::fell_behind)
+        summary.reasons.insert(summary.reasons.begin(),
+                               "The run ended early: this machine is too slow to record it while it is on the clock.");
+    if (end == RunEnd::diverged)
+        summary.reasons.insert(summary.reasons.begin(),
+                               "The same inputs gave two results: a force law is not a function of its inputs, such as "
+                               "one that keeps values outside its state.");
+    is_missing = is_missing || end == RunEnd::interrupted || end == RunEnd::unrecorded ||
+                 end == RunEnd::device_silent || end == RunEnd::fell_behind;
+    const bool is_invalid = end == RunEnd::fault || end == RunEnd::diverged;
+    summary.verdict = is_invalid   ? session::Verdict::invalid
+                      : is_broken  ? session::Verdict::fail
+                      : is_missing ? session::Verdict::incomplete
+                                   : session::Verdict::pass;
     if (end == RunEnd::fault)
         summary.reasons.insert(summary.reasons.begin(), "The force law or the solve failed; force was released.");
     summary.score = demands > 0 ? 100.0 * met / demands : 100.0;

@@ -10,7 +10,17 @@
 namespace kerf::run {
 
 /// Reason for the end of a run.
-enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrecorded, device_silent };
+enum class RunEnd {
+    path_ended,
+    steps_done,
+    time_over,
+    fault,
+    interrupted,
+    unrecorded,
+    device_silent,
+    diverged,     ///< on the clock: loop and run differ, so a law is not a function of its inputs
+    fell_behind,  ///< on the clock: the run could not keep up with the loop
+};
 
 /// Computes step rows, verdict, reasons and score. Pass: every goal reached and no limit broken. Fail: a limit broken.
 /// Incomplete: goals missing, or interrupted before a limit broke. Invalid: a fault.   [any] pure.

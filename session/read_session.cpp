@@ -101,12 +101,15 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
                                          back_event + "') ORDER BY rowid");
     while (lost.next())
         inputs.lost.emplace_back(static_cast<std::uint64_t>(lost.integer(0)), lost.text(1) == lost_event);
+    SessionQuery late(file.handle(), std::string("SELECT tick, detail FROM events WHERE id = '") + late_change_event +
+                                         "' ORDER BY rowid");
+    while (late.next()) inputs.late_changes.emplace_back(static_cast<std::uint64_t>(late.integer(0)), late.text(1));
     if (!ticks.fault().empty()) {
         error = path + ": " + ticks.fault() + ", so it holds no ticks that can be replayed. Take an undamaged copy.";
         return std::nullopt;
     }
     if (keys.has_failed() || adoptions.has_failed() || asked.has_failed() || missed.has_failed() || lost.has_failed() ||
-        inputs.device_from_handle.empty()) {
+        late.has_failed() || inputs.device_from_handle.empty()) {
         error = path + ": holds no ticks that can be read.";
         return std::nullopt;
     }

@@ -26,7 +26,9 @@ struct RecordedInputs {
     std::vector<std::pair<std::uint64_t, std::uint32_t>>
         missed;                                        ///< numbers of missed ticks, each with the next tick, in order
     std::vector<std::pair<std::uint64_t, bool>> lost;  ///< ticks at which the device was lost (true) or back, in order
-    std::string device;                                ///< id of the connected device; empty: a hand without one
+    std::vector<std::pair<std::uint64_t, std::string>>
+        late_changes;    ///< numbers of changes that the loop took over late or refused, each with the next tick
+    std::string device;  ///< id of the connected device; empty: a hand without one
     std::vector<std::pair<std::string, double>> device_values;  ///< of the connected device [SI]
     std::string hash;                         ///< sixteen hexadecimal digits; empty for a run that was cut short
     RecordCheck rows = RecordCheck::unknown;  ///< result of the checksum

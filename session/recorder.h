@@ -26,6 +26,9 @@ inline constexpr const char* hand_input_event = "hand.input";
 inline constexpr const char* missed_event = "device.missed";
 /// The device was lost before this tick, or is back. Also inputs.
 inline constexpr const char *lost_event = "device.lost", *back_event = "device.back";
+/// A change of the loop on the clock, by its number, was taken over before this tick, later than in lock-step; or it
+/// was refused. Also an input.
+inline constexpr const char* late_change_event = "loop.late_change";
 /// A plugin ended the run; the detail has the plugin, the call and the kind of failure.
 inline constexpr const char* plugin_failed_event = "run.plugin_failed";
 /// Part of every file that a run writes.

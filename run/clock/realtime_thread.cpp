@@ -7,13 +7,12 @@
 #include <sys/resource.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
-#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <future>
 #include <thread>
 
 namespace kerf::run {
@@ -82,8 +81,7 @@ int take_fifo_priority(int priority) noexcept {
 RealtimeState run_in_real_time(const std::function<void()>& work, const std::function<void()>& meanwhile) {
     RealtimeState state;
     std::exception_ptr failure, failure_meanwhile;
-    std::promise<void> done;
-    const std::future<void> end = done.get_future();
+    std::atomic<bool> is_done{false};
     std::thread thread([&] {
         try {
             take_priority(state);
@@ -94,10 +92,9 @@ RealtimeState run_in_real_time(const std::function<void()>& work, const std::fun
         } catch (...) {
             failure = std::current_exception();
         }
-        done.set_value();
+        is_done = true;
     });
-    while (end.wait_for(std::chrono::milliseconds(250)) != std::future_status::ready) {
-        if (failure_meanwhile) continue;
+    while (!is_done && !failure_meanwhile) {
         try {
             meanwhile();
         } catch (...) {

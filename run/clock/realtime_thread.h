@@ -23,7 +23,8 @@ struct RealtimeState {
 /// Runs `work` to its end on a thread of its own: class SCHED_FIFO of priority 49, with its stack and 32 MB of its
 /// heap written to and the memory of the process locked. The system may refuse parts of that; the work runs all the
 /// same. Returns what was granted.   [main] blocks until the work is done
-/// @param meanwhile  called on the calling thread four times a second while the work runs
+/// @param meanwhile  called on the calling thread again and again while the work runs; it sleeps between its own work.
+///                   If it throws, it must make the work end
 RealtimeState run_in_real_time(const std::function<void()>& work, const std::function<void()>& meanwhile);
 
 }  // namespace kerf::run

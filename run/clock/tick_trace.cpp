@@ -19,26 +19,14 @@ std::int64_t thread_time() noexcept { return time_of(CLOCK_THREAD_CPUTIME_ID); }
 
 const char* to_text(TickPart part) noexcept {
     switch (part) {
-        case TickPart::tool:
-            return "change of the tool";
+        case TickPart::change:
+            return "change of tool or bodies";
         case TickPart::inputs:
             return "inputs of the hand";
+        case TickPart::hand:
+            return "hand or device";
         case TickPart::motion:
             return "motion and force";
-        case TickPart::hand:
-            return "simulated hand";
-        case TickPart::bodies:
-            return "parts that came apart";
-        case TickPart::surface:
-            return "cuts for the exact surface";
-        case TickPart::monitor:
-            return "goals and limits";
-        case TickPart::step:
-            return "measures at the end of a step";
-        case TickPart::events:
-            return "events";
-        case TickPart::record:
-            return "record and progress";
     }
     return "";
 }

@@ -15,20 +15,14 @@ namespace kerf::run {
 
 /// The parts of a tick of a run, in their order.
 enum class TickPart : std::uint8_t {
-    tool,     ///< another tool is taken
-    inputs,   ///< inputs other than motion: insert, fuse, undo …
-    motion,   ///< from the pose to the force
-    hand,     ///< the simulated hand moves
-    bodies,   ///< parts that came apart become bodies
-    surface,  ///< the exact surface gets its cuts
-    monitor,  ///< goals and limits
-    step,     ///< a step that ended is measured and judged
-    events,   ///< events are recorded
-    record,   ///< observers get the row: files, progress
+    change,  ///< the loop takes over changes that the run has prepared: a tool, bodies
+    inputs,  ///< inputs of the hand other than motion
+    hand,    ///< the pose is read, the force is sent
+    motion,  ///< from the pose to the force
 };
-inline constexpr std::size_t tick_part_count = 10;
+inline constexpr std::size_t tick_part_count = 4;
 
-/// Returns a few words for people: "measures of a step's end".   [any]
+/// Returns a few words for people: "motion and force".   [any]
 [[nodiscard]] const char* to_text(TickPart part) noexcept;
 
 /// Measures the parts of a tick [ns].

@@ -82,10 +82,10 @@ TEST(LateCause, OfATickAfterALongOneIsThatOfTheLongOne) {
     // Also if that one began late itself: its window starts where it began.
     before.due -= 30 * ms;
     before.missed = 30;
-    before.longest = TickPart::step;
+    before.longest = TickPart::change;
     const ExplainedTick found = explain(next, &before, samples(100 * ms, 0), period);
     EXPECT_EQ(found.cause, LateCause::compute);
-    EXPECT_EQ(found.trace.longest, TickPart::step) << "the part of the long one";
+    EXPECT_EQ(found.trace.longest, TickPart::change) << "the part of the long one";
     // Without the one before, nothing explains the wait.
     EXPECT_EQ(explain(next, nullptr, samples(100 * ms, 0), period).cause, LateCause::machine_stopped);
 }
@@ -116,7 +116,7 @@ ExplainedTick slowest_with(void (*work)()) {
             static_cast<void>(clock.wait());
             clock.parts().end_of(TickPart::motion);
             if (i == 50) work();
-            clock.parts().end_of(TickPart::monitor);
+            clock.parts().end_of(TickPart::inputs);
             clock.tick_done();
         }
         late = watch.finish();
@@ -134,7 +134,7 @@ TEST(ThreadWatch, FindsATickThatComputes) {
     EXPECT_TRUE(found.trace.tick == 50 || found.trace.tick == 51) << found.trace.tick;
     EXPECT_NE(found.cause, LateCause::machine_stopped);
     EXPECT_NE(found.cause, LateCause::blocked);
-    EXPECT_EQ(found.trace.longest, TickPart::monitor);
+    EXPECT_EQ(found.trace.longest, TickPart::inputs);
 }
 
 TEST(ThreadWatch, FindsATickThatSleeps) {

@@ -13,6 +13,7 @@
 #include "app/replay.h"
 #include "run/clock/wall_clock.h"
 #include "session/read_session.h"
+#include "tests/support/operation.h"
 #include "tests/support/short_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
@@ -47,6 +48,15 @@ TEST(LiveRun, HasTheBitsOfLockStepWithoutLateTicks) {
     EXPECT_EQ(live.summary.hash, lock_step.summary.hash);
     EXPECT_EQ(live.summary.ticks, lock_step.summary.ticks);
     EXPECT_FALSE(live.summary.clock) << "the figures are those of a wall clock";
+}
+
+// A separation, forceps that take the part and remove it, two tools.
+TEST(LiveRun, HasTheBitsOfLockStepWhereBodiesChange) {
+    const Scene scene = test::scene_of(KERF_SOURCE_DIR "/procedures/amputation.yaml", "", {"accuracy.spacing=2 mm"});
+    VirtualClock clock({});
+    const RunOutcome live = run_on_clock(scene, test::plugins(), {}, clock);
+    ASSERT_EQ(live.summary.pieces.size(), 2u);
+    EXPECT_EQ(live.summary.hash, run_procedure(scene, test::plugins(), {}).summary.hash);
 }
 
 TEST(LiveRun, ReplaysMissedPeriodsToTheBit) {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/haptics/loop/haptic_loop.h"
+#include "run/clock/tick_trace.h"
+#include "run/live/live_hand.h"
+#include "run/live/loop_link.h"
+#include "run/next_actions.h"
+#include "run/scene.h"
+
+namespace kerf::run {
+
+/// A haptic loop on the clock, with its hand. The run that records it takes the messages of the link, on another thread
+/// or in `with_run`, and posts its changes there.
+class LiveLoop final : LoopInputs {
+public:
+    /// Pre: `loop` is a second loop of the run's simulation; all others outlive this object.   [main]
+    /// @param with_run  called where the run may catch up on the same thread; empty: it has a thread of its own
+    LiveLoop(std::unique_ptr<HapticLoop> loop, const Scene& scene, const HandPlan& plan,
+             const documents::Rehearsal& rehearsal, LoopLink& link, LiveHand& hand,
+             std::function<void()> with_run = {});
+
+    /// Measures the parts of each tick. Pre: `parts` outlives this object.
+    void measure(TickParts& parts) noexcept { parts_ = &parts; }
+    /// Runs one tick after this number of missed periods. Returns whether the loop continues.
+    /// [haptic] without `with_run` it neither allocates nor blocks
+    bool step(std::uint32_t missed);
+
+private:
+    void leg(std::size_t leg) noexcept override;
+    void next_action() noexcept override;
+    void undo() noexcept override { send({.kind = LoopMessage::Kind::undo}); }
+    void run_drives(bool is_running) noexcept override;
+    void loosen(bool is_loose) noexcept override;
+
+    void carry_out_immediate(const std::vector<documents::HandInput>& inputs) noexcept;
+    bool take_change();
+    void take_changes() {
+        while (take_change()) catch_up();
+    }
+    [[nodiscard]] bool take_separation() noexcept;
+    void send(const LoopMessage& message) noexcept;
+    void end_of(TickPart part) noexcept {
+        if (parts_ != nullptr) parts_->end_of(part);
+    }
+    void catch_up() {
+        if (with_run_) with_run_();
+    }
+
+    std::unique_ptr<HapticLoop> loop_;
+    const HandPlan* plan_;
+    bool is_direct_;
+    LoopLink* link_;
+    LiveHand* hand_;
+    std::function<void()> with_run_;
+    TickParts* parts_ = nullptr;
+    NextActions next_actions_;
+    std::size_t step_ = 0;  ///< of the procedure, as the run last reported
+    TickResult last_;
+};
+
+}  // namespace kerf::run

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/loop_changes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "run/live/loop_link.h"
+
+namespace kerf::run {
+
+void LoopChanges::begin_replay(std::vector<LateChange> late) {
+    if (late.empty()) return;
+    late_ = std::move(late);
+    mode_ = Mode::replay;
+    simulation_->defer_changes();
+}
+
+void LoopChanges::begin_following(LoopLink& link) {
+    link_ = &link;
+    mode_ = Mode::following;
+    simulation_->defer_changes();
+}
+
+// ---- decisions ----------------------------------------------------------------------------------------------------
+
+void LoopChanges::lead(const std::optional<Guide>& guide) {
+    if (is_in_lock_step())
+        simulation_->lead(guide);
+    else
+        next_.guide = guide;
+}
+
+void LoopChanges::take_tool(std::size_t tool, double back) {
+    if (is_in_lock_step()) return simulation_->take_another(tool, back);
+    next_.tool = tool;
+    next_.back = back;
+}
+
+void LoopChanges::remove_held() {
+    if (is_in_lock_step())
+        simulation_->remove_held();
+    else
+        next_.removes_held = true;
+}
+
+// ---- changes ------------------------------------------------------------------------------------------------------
+
+void LoopChanges::post(std::size_t step) {
+    if (is_in_lock_step() || posted_ || !(next_.is_any() || simulation_->prepared() != nullptr || step != step_))
+        return;
+    posted_ = std::exchange(next_, {});
+    const LoopChange* prepared = simulation_->prepared();
+    if (posted_->tool && prepared != nullptr && prepared->offer.needs_closed_stretches()) {
+        // Each of the two closes stretches, whose records are passed on in between.
+        next_.tool = std::exchange(posted_->tool, std::nullopt);
+        next_.back = posted_->back;
+    }
+    posted_at_ = simulation_->ticks();
+    step_ = step;
+    ++number_;
+    if (link_ != nullptr) post_to_loop();
+}
+
+void LoopChanges::post_to_loop() {
+    PostedChange change{simulation_->prepared_for_second(), step_};
+    change.change.guide = posted_->guide;
+    change.change.removes_held = posted_->removes_held;
+    change.change.tool = posted_->tool;
+    change.change.back = posted_->back;
+    link_->change.post(std::move(change));
+}
+
+std::optional<LoopChanges::Due> LoopChanges::due() const {
+    if (mode_ != Mode::replay || !posted_) return std::nullopt;
+    const auto late =
+        std::find_if(late_.begin(), late_.end(), [&](const LateChange& one) { return one.number == number_; });
+    if (late == late_.end()) return Due{};
+    if (simulation_->ticks() < late->tick) return std::nullopt;
+    return Due{late->is_refused};
+}
+
+LoopChanges::Made LoopChanges::make(bool is_refused) {
+    const LoopChange* prepared = simulation_->prepared();
+    is_refused =
+        is_refused || (prepared != nullptr && prepared->offer.is_any() &&
+                       simulation_->can_take(prepared->offer) != Takeover::possible);  // of a session that was changed
+    Made made;
+    made.number = number_;
+    made.is_late = is_refused || is_late();
+    made.is_refused = is_refused;
+    if (link_ != nullptr) link_->change.empty();
+    if (is_refused) {
+        simulation_->drop_change();
+        // The loop took over no part of it.
+        if (!next_.guide) next_.guide = posted_->guide;
+        if (!next_.tool) {
+            next_.tool = posted_->tool;
+            next_.back = posted_->back;
+        }
+        next_.removes_held |= posted_->removes_held;
+    } else {
+        if (posted_->guide) simulation_->lead(*posted_->guide);
+        if (prepared != nullptr) {
+            made.has_closed_stretches = prepared->offer.needs_closed_stretches();
+            simulation_->make_change();
+        }
+        if (posted_->removes_held) simulation_->remove_held();
+        if (posted_->tool) {
+            made.has_closed_stretches = true;
+            made.tool = posted_->tool;
+            simulation_->take_another(*posted_->tool, posted_->back);
+        }
+    }
+    posted_.reset();
+    return made;
+}
+
+void LoopChanges::renew() {
+    simulation_->drop_change();
+    post_to_loop();
+}
+
+void LoopChanges::drop_tool() noexcept {
+    next_.tool.reset();
+    if (posted_) posted_->tool.reset();
+}
+
+// ---- separations --------------------------------------------------------------------------------------------------
+
+void LoopChanges::post_separation(bool now) {
+    const Separation* waiting = simulation_->waiting_separation();
+    if (link_ == nullptr || waiting == nullptr) return;
+    const std::uint64_t due = now ? 0 : waiting->tick + Simulation::adoption_delay;
+    if (is_separation_posted_) {
+        if (now) link_->separation_due = due;
+        return;
+    }
+    link_->separation_due = due;
+    link_->separation.post(simulation_->separation_for_second());
+    is_separation_posted_ = true;
+}
+
+void LoopChanges::adopt() {
+    simulation_->adopt_after(simulation_->ticks() + 1);
+    renew_separation();
+}
+
+void LoopChanges::renew_separation() {
+    link_->separation.empty();
+    is_separation_posted_ = false;
+}
+
+}  // namespace kerf::run
