@@ -138,7 +138,10 @@ struct ClockRow {
     };
     double period = 0.0;  ///< [s]
     std::uint64_t ticks = 0, late_ticks = 0, missed_periods = 0;
-    std::uint64_t pauses = 0;       ///< gaps in which the force faded
+    std::uint64_t pauses = 0;  ///< gaps of three missed periods or more
+    /// Times at which the force began to fade: after a pause of the machine, with the loss of the device, and for
+    /// another fault, such as of a law or a leap of the hand.
+    std::uint64_t fades_by_machine = 0, fades_by_device = 0, fades_by_fault = 0;
     std::uint64_t over_period = 0;  ///< ticks that computed longer than a period
     Times lateness, compute;
     std::vector<Class> histogram;                                    ///< in order of `up_to`

@@ -80,6 +80,8 @@ Json to_json(const ClockRow& clock) {
             {"late_ticks", clock.late_ticks},
             {"missed_periods", clock.missed_periods},
             {"pauses", clock.pauses},
+            {"fades",
+             {{"machine", clock.fades_by_machine}, {"device", clock.fades_by_device}, {"fault", clock.fades_by_fault}}},
             {"ticks_over_period", clock.over_period},
             {"lateness", to_json(clock.lateness)},
             {"compute", to_json(clock.compute)},

@@ -33,6 +33,7 @@ bool LiveLoop::step(std::uint32_t missed) {
     sample.missed = missed;
     end_of(TickPart::hand);
     last_ = is_direct_ ? loop_->tick_direct(sample) : loop_->tick(sample);
+    count_fades(sample);
     end_of(TickPart::motion);
     hand_->feel(last_, *loop_);
     end_of(TickPart::hand);
@@ -80,6 +81,13 @@ bool LiveLoop::take_separation() noexcept {
     link_->separation.give_back();
     if (!is_possible) send({.kind = LoopMessage::Kind::separation});
     return is_possible;
+}
+
+void LiveLoop::count_fades(const DeviceSample& sample) noexcept {
+    if (std::exchange(was_fading_, last_.is_closed_or_closing) || !last_.is_closed_or_closing) return;
+    ++(sample.missed >= HandMotion::missed_ticks_of_pause ? fades_.by_machine
+       : sample.is_lost                                   ? fades_.by_device
+                                                          : fades_.by_fault);
 }
 
 void LiveLoop::carry_out_immediate(const std::vector<documents::HandInput>& inputs) noexcept {

@@ -28,6 +28,12 @@ public:
 
     /// Measures the parts of each tick. Pre: `parts` outlives this object.
     void measure(TickParts& parts) noexcept { parts_ = &parts; }
+    /// Times at which the force began to fade.
+    struct Fades {
+        std::uint64_t by_machine = 0, by_device = 0, by_fault = 0;
+    };
+    [[nodiscard]] const Fades& fades() const noexcept { return fades_; }
+
     /// Runs one tick after this number of missed periods. Returns whether the loop continues.
     /// [haptic] without `with_run` it neither allocates nor blocks
     bool step(std::uint32_t missed);
@@ -45,6 +51,7 @@ private:
         while (take_change()) catch_up();
     }
     [[nodiscard]] bool take_separation() noexcept;
+    void count_fades(const DeviceSample& sample) noexcept;
     void send(const LoopMessage& message) noexcept;
     void end_of(TickPart part) noexcept {
         if (parts_ != nullptr) parts_->end_of(part);
@@ -63,6 +70,8 @@ private:
     NextActions next_actions_;
     std::size_t step_ = 0;  ///< of the procedure, as the run last reported
     TickResult last_;
+    bool was_fading_ = false;
+    Fades fades_;
 };
 
 }  // namespace kerf::run
