@@ -41,7 +41,8 @@ public:
         request.observers.push_back(led.get());
         led->run_ = Run::create(scene, plugins, request, refusal);
         if (led->run_ == nullptr) return nullptr;
-        led->hand_.emplace(station, device.facts(), led->run_->simulation().world_from_tool());
+        led->hand_.emplace(station, device.facts(), led->run_->simulation().world_from_tool(),
+                           arm_at(*scene.device, scene.gains.force_scale));
         led->run_->send_to(*led);
         led->run_->prepare(led->hand_->presses());
         return led;
