@@ -12,7 +12,7 @@ namespace {
 
 constexpr double hardest_push = 30.0;    // [N] device newtons [assumed]
 constexpr double hardest_on_tool = 500;  // [N] of two hands [assumed]
-constexpr double relaxing = 10.0;        // [1/s] return of the aim to the hand while the cap is at rest [assumed]
+constexpr double relaxing = 10.0;        // [1/s] return of the aim to the hand while the cap does not push on [assumed]
 
 }  // namespace
 
@@ -35,8 +35,10 @@ AimedHand::AimedHand(const documents::DeviceStation& station, const Arm& arm, co
 void AimedHand::move_aim(Vec3 along, Vec3 about) noexcept {
     const Vec3 velocity = speed_ * response(along, dead_zone_), turn = turn_speed_ * response(about, dead_zone_);
     const Vec3 hand = hand_.reported().position;
+    const Vec3 step = dt_ * rotate(world_from_device_, velocity);
     Vec3 lead = aim_.position - hand;
-    lead = velocity == Vec3{} ? (1.0 - relaxing * dt_) * lead : lead + dt_ * rotate(world_from_device_, velocity);
+    if (!(dot(step, lead) > 0.0)) lead = (1.0 - relaxing * dt_) * lead;
+    lead = lead + step;
     if (const double far = length(lead); far > max_lead_) lead = (max_lead_ / far) * lead;
     aim_.position = hand + lead;
     if (turn == Vec3{}) return;

@@ -21,8 +21,8 @@ struct Arm {
 /// A simulated hand whose aim a deflected cap moves. So a device without force still has a hand's feed and push.
 ///
 /// A full deflection moves the aim at the station's speed, and turns it about the tip. The aim leads the hand by no
-/// more than the maximum push stretches the arm, so a reversed cap acts at once. A cap at rest ends the push: the aim
-/// returns to the hand within 0.1 s.
+/// more than the maximum push stretches the arm. A cap that is released or reversed ends the push: the aim returns to
+/// the hand with a time constant of 0.1 s.
 class AimedHand {
 public:
     AimedHand(const documents::DeviceStation& station, const Arm& arm, const Pose& world_from_tool, double dt);
