@@ -12,7 +12,7 @@ namespace {
 
 constexpr double hardest_push = 30.0;    // [N] device newtons [assumed]
 constexpr double hardest_on_tool = 500;  // [N] of two hands [assumed]
-constexpr double relaxing = 10.0;        // [1/s] return of the aim to the hand while the cap does not push on [assumed]
+constexpr double relaxing = 10.0;        // [1/s] decay of a lead that the cap does not ask for [assumed]
 
 }  // namespace
 
@@ -33,13 +33,14 @@ AimedHand::AimedHand(const documents::DeviceStation& station, const Arm& arm, co
       aim_(world_from_tool) {}
 
 void AimedHand::move_aim(Vec3 along, Vec3 about) noexcept {
-    const Vec3 velocity = speed_ * response(along, dead_zone_), turn = turn_speed_ * response(about, dead_zone_);
+    const Vec3 wanted = response(along, dead_zone_), turn = turn_speed_ * response(about, dead_zone_);
+    const Vec3 step = dt_ * speed_ * rotate(world_from_device_, wanted);
     const Vec3 hand = hand_.reported().position;
-    const Vec3 step = dt_ * rotate(world_from_device_, velocity);
-    Vec3 lead = aim_.position - hand;
-    if (!(dot(step, lead) > 0.0)) lead = (1.0 - relaxing * dt_) * lead;
-    lead = lead + step;
-    if (const double far = length(lead); far > max_lead_) lead = (max_lead_ / far) * lead;
+    const Vec3 before = aim_.position - hand;
+    const double decay = 1.0 - relaxing * dt_;
+    Vec3 lead = (dot(step, before) > 0.0 ? 1.0 : decay) * before + step;
+    const double far = length(lead), most = std::min(1.0, length(wanted)) * max_lead_;
+    if (far > most) lead = std::max(most / far, decay) * lead;
     aim_.position = hand + lead;
     if (turn == Vec3{}) return;
     aim_.rotation = normalized(quat_from_rotation_vector(dt_ * rotate(world_from_device_, turn)) * aim_.rotation);

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace kerf::spacemouse {
@@ -47,6 +49,19 @@ TEST(SpaceMouseReport, ReadsBothHalvesOfALongReport) {
     ASSERT_TRUE(each);
     expect_near(each->translation, Vec3{10, -30, 20} / 350.0);
     expect_near(each->rotation, Vec3{40, -60, 50} / 350.0);
+}
+
+// The captures above tell the fields apart: none reads the same with two of its fields exchanged.
+TEST(SpaceMouseReport, ReadsExchangedFieldsDifferently) {
+    const Bytes captured{0x01, 0x0d, 0x00, 0x00, 0x00, 0x25, 0x01};
+    for (const std::size_t a : {1u, 3u, 5u})
+        for (const std::size_t b : {1u, 3u, 5u}) {
+            if (a == b) continue;
+            Bytes moved = captured;
+            std::swap(moved[a], moved[b]);
+            std::swap(moved[a + 1], moved[b + 1]);
+            EXPECT_GT(length(*decode(moved)->translation - *decode(captured)->translation), 1e-3);
+        }
 }
 
 TEST(SpaceMouseReport, ClampsValuesBeyondTheRange) {
