@@ -89,6 +89,8 @@ struct Reports {
     std::uint64_t count = 0, count_in_use = 0;
     double seconds = 0.0, seconds_in_use = 0.0;  ///< [s]; in use: not at rest, or of a device that always sends
     double longest_gap = 0.0;                    ///< [s] between reports in use
+    double age_sum = 0.0;                        ///< [s] of the newest reports, over the samples in use
+    std::uint64_t samples_in_use = 0;
     Extent all;
     Extent calmest;                                                  ///< of the 0.2 s with the smallest range
     double calmest_width = std::numeric_limits<double>::infinity();  ///< [SI]
@@ -120,6 +122,8 @@ Reports watch_reports(run::OpenedDevice& device, const Sense& sense, double seco
             reports.count_in_use += added;
             reports.seconds_in_use += reports.seconds - before;
             reports.longest_gap = std::max(reports.longest_gap, state.age);
+            reports.age_sum += state.age;
+            ++reports.samples_in_use;
         }
         if ((state.flags & KERF_DEVICE_VALID) == 0) continue;
         reports.was_valid = true;
@@ -164,11 +168,15 @@ std::string rate_lines(const Reports& reports, const Sense& sense) {
     if (reports.seconds_in_use <= 0.0) return "";
     const double rate = static_cast<double>(reports.count_in_use) / reports.seconds_in_use;
     const double gap = 1e3 * reports.longest_gap;
+    const std::string age = formatted("  a tick reads a report that is %.1f ms old on average\n",
+                                      1e3 * reports.age_sum / static_cast<double>(reports.samples_in_use));
     if (&sense == &position)
         return formatted("  %.0f poses a second, the longest silence %.1f ms%s\n", rate, gap,
-                         reports.longest_gap > 20e-3 ? ": a run fades the force after 20 ms" : "");
+                         reports.longest_gap > 20e-3 ? ": a run fades the force after 20 ms" : "") +
+               age;
     return formatted("  %.0f reports a second while deflected, the longest silence %.1f ms%s\n", rate, gap,
-                     reports.longest_gap > 90e-3 ? ": a deflection counts as rest after 100 ms" : "");
+                     reports.longest_gap > 90e-3 ? ": a deflection counts as rest after 100 ms" : "") +
+           age;
 }
 
 void print_channels(const Reports& reports, const Sense& sense) {
@@ -183,7 +191,7 @@ void print_channels(const Reports& reports, const Sense& sense) {
     if (&sense == &position)
         print(formatted("  at rest it stays within %.3f mm\n", printed(reports.calmest_width)));
     else
-        print(formatted("  at rest it shows up to %.3f of the full deflection; `dead_zone` must be more\n",
+        print(formatted("  at rest it shows at most %.3f of the full deflection; the `dead_zone` must not be less\n",
                         reports.calmest.size()));
 }
 

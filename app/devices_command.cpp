@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `kerf devices`.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,9 @@ ExitCode set_up(const std::string& id, const PluginRegistry& plugins) {
     if (device.empty()) {
         const std::vector<run::ListedDevice> all = run::find_devices(plugins);
         if (all.empty()) return complain("no plugin has a driver for devices.", exit_bad_input);
-        device = all.front().driver;
+        const auto connected =
+            std::find_if(all.begin(), all.end(), [](const run::ListedDevice& one) { return !one.id.empty(); });
+        device = (connected != all.end() ? *connected : all.front()).driver;
     }
     const std::string file = station_file();
     if (const std::string error = write_station(file, device); !error.empty()) return complain(error, exit_bad_input);

@@ -19,8 +19,8 @@ public:
 
     /// Opens the device. Returns the reason if it cannot; empty on success.
     [[nodiscard]] std::string open();
-    /// Waits for reports, at most 5 ms, and takes all that have come, so that the state is of the newest. A lost device
-    /// is looked for once a second. Returns whether the state has changed.
+    /// Waits for reports, at most 5 ms, and takes all that have come, so that the state is of the newest. It searches
+    /// a lost device once a second. Returns whether the state has changed.
     /// @param now  of a clock that never goes back [s]
     [[nodiscard]] bool step(double now) noexcept;
 

@@ -21,12 +21,14 @@ namespace {
 std::string utf8(const wchar_t* text) {
     std::string out;
     for (; text != nullptr && *text != L'\0'; ++text) {
-        const auto c = static_cast<std::uint32_t>(*text);
+        const auto c = static_cast<char32_t>(*text);
         if (c < 0x80) {
             out += static_cast<char>(c);
         } else if (c < 0x800) {
             out += static_cast<char>(0xc0u | c >> 6);
             out += static_cast<char>(0x80u | (c & 0x3fu));
+        } else if (c > 0xffff) {
+            out += '?';
         } else {
             out += static_cast<char>(0xe0u | (c >> 12 & 0x0fu));
             out += static_cast<char>(0x80u | (c >> 6 & 0x3fu));
@@ -67,8 +69,8 @@ private:
     int fd_ = -1;
 };
 
-/// hidapi frees its last error in each of these calls, without a lock, and every driver has a thread of its own. A lock
-/// on the folder of the nodes also holds between plugins, which share no variable.
+/// hidapi frees its last error in each of these calls, without a lock, and every driver has a thread of its own.
+/// Plugins have no variable in common, so the lock is on the folder of the nodes.
 class OneCallAtATime {
 public:
     OneCallAtATime() : fd_(::open("/sys/class/hidraw", O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {

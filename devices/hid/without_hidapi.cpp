@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In place of hidapi_transport.cpp, in a build without hidapi.
+// A build without hidapi compiles this file instead of hidapi_transport.cpp.
 #include "devices/hid/hid_transport.h"
 
 namespace kerf::hid {

@@ -96,7 +96,7 @@ public:
     }
     /// Advances by one tick in air, where the tip moves with the handle.
     Pose step(const DeviceCommand& command) { return step(command, reported().position); }
-    /// Aims with the handle at a pose, in place of the legs and without their delay: the arm's spring pulls towards it
+    /// Aims with the handle at a pose, instead of the legs and without their delay: the arm's spring pulls towards it
     /// with `max_push` [N] at most, and the wrist turns to it. Ignores a pose or push that is not finite.
     void aim_at(const Pose& aim, double max_push) noexcept;
     /// Stops the arm where it is.
@@ -137,7 +137,7 @@ private:
     Plant plant_;
     Intent intent_;
     double dt_;
-    std::optional<Aim> aim_{};  ///< in place of the legs
+    std::optional<Aim> aim_{};  ///< set: the hand follows it, and no leg
     Vec3 position_, velocity_{};
     Quat rotation_;                    ///< of the wrist
     double turned_ = 0.0;              ///< [rad] turn of the driver relative to the wrist, about its z axis

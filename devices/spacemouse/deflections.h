@@ -11,7 +11,7 @@ namespace kerf::spacemouse {
 /// The deflection of the cap, from reports of which each states a part. Half a pair is normal, in either order.
 ///
 /// A deflected cap sends all the time. So a deflection that is not repeated for 100 ms counts as zero: a report was
-/// lost, and the tool must not go on.
+/// lost, and the tool must stop.
 class Deflections final : public hid::ReportDecoder {
 public:
     [[nodiscard]] bool take(std::span<const std::uint8_t> report, double now,

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double hardest_push = 30.0;    // [N] device newtons [assumed]
 constexpr double hardest_on_tool = 500;  // [N] of two hands [assumed]
-constexpr double relaxing = 10.0;        // [1/s] decay of a lead that the cap does not ask for [assumed]
+constexpr double relaxing = 10.0;        // [1/s] decay of a lead that exceeds the deflection [assumed]
 
 }  // namespace
 
@@ -39,8 +39,8 @@ void AimedHand::move_aim(Vec3 along, Vec3 about) noexcept {
     const Vec3 before = aim_.position - hand;
     const double decay = 1.0 - relaxing * dt_;
     Vec3 lead = (dot(step, before) > 0.0 ? 1.0 : decay) * before + step;
-    const double far = length(lead), most = std::min(1.0, length(wanted)) * max_lead_;
-    if (far > most) lead = std::max(most / far, decay) * lead;
+    const double far = length(lead), max_lead = std::min(1.0, length(wanted)) * max_lead_;
+    if (far > max_lead) lead = std::max(max_lead / far, decay) * lead;
     aim_.position = hand + lead;
     if (turn == Vec3{}) return;
     aim_.rotation = normalized(quat_from_rotation_vector(dt_ * rotate(world_from_device_, turn)) * aim_.rotation);

@@ -20,10 +20,9 @@ struct Arm {
 
 /// A simulated hand whose aim a deflected cap moves. So a device without force still has a hand's feed and push.
 ///
-/// A full deflection moves the aim at the station's speed, and turns it about the tip. The arm stretches while bone
-/// holds the tool, until it pushes with the fraction of its maximum push that the deflection is of the full speed. So
-/// the cap controls the speed in air and the push in bone. A push that the cap no longer asks for decays with a time
-/// constant of 0.1 s.
+/// A full deflection moves the aim at the station's speed, and turns it about the tip. While bone resists, the arm
+/// stretches. Its maximum push, times the deflection's fraction of the full speed, limits the stretch. So the cap
+/// controls the speed in air and the push in bone. A push that exceeds the limit decays with a time constant of 0.1 s.
 class AimedHand {
 public:
     AimedHand(const documents::DeviceStation& station, const Arm& arm, const Pose& world_from_tool, double dt);

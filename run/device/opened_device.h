@@ -37,7 +37,7 @@ public:
 
     /// Returns its name, for people.
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
-    /// Returns what the loop needs to know of it; null if it makes no force: then a modelled device stands for it.
+    /// Returns what the loop needs to know of it; null if it makes no force: then a modelled device replaces it.
     [[nodiscard]] const DeviceRecord* record() const noexcept {
         return stated_ != nullptr ? &stated_->record() : nullptr;
     }

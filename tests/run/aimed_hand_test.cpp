@@ -108,7 +108,7 @@ TEST(AimedHand, FollowsTheAxesAndTheScaleOfTheStation) {
 }
 
 TEST(AimedHand, PushesWithTheFractionThatTheCapSets) {
-    // Bone that gives way holds the hand while it takes no more force than this.
+    // A constant force of the bone against the hand.
     const auto is_held = [](double deflection, double bone) {
         Rig rig;
         rig.hold({deflection, 0, 0}, {}, 8.0, pushing_back(bone));

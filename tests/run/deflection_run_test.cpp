@@ -105,7 +105,7 @@ private:
     Vec3 tip_{};
 };
 
-/// A foot that holds the left button of a pedal, which is unplugged for a while.
+/// A foot that presses the left button of a pedal, which is unplugged for a while.
 class FootAtPedal final : public ReportingLink {
 public:
     /// @param unplugged  range of ticks
@@ -119,7 +119,7 @@ private:
         constexpr std::uint64_t pressed = 500;
         if (tick == unplugged_.first && unplugged_.second > 0) table_.unplug();
         if (tick == unplugged_.second && tick > 0) table_.plug_in(infinity);
-        // Whoever has plugged it in again steps on it again.
+        // The foot presses again, later.
         if (tick == pressed || (unplugged_.second > 0 && tick == unplugged_.second + 1500))
             table_.queue.push_back({1, 0});
     }

@@ -31,7 +31,7 @@ enum {
     KERF_DEVICE_ROTATION = 2,
     KERF_DEVICE_FORCE = 4,
     KERF_DEVICE_TORQUE = 8,      /* about every line */
-    KERF_DEVICE_DEFLECTION = 16, /* senses how far its handle is deflected from rest, in place of a position */
+    KERF_DEVICE_DEFLECTION = 16, /* senses the deflection of its handle from rest, instead of a position */
 };
 /* A device that only has buttons, such as a pedal, has no ability. */
 
