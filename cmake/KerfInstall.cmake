@@ -6,7 +6,8 @@
 #     libexec/kerf             the programs that it starts
 #     lib/kerf/*.so            plugins, each by its own kerf_add_plugin()
 #     share/kerf/procedures    procedures and their anatomies
-#     share/kerf/system        rules and limits for an administrator to install; the Debian package installs the rules
+#     share/kerf/system        rules and limits for an administrator to install, by app/CMakeLists.txt
+#     lib/udev/rules.d         the rules again, where udev reads them if the prefix is /usr
 #     share/doc/kerf           the documentation
 #     share/man/man1           the manual page; app/CMakeLists.txt makes it and the next three
 #     share/bash-completion/completions, share/zsh/site-functions, share/fish/vendor_completions.d
@@ -35,10 +36,6 @@ install(FILES
   ${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake
   DESTINATION ${kerf_package} COMPONENT sdk)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/procedures/ DESTINATION share/kerf/procedures FILES_MATCHING PATTERN "*.yaml")
-set(system_files ${CMAKE_SOURCE_DIR}/app/system/70-kerf.rules ${CMAKE_SOURCE_DIR}/app/system/90-kerf.conf)
-install(FILES ${system_files} DESTINATION share/kerf/system)
-install(FILES ${CMAKE_SOURCE_DIR}/app/system/70-kerf.rules DESTINATION lib/udev/rules.d)   # read below /usr only
-file(COPY ${system_files} DESTINATION ${CMAKE_BINARY_DIR}/share/kerf/system)   # for `kerf devices doctor` of the build
 foreach(file LICENSE README.md CHANGELOG.md CITATION.cff SECURITY.md)
   install(FILES ${CMAKE_SOURCE_DIR}/${file} DESTINATION share/doc/kerf)
 endforeach()

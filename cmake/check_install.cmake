@@ -57,7 +57,7 @@ endforeach()
 foreach(file man/man1/kerf.1 bash-completion/completions/kerf zsh/site-functions/_kerf fish/vendor_completions.d/kerf.fish
     kerf/system/70-kerf.rules kerf/system/90-kerf.conf ../lib/udev/rules.d/70-kerf.rules)
   if(NOT EXISTS ${WORK}/parts/share/${file})
-    message(FATAL_ERROR "the component program does not install share/${file}. See app/CMakeLists.txt and cmake/KerfInstall.cmake.")
+    message(FATAL_ERROR "the component program does not install share/${file}. See app/CMakeLists.txt.")
   endif()
 endforeach()
 if(EXISTS ${WORK}/parts/include)
