@@ -27,7 +27,8 @@ class AimedHand {
 public:
     AimedHand(const documents::DeviceStation& station, const Arm& arm, const Pose& world_from_tool, double dt);
 
-    /// Advances by one tick under the force of the last one. Returns the pose of the hand.   [haptic, nonblocking]
+    /// Advances by one tick under the force of the last one. Returns the pose of the hand. In periods that a clock
+    /// misses, neither aim nor hand moves.   [haptic, nonblocking]
     /// @param along, about  deflection along and about the device's axes, -1 to 1 [–]
     [[nodiscard]] Pose step(Vec3 along, Vec3 about, const DeviceCommand& command);
     /// Ends motion and push where the hand is.   [haptic, nonblocking]
