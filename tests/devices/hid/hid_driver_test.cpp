@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 #include "devices/hid/hid_nodes.h"
 #include "devices/spacemouse/spacemouse.h"
 #include "tests/devices/hid/scripted_transport.h"
+#include "tests/support/loop_guard.h"
 
 namespace kerf::hid {
 namespace {
@@ -75,6 +77,22 @@ TEST(HidDriver, ReportsWhyADeviceCannotBeOpened) {
         EXPECT_NE(found.front().problem.find(part), std::string::npos) << part;
     EXPECT_LT(found.front().problem.size(), sizeof kerf_device_found::problem);
     EXPECT_EQ(refusal_of(transport()), table.refusal);
+}
+
+TEST(HidDriver, ReadsAndWritesWithoutAllocationOrLock) {
+    HidTable table;
+    table.plug_in(space_navigator("/dev/hidraw3"));
+    kerf_device_open_in in{};
+    in.id = "";
+    const auto link = open_device(spacemouse::model(), std::make_unique<ScriptedTransport>(table),
+                                  DeviceRequest(in, nullptr, nullptr));
+    const test::Forbidden before = test::forbidden_here();
+    for (int i = 0; i < 1000; ++i) {
+        static_cast<void>(link->read());
+        link->write({});
+    }
+    EXPECT_EQ(test::forbidden_here(), before);
+    EXPECT_EQ(link->read().flags, std::uint32_t{KERF_DEVICE_VALID});
 }
 
 }  // namespace
