@@ -24,6 +24,8 @@ struct Installation {
     /// The folder of the laws as printed in papers, for charts and the stability suite only.
     [[nodiscard]] std::string printed_laws() const { return (prefix / "lib" / "kerf-papers").string(); }
     [[nodiscard]] std::string procedures() const { return (prefix / "share" / "kerf" / "procedures").string(); }
+    /// The folder of the files that an administrator installs: rules for devices, limits of the system.
+    [[nodiscard]] std::string system_files() const { return (prefix / "share" / "kerf" / "system").string(); }
     /// The program that calls the remeshing strategies of `plugins`.
     [[nodiscard]] run::StrategyHost strategies(const PluginRegistry& plugins) const {
         return {helper("kerf-remesh"), &plugins.catalog()};

@@ -22,4 +22,8 @@ struct OwnDevice {
 [[nodiscard]] ExitCode open_own_device(const std::string& id, const PluginRegistry& plugins,
                                        const Interruption& interruption, OwnDevice& device);
 
+/// The same for the device that leads the tool of a run, with its pedal.   [main] may wait for the devices
+[[nodiscard]] ExitCode open_leading_device(const std::string& id, const PluginRegistry& plugins,
+                                           const Interruption& interruption, OwnDevice& device);
+
 }  // namespace kerf::app

@@ -163,9 +163,9 @@ struct DeviceOfRun {
     OwnDevice own;                                ///< that leads the tool
     std::unique_ptr<run::StatedDevice> recorded;  ///< of a replayed session
 
-    /// Returns null if there is none.
+    /// Returns null if there is none, or if it makes no force: then the one of the procedure counts.
     [[nodiscard]] const DeviceRecord* record() const noexcept {
-        return own.opened != nullptr ? &own.opened->record() : recorded != nullptr ? &recorded->record() : nullptr;
+        return own.opened != nullptr ? own.opened->record() : recorded != nullptr ? &recorded->record() : nullptr;
     }
 };
 
@@ -180,7 +180,8 @@ ExitCode choose_device(const RunOptions& options, const std::optional<session::R
                 options.replay + ": the recorded device cannot be used: " + fault + ". The file was changed.",
                 exit_bad_input);
     }
-    return options.device.empty() ? exit_pass : open_own_device(options.device, with.plugins, interruption, chosen.own);
+    return options.device.empty() ? exit_pass
+                                  : open_leading_device(options.device, with.plugins, interruption, chosen.own);
 }
 
 /// Prints whether a replay ended as its recording did, and whether the recording is unchanged.

@@ -56,6 +56,12 @@ std::string write_station(const std::string& file, const std::string& device) {
         "    axes: {right: right, up: superior}\n"
         "    scale: 1  # motion of the tool per motion of the handle\n"
         "    buttons: [drive, next, clutch, undo]\n"
+        "    # Of a device without position and force, at full deflection, and what counts as rest:\n"
+        "    # speed: 20 mm/s\n"
+        "    # turn_speed: 30 deg/s\n"
+        "    # dead_zone: 0.1\n"
+        "    # A second device, whose buttons do what its own entry states:\n"
+        "    # pedal: pedal\n"
         "    # A program on another machine needs its address, and a key that both machines have:\n"
         "    # peer: 192.168.1.7\n"
         "    # key_file: /home/user/kerf.key\n";

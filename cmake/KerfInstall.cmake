@@ -6,6 +6,8 @@
 #     libexec/kerf             the programs that it starts
 #     lib/kerf/*.so            plugins, each by its own kerf_add_plugin()
 #     share/kerf/procedures    procedures and their anatomies
+#     share/kerf/system        rules and limits for an administrator to install, by app/CMakeLists.txt
+#     lib/udev/rules.d         the rules again, where udev reads them if the prefix is /usr
 #     share/doc/kerf           the documentation
 #     share/man/man1           the manual page; app/CMakeLists.txt makes it and the next three
 #     share/bash-completion/completions, share/zsh/site-functions, share/fish/vendor_completions.d

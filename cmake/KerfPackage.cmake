@@ -25,8 +25,8 @@ set(notice "For training and research; not for diagnosis, planning or deciding t
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "haptic simulation of bone surgery
 Kerf drills, saws and burrs a virtual bone in ticks of one millisecond. It
 removes the bone that the tool cuts, and computes the force on the hand. A
-simulated hand carries out procedures, which are YAML files. Drivers for haptic
-devices are not part of it yet.
+simulated hand carries out procedures, which are YAML files. Drivers connect
+haptic devices over UDP, SpaceMouse and a foot pedal.
 
 ${notice}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS kerf-remesh-cgal)

@@ -5,7 +5,7 @@
 #   core/…          kerf/…, its own layer or an earlier one, std and the C library; core/sdk only kerf/… and std
 #   text, documents, session, bone/…   the same, and third parties
 #   plugins/<name>  kerf/…, its own folder, std; CGAL in plugins/remesh_cgal/booleans.cpp, OpenMesh in plugins/burring/displace
-#   devices/<name>  the same, and the C library
+#   devices/<name>  the same, the C library, and devices/hid, which alone includes hidapi
 #   studies/papers/<name>  kerf/…, its own folder, plugins/…, std: plugins that only charts and tests find
 #   run/…           kerf/…, the layers, devices/…, run/…, third parties; plugins it finds at run time
 #   conformance/…   kerf/…, the layers, conformance/…, studies/drawing/…, third parties; plugins it is given at run time
@@ -22,7 +22,7 @@ set(layers
   bone/report bone/image bone/surface bone/import bone/measure bone/remesh bone/exact)
 set(nested core/field/grid/kernel documents/shapes documents/yaml session/report)   # parts of the layer above them, without an order
 set(rooms core text documents session bone)
-set(c_library dlfcn.h elf.h emmintrin.h fcntl.h immintrin.h poll.h pthread.h semaphore.h unistd.h x86intrin.h)
+set(c_library dlfcn.h elf.h emmintrin.h fcntl.h immintrin.h poll.h pthread.h sched.h semaphore.h unistd.h x86intrin.h)
 set(std_c_headers assert.h ctype.h errno.h fenv.h float.h inttypes.h limits.h locale.h math.h setjmp.h signal.h
     stdalign.h stdarg.h stdatomic.h stdbool.h stddef.h stdint.h stdio.h stdlib.h string.h tgmath.h time.h uchar.h
     wchar.h wctype.h)
@@ -157,6 +157,10 @@ function(check_plugin_include file content directive folder)
   elseif(is_angled AND path MATCHES "^OpenMesh/" AND file MATCHES "/plugins/burring/displace/[^/]+$")
     return()
   elseif(folder MATCHES "^devices/" AND is_angled AND (path IN_LIST c_library OR path MATCHES "^(arpa|linux|netinet|sys)/"))
+    return()
+  elseif(folder MATCHES "^devices/" AND path MATCHES "^devices/hid/[a-z_]+\\.h$")
+    return()
+  elseif(is_angled AND path STREQUAL "hidapi.h" AND file STREQUAL "${ROOT}/devices/hid/hidapi_transport.cpp")
     return()
   elseif(path MATCHES "(^|/)\\.\\./")
     # may leave the folder: refused below

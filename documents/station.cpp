@@ -12,6 +12,10 @@ Quat DeviceStation::world_from_device() const noexcept {
     return normalized(to_up * to_right);
 }
 
+void DeviceStation::append_buttons(const DeviceStation& of_pedal, std::size_t own_count) noexcept {
+    for (std::size_t i = own_count; i < max_buttons; ++i) buttons[i] = of_pedal.buttons[i - own_count];
+}
+
 DeviceStation Station::of(const std::string& device) const {
     const std::string driver = device.substr(0, device.find('/'));
     for (const std::string& name : {device, driver, driver.substr(driver.rfind('.') + 1)}) {

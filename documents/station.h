@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,12 +26,19 @@ struct DeviceStation {
     /// from behind a standing patient.
     Vec3 right{-1, 0, 0}, up{0, 0, 1};
     double scale = 1.0;  ///< [–] motion of the tool per motion of the handle
+    /// Of a device without position, at full deflection: speed of the aim [m/s], of its turn [rad/s], each times
+    /// `scale`. [assumed]
+    double speed = 20e-3, turn_speed = std::numbers::pi / 6.0;
+    double dead_zone = 0.1;  ///< [–] deflection that counts as rest [assumed]
     std::array<ButtonAction, max_buttons> buttons{ButtonAction::drive, ButtonAction::next, ButtonAction::clutch,
                                                   ButtonAction::undo};
     std::vector<std::pair<std::string, std::string>> settings{};  ///< texts for the driver
+    std::string pedal{};  ///< driver, and the device's id if it matters, of a second device for its buttons; or empty
 
     /// Returns the rotation from the device's axes to the patient's. Pre: `right` and `up` are perpendicular.   [any]
     [[nodiscard]] Quat world_from_device() const noexcept;
+    /// Appends the actions of a pedal's buttons to those of this device, which has `own_count` buttons.   [any]
+    void append_buttons(const DeviceStation& of_pedal, std::size_t own_count) noexcept;
 };
 
 /// The devices of one table.

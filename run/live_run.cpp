@@ -81,7 +81,8 @@ RunOutcome run_on_clock(const Scene& scene, const PluginRegistry& plugins, const
     RunOutcome outcome;
     const auto followed = FollowedRun::create(scene, plugins, of_device(request), outcome);
     if (followed == nullptr) return outcome;
-    LiveDevice hand(device, station, followed->run().simulation().world_from_tool());
+    LiveDevice hand(device, station, followed->run().simulation().world_from_tool(),
+                    arm_at(*scene.device, scene.gains.force_scale));
     return run_alone(*followed, hand, clock);
 }
 
@@ -98,7 +99,8 @@ RunOutcome run_live(const Scene& scene, const PluginRegistry& plugins, const Run
     RunOutcome outcome;
     const auto followed = FollowedRun::create(scene, plugins, of_device(request), outcome);
     if (followed == nullptr) return outcome;
-    LiveDevice hand(device, station, followed->run().simulation().world_from_tool());
+    LiveDevice hand(device, station, followed->run().simulation().world_from_tool(),
+                    arm_at(*scene.device, scene.gains.force_scale));
     return run_live(*followed, hand);
 }
 

@@ -17,6 +17,7 @@
 #include "documents/fracture.h"
 #include "documents/read_procedure.h"
 #include "documents/yaml/document.h"
+#include "run/device/simulated_handle.h"
 #include "run/run_checks.h"
 #include "run/staying_implant_body.h"
 #include "run/thread_checks.h"
@@ -303,12 +304,7 @@ text::Result<Scene> make_scene(const std::string& procedure_file, const std::str
 
 HandPlan plan_of(const documents::Rehearsal& rehearsal, const Scene& scene) {
     HandPlan plan;
-    plan.plant.device_mass = scene.device->mass;
-    plan.plant.device_viscosity = scene.device->viscosity;
-    plan.plant.device_friction = scene.device->friction;
-    plan.plant.resolution = scene.device->resolution;
-    plan.plant.turn_resolution = scene.device->axis.resolution;
-    plan.plant = simulated_hand::in_bone(plan.plant, scene.gains.force_scale);
+    plan.plant = plant_at(*scene.device, scene.gains.force_scale);
     plan.intent.reaction = rehearsal.reaction;
 
     const auto pose_at = [&](const documents::Waypoint& waypoint) {

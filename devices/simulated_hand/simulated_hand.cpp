@@ -206,11 +206,24 @@ void SimulatedHand::begin(std::size_t leg, Vec3 from, Vec3 tip) {
     std::fill(felt_event_.begin(), felt_event_.end(), false);
 }
 
+void SimulatedHand::aim_at(const Pose& aim, double max_push) noexcept {
+    if (is_finite(aim) && std::isfinite(max_push)) aim_ = {aim, max_push};
+}
+
+SimulatedHand::Aim SimulatedHand::aim_of_leg() const noexcept {
+    return {{leg_start_ + (plan_ + lean_) * along() + offset_ - rotate(rotation_, grasp_.position), rotation_},
+            is_done() ? HUGE_VAL : intent_.legs[leg_].push};
+}
+
 Pose SimulatedHand::step(const DeviceCommand& command, const SensedTool& sensed) {
-    if (!sensed.is_force_lost) think(sensed);
+    if (aim_)
+        rotation_ = turned_towards(rotation_, aim_->pose.rotation, turning * dt_);
+    else if (!sensed.is_force_lost)
+        think(sensed);
     const Setpoint& spring = command.setpoint;
-    const Vec3 aim = leg_start_ + (plan_ + lean_) * along() + offset_ - rotate(rotation_, grasp_.position);
-    const double most = is_done() ? HUGE_VAL : intent_.legs[leg_].push;
+    const Aim present = aim_.value_or(aim_of_leg());
+    const Vec3 aim = present.pose.position;
+    const double most = present.max_push;
     const double mass = plant_.arm_mass + plant_.device_mass;
     const double h = dt_ / substeps;
     for (int i = 0; i < substeps; ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,8 @@ struct Intent {
 ///
 /// While a force is lost, the hand keeps its aim: the fault is over before a person reacts.
 ///
+/// With `aim_at`, the caller moves the aim, and the hand follows no leg.
+///
 /// A wrist has half a turn. With `regrip` it releases the driver about the shaft after that angle, turns back at 2
 /// rad/s and grips it again. It then turns on by the remaining angle of the driver itself, so compliance of the wrist
 /// loses no angle.
@@ -93,6 +96,11 @@ public:
     }
     /// Advances by one tick in air, where the tip moves with the handle.
     Pose step(const DeviceCommand& command) { return step(command, reported().position); }
+    /// Aims with the handle at a pose, instead of the legs and without their delay: the arm's spring pulls towards it
+    /// with `max_push` [N] at most, and the wrist turns to it. Ignores a pose or push that is not finite.
+    void aim_at(const Pose& aim, double max_push) noexcept;
+    /// Stops the arm where it is.
+    void stop() noexcept { velocity_ = {}; }
     /// Takes the tool as it now lies in the hand (handle_from_tool without stretch): after a pause or a fault the
     /// coupling is anchored anew, and the tool is no longer where the handle is. From then on the hand aims with the
     /// tip, as a person does who sees it, and corrects the tool's tilt at 3 degrees per second. Of a tool that the hand
@@ -109,6 +117,12 @@ public:
     [[nodiscard]] const std::string& awaited_event() const noexcept;
 
 private:
+    struct Aim {
+        Pose pose;
+        double max_push;  ///< [N]
+    };
+    /// Returns the aim of the present leg.
+    [[nodiscard]] Aim aim_of_leg() const noexcept;
     void think(const SensedTool& felt);
     /// Turns the driver on, or the wrist back. Returns false while it waits.
     [[nodiscard]] bool turn(const Leg& leg, double felt_torque);
@@ -123,6 +137,7 @@ private:
     Plant plant_;
     Intent intent_;
     double dt_;
+    std::optional<Aim> aim_{};  ///< set: the hand follows it, and no leg
     Vec3 position_, velocity_{};
     Quat rotation_;                    ///< of the wrist
     double turned_ = 0.0;              ///< [rad] turn of the driver relative to the wrist, about its z axis

@@ -33,8 +33,17 @@ const MapShape<DeviceStation> station_device{
      {optional, "scale", &DeviceStation::scale, number(0.05, 1.0),
       "Motion of the tool per motion of the handle. A larger one would make the device stiffer than it can be.", "1",
       "1"},
+     {optional, "speed", &DeviceStation::speed, quantity(dimension::speed, "mm/s", 1.0_mm_per_s, 200.0_mm_per_s),
+      "Speed of the aim at full deflection, times `scale`. Only of a device without position.", "20 mm/s", "20 mm/s"},
+     {optional, "turn_speed", &DeviceStation::turn_speed, turn_speed(),
+      "Speed of the aim's turn at full deflection, times `scale`. A wrist turns at most 1 rad/s.", "30 deg/s",
+      "30 deg/s"},
+     {optional, "dead_zone", &DeviceStation::dead_zone, number(0.0, 0.5),
+      "Deflection that counts as rest, as a fraction of the full one.", "0.1", "0.1"},
      {optional, "buttons", list(word({"none", "drive", "next", "clutch", "undo"})), "The action of each button.",
       "[drive, next, clutch, undo]", "[drive, next, clutch, undo]"},
+     {optional, "pedal", &DeviceStation::pedal, text(), "A second device, whose buttons do what its own entry states.",
+      "pedal"},
      {optional, "peer", text(), "The address of another machine whose program drives the device.", "192.168.1.7"},
      {optional, "key_file", text(), "The file of the key that both machines share.", "/home/user/kerf.key"}}};
 

@@ -63,6 +63,7 @@ inline ValueOf<double> number(double min, double max) { return quantity(dimensio
 inline ValueOf<double> length(double min, double max) { return quantity(dimension::length, "mm", min, max); }
 inline ValueOf<double> angle(double min, double max) { return quantity(dimension::angle, "deg", min, max); }
 inline ValueOf<double> speed() { return quantity(dimension::speed, "mm/s", 0.01_mm_per_s, 500.0_mm_per_s); }
+inline ValueOf<double> turn_speed() { return quantity(dimension::turn_speed, "deg/s", 1.0_deg, 50.0_deg); }
 inline ValueOf<double> depth() { return length(-300.0_mm, 300.0_mm); }
 inline ValueOf<double> extent() { return length(0.1_mm, 2.0_m); }
 inline ValueOf<double> tolerance() { return length(0.0_mm, 20.0_mm); }

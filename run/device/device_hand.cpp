@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/device/device_hand.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/haptics/loop/tick_result.h"
+#include "core/haptics/scene/simulation.h"
 
 namespace kerf::run {
 
@@ -18,15 +21,20 @@ bool is_usable(const Pose& device_from_handle) noexcept {
            std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1.0) < 1e-3;
 }
 
+bool is_usable(const double (&deflection)[6]) noexcept {
+    return std::all_of(std::begin(deflection), std::end(deflection), [](double d) { return std::abs(d) <= 1.0; });
+}
+
 }  // namespace
 
 DeviceHand::DeviceHand(const documents::DeviceStation& station, const kerf_device_facts& facts,
-                       const Pose& world_from_tool)
+                       const Pose& world_from_tool, const Arm& arm)
     : station_(station),
       frame_(station, (facts.abilities & KERF_DEVICE_ROTATION) != 0),
       pressable_(facts.button_count >= documents::max_buttons ? ~0u : (1u << facts.button_count) - 1u),
       has_drive_button_(is_pressed(documents::ButtonAction::drive, pressable_)),
       wanted_(world_from_tool) {
+    if ((facts.abilities & KERF_DEVICE_DEFLECTION) != 0) aimed_.emplace(station, arm, world_from_tool, Simulation::dt);
     presses_.is_driving = !has_drive_button_;
 }
 
@@ -39,24 +47,37 @@ bool DeviceHand::is_pressed(documents::ButtonAction action, std::uint32_t button
 /// Lets the force fade, and the motor stop if a button runs it.
 DeviceSample DeviceHand::rest() noexcept {
     is_joined_ = false;
+    if (aimed_) aimed_->stop();
     presses_ = {.is_driving = !has_drive_button_};
     return {.world_from_handle = wanted_, .is_lost = true};
 }
 
+bool DeviceHand::is_there(const kerf_device_state& state) const noexcept {
+    if ((state.flags & KERF_DEVICE_VALID) == 0) return false;
+    return aimed_ ? is_usable(state.deflection) : state.age <= max_age && is_usable(state.device_from_handle);
+}
+
+Pose DeviceHand::wanted_for(const kerf_device_state& state, Vec3 grip) noexcept {
+    if (aimed_) {
+        const double(&d)[6] = state.deflection;
+        return aimed_->step({d[0], d[1], d[2]}, {d[3], d[4], d[5]}, last_command_);
+    }
+    if (!is_joined_ || length(grip - grip_) > 0.0) frame_.join(state.device_from_handle, wanted_, grip);
+    grip_ = grip;
+    return frame_.tool_for(state.device_from_handle);
+}
+
 DeviceSample DeviceHand::take(const kerf_device_state& state, Vec3 grip) noexcept {
     using documents::ButtonAction;
-    const bool is_there =
-        (state.flags & KERF_DEVICE_VALID) != 0 && state.age <= max_age && is_usable(state.device_from_handle);
-    lost_ticks_ = is_there ? 0 : lost_ticks_ + 1;
-    if (!is_there) return rest();
+    const bool is_lost = !is_there(state);
+    lost_ticks_ = is_lost ? lost_ticks_ + 1 : 0;
+    if (is_lost) return rest();
     const std::uint32_t buttons = state.buttons & pressable_;
     const std::uint32_t before = buttons_.value_or(buttons);  // what is pressed at the start was not pressed now
     buttons_ = buttons;
     if (is_pressed(ButtonAction::clutch, buttons)) return rest();
-    if (!is_joined_ || length(grip - grip_) > 0.0) frame_.join(state.device_from_handle, wanted_, grip);
+    wanted_ = wanted_for(state, grip);
     is_joined_ = was_joined_ = true;
-    grip_ = grip;
-    wanted_ = frame_.tool_for(state.device_from_handle);
     const auto is_new = [&](ButtonAction action) { return is_pressed(action, buttons) && !is_pressed(action, before); };
     presses_ = {.is_driving = !has_drive_button_ || is_pressed(ButtonAction::drive, buttons),
                 .wants_next = is_new(ButtonAction::next),
@@ -64,7 +85,8 @@ DeviceSample DeviceHand::take(const kerf_device_state& state, Vec3 grip) noexcep
     return {.world_from_handle = wanted_};
 }
 
-kerf_device_command DeviceHand::command(const TickResult& result, std::uint64_t tick) const noexcept {
+kerf_device_command DeviceHand::command(const TickResult& result, std::uint64_t tick) noexcept {
+    last_command_ = result.command;
     const bool has_force = !result.is_closed_or_closing && !result.is_coming_back;
     return {.tick = tick,
             .force = frame_.to_device(linear(result.command.wrench)),

@@ -73,12 +73,33 @@ std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, 
 
 std::unique_ptr<OpenedDevice> OpenedDevice::take(const kerf_device& driver, const kerf_device_open_out& opened,
                                                  const std::string& name, std::string& error) {
-    std::unique_ptr<OpenedDevice> device(new OpenedDevice(driver, opened));
-    std::string fault;
-    device->stated_ = StatedDevice::of(name, opened.facts, fault);
-    if (device->stated_ != nullptr) return device;
+    std::unique_ptr<OpenedDevice> device(new OpenedDevice(driver, opened, name));
+    std::string fault = fault_of_buttons(opened.facts);
+    const bool needs_record = (opened.facts.abilities & ~std::uint32_t{KERF_DEVICE_DEFLECTION}) != 0;
+    if (fault.empty() && needs_record) device->stated_ = StatedDevice::of(name, opened.facts, fault);
+    if (fault.empty()) return device;
     error = "the device `" + name + "` cannot be used: " + fault + ".";
     return nullptr;
+}
+
+std::string OpenedDevice::add_pedal(std::unique_ptr<OpenedDevice> pedal) {
+    const std::uint32_t all = facts_.button_count + pedal->facts().button_count;
+    if (all > documents::max_buttons)
+        return "the devices `" + name_ + "` and `" + pedal->name() + "` have " + std::to_string(all) +
+               " buttons, need at most " + std::to_string(documents::max_buttons) + ". Leave out `pedal`.";
+    own_buttons_ = std::exchange(facts_.button_count, all);
+    pedal_ = std::move(pedal);
+    return {};
+}
+
+kerf_device_state OpenedDevice::read() noexcept {
+    kerf_device_state state{};
+    driver_->read(device_, &state);
+    if (pedal_ == nullptr || pedal_->facts().button_count == 0) return state;
+    const kerf_device_state of_pedal = pedal_->read();
+    state.buttons &= (1u << own_buttons_) - 1u;
+    if ((of_pedal.flags & KERF_DEVICE_VALID) != 0) state.buttons |= of_pedal.buttons << own_buttons_;
+    return state;
 }
 
 std::vector<ListedDevice> find_devices(const PluginRegistry& plugins) {

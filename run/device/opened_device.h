@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/plugin/loader.h"
@@ -17,7 +18,8 @@ namespace kerf::run {
 /// A haptic device, opened through the driver of a plugin. Closed with this object: the driver then sends a zero force.
 class OpenedDevice {
 public:
-    /// Opens the device that a station names. Returns null with the reason in `error`.   [main] may wait for the device
+    /// Opens the device that a station names, without its pedal. Returns null with the reason in `error`.   [main] may
+    /// wait for the device
     /// @param is_cancelled  called ten times a second or more while it waits; true ends the wait
     [[nodiscard]] static std::unique_ptr<OpenedDevice> open(const PluginRegistry& plugins,
                                                             const documents::DeviceStation& station,
@@ -33,27 +35,37 @@ public:
     OpenedDevice(const OpenedDevice&) = delete;
     OpenedDevice& operator=(const OpenedDevice&) = delete;
 
-    /// Returns what the loop needs to know of it.
-    [[nodiscard]] const DeviceRecord& record() const noexcept { return stated_->record(); }
+    /// Returns its name, for people.
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    /// Returns what the loop needs to know of it; null if it makes no force: then a modelled device replaces it.
+    [[nodiscard]] const DeviceRecord* record() const noexcept {
+        return stated_ != nullptr ? &stated_->record() : nullptr;
+    }
+    /// Returns whether it only has buttons, so that it cannot lead a tool.
+    [[nodiscard]] bool is_pedal() const noexcept { return facts_.abilities == 0; }
+    /// Returns what it states, with the buttons of its pedal.
     [[nodiscard]] const kerf_device_facts& facts() const noexcept { return facts_; }
 
+    /// Adds a second device, whose buttons come after those of this one. A lost pedal has no button pressed. Returns
+    /// why it cannot be added; empty on success.   [main]
+    [[nodiscard]] std::string add_pedal(std::unique_ptr<OpenedDevice> pedal);
+
     /// Returns the newest report.   [haptic, nonblocking]
-    [[nodiscard]] kerf_device_state read() noexcept {
-        kerf_device_state state{};
-        driver_->read(device_, &state);
-        return state;
-    }
+    [[nodiscard]] kerf_device_state read() noexcept;
     /// [haptic, nonblocking]
     void write(const kerf_device_command& command) noexcept { driver_->write(device_, &command); }
 
 private:
-    OpenedDevice(const kerf_device& driver, const kerf_device_open_out& opened)
-        : driver_(&driver), device_(opened.device), facts_(opened.facts) {}
+    OpenedDevice(const kerf_device& driver, const kerf_device_open_out& opened, std::string name)
+        : driver_(&driver), device_(opened.device), facts_(opened.facts), name_(std::move(name)) {}
 
     const kerf_device* driver_;
     void* device_;
     kerf_device_facts facts_;
+    std::string name_;
     std::unique_ptr<StatedDevice> stated_;
+    std::unique_ptr<OpenedDevice> pedal_;
+    std::uint32_t own_buttons_ = 0;  ///< number of buttons before those of the pedal
 };
 
 /// A device that a driver has found, or the driver itself if it has found none.

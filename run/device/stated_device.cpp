@@ -55,6 +55,10 @@ void complete(DeviceRecord& d) {
 
 }  // namespace
 
+std::string fault_of_buttons(const kerf_device_facts& facts) {
+    return facts.button_count > documents::max_buttons ? "it states more than 32 buttons" : "";
+}
+
 std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const Values& recorded, std::string& fault) {
     std::unique_ptr<StatedDevice> device(new StatedDevice(std::move(id)));
     for (const Value& value : values) {
@@ -73,8 +77,9 @@ std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const Values& rec
 
 std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const kerf_device_facts& facts, std::string& fault) {
     if ((facts.abilities & KERF_DEVICE_POSITION) == 0) fault = "it senses no position";
-    if ((facts.abilities & KERF_DEVICE_FORCE) == 0) fault = "it makes no force; such devices are not supported yet";
-    if (facts.button_count > documents::max_buttons) fault = "it states more than 32 buttons";
+    if ((facts.abilities & KERF_DEVICE_FORCE) == 0)
+        fault = "it makes no force; without force only a deflection can move the tool";
+    if (fault.empty()) fault = fault_of_buttons(facts);
     if (!fault.empty()) return nullptr;
     const bool has_torque = (facts.abilities & KERF_DEVICE_TORQUE) != 0;
     return of(std::move(id),

@@ -12,7 +12,10 @@
 
 namespace kerf::run {
 
-/// The capabilities of a connected device, as its driver states them or as a session recorded them.
+/// Returns why the buttons of a device cannot be used; empty if they can.   [any] pure
+[[nodiscard]] std::string fault_of_buttons(const kerf_device_facts& facts);
+
+/// The capabilities of a connected device that makes a force, as its driver states them or as a session recorded them.
 class StatedDevice {
 public:
     using Values = std::vector<std::pair<std::string, double>>;  ///< SI, by name

@@ -33,8 +33,10 @@ private:
 class LiveDevice final : public LiveHand {
 public:
     /// Pre: `device` outlives this object.
-    LiveDevice(OpenedDevice& device, const documents::DeviceStation& station, const Pose& world_from_tool)
-        : device_(&device), hand_(station, device.facts(), world_from_tool) {}
+    /// @param arm  of the simulated hand that a device without force moves
+    LiveDevice(OpenedDevice& device, const documents::DeviceStation& station, const Pose& world_from_tool,
+               const Arm& arm)
+        : device_(&device), hand_(station, device.facts(), world_from_tool, arm) {}
     void act(std::uint32_t missed, const TickResult& last, LoopInputs& inputs) noexcept override;
     [[nodiscard]] DeviceSample sample(const HapticLoop& loop) noexcept override {
         return hand_.take(device_->read(), {0, 0, loop.outline().handling.grip_z});

@@ -53,6 +53,26 @@ TEST(Station, ReadsHowADeviceStands) {
     EXPECT_EQ(station.of("udp/port-5000").scale, 0.5) << "its own entry precedes that of its driver";
 }
 
+TEST(Station, ReadsTheSpeedsAndThePedalOfACap) {
+    const DeviceStation cap =
+        read("  - {device: spacemouse, speed: 5 mm/s, turn_speed: 10 deg/s, dead_zone: 0.2, pedal: pedal/A1}\n")
+            .of("spacemouse");
+    EXPECT_DOUBLE_EQ(cap.speed, 5e-3);
+    EXPECT_DOUBLE_EQ(cap.turn_speed, 10.0 * 3.14159265358979323846 / 180.0);
+    EXPECT_EQ(cap.dead_zone, 0.2);
+    EXPECT_EQ(cap.pedal, "pedal/A1");
+    EXPECT_EQ(DeviceStation{}.pedal, "");
+}
+
+TEST(Station, AppendsTheActionsOfAPedal) {
+    DeviceStation cap{.device = "spacemouse"};
+    cap.buttons = {ButtonAction::next, ButtonAction::undo};
+    cap.append_buttons({.device = "pedal"}, 2);
+    EXPECT_EQ(cap.buttons[1], ButtonAction::undo);
+    EXPECT_EQ(cap.buttons[2], ButtonAction::drive) << "the first of the pedal";
+    EXPECT_EQ(cap.buttons[4], ButtonAction::clutch);
+}
+
 TEST(Station, TurnsTheAxesOfTheDevice) {
     const Vec3 sides[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     for (const Vec3& right : sides)
@@ -71,6 +91,9 @@ TEST(Station, SaysWhatIsWrong) {
     EXPECT_NE(error_of("  - {device: udp, buttons: [drive, jump]}\n").find("`jump`"), std::string::npos);
     EXPECT_NE(error_of("  - {device: udp, scale: 1000}\n").find("E0412"), std::string::npos);
     EXPECT_NE(error_of("  - {device: udp}\n  - {device: udp}\n").find("twice"), std::string::npos);
+    EXPECT_NE(error_of("  - {device: cap, speed: 20 m/s}\n").find("mm/s"), std::string::npos);
+    EXPECT_NE(error_of("  - {device: cap, turn_speed: 30 mm/s}\n").find("deg/s"), std::string::npos);
+    EXPECT_NE(error_of("  - {device: cap, dead_zone: 1}\n").find("E0412"), std::string::npos);
     EXPECT_NE(error_of("  - {scale: 1}\n").find("device"), std::string::npos);
     EXPECT_NE(error_of("  - {device: udp, frame: left}\n").find("`frame`"), std::string::npos);
 }

@@ -553,6 +553,27 @@ void write_datagrams() {
         }
 }
 
+// ---- reports of HID devices -----------------------------------------------------------------------------------------
+
+void write_reports() {
+    using namespace std::string_literals;
+    const std::pair<const char*, std::string> of_cap[] = {
+        {"good-translation", "\x01\x0d\x00\x00\x00\x25\x01"s},
+        {"good-rotation", "\x02\x00\x00\xe2\xff\x00\x00"s},
+        {"good-both", "\x01\x00\x00\x00\x00\x07\x00\x00\x00\x00\x80\xff\x7f"s},
+        {"good-buttons", "\x03\x03\x00"s},
+        {"good-battery", "\x17\x64"s},
+        {"bad-id", "\x09\x00\x00\x00\x00\x00\x00"s},
+        {"bad-short", "\x01\x0d\x00\x00\x00\x25"s},
+        {"bad-long", "\x02\x00\x00\xe2\xff\x00\x00\x00"s}};
+    for (const auto& [name, bytes] : of_cap) write("spacemouse_report", name, bytes);
+    const std::pair<const char*, std::string> of_pedal[] = {{"good-released", "\x00\x00"s},
+                                                            {"good-all", "\x07\x00"s},
+                                                            {"bad-bit", "\x08\x00"s},
+                                                            {"bad-long", "\x01\x00\x00"s}};
+    for (const auto& [name, bytes] : of_pedal) write("pedal_report", name, bytes);
+}
+
 }  // namespace
 }  // namespace kerf
 
@@ -572,5 +593,6 @@ int main(int count, char** words) {
     kerf::write_markups();
     kerf::write_sessions();
     kerf::write_datagrams();
+    kerf::write_reports();
     return 0;
 }

@@ -11,11 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/replay.h"
-#include "kerf/device_driver.hpp"
 #include "run/device/device_hand.h"
 #include "run/live_run.h"
-#include "session/read_session.h"
+#include "tests/run/device_double.h"
 #include "tests/support/short_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
@@ -28,13 +26,6 @@ using documents::DeviceStation;
 using test::short_scene;
 
 constexpr Quat no_turn{1, 0, 0, 0};
-
-/// A driver without parameters; the tests make its links.
-struct Double {
-    static constexpr auto about() { return describe("double", "A device of a test."); }
-    [[nodiscard]] std::vector<DeviceFound> find() const { return {}; }
-    [[nodiscard]] std::unique_ptr<DeviceLink> open(const DeviceRequest& /*request*/) const { return nullptr; }
-};
 
 kerf_device_facts facts_of_premium() {
     const DeviceRecord& premium = *find_device("premium-1.5-6dof");
@@ -115,23 +106,6 @@ private:
     Vec3 grip_;  ///< of the tool in hand, tool frame [m]
 };
 
-std::unique_ptr<OpenedDevice> opened(std::unique_ptr<DeviceLink> link) {
-    kerf_device_open_out out{};
-    out.facts = link->facts();
-    out.device = static_cast<DeviceLink*>(link.release());
-    std::string error;
-    auto device = OpenedDevice::take(detail::ComponentTable<Double>::table, out, "double", error);
-    EXPECT_EQ(error, "");
-    return device;
-}
-
-class SteadyClock final : public TickClock {
-public:
-    [[nodiscard]] std::uint32_t wait() noexcept override { return 0; }
-};
-
-DeviceStation station_in_world() { return {.device = "double", .right = {1, 0, 0}, .up = {0, 1, 0}}; }
-
 RunOutcome run_at_double(const Scene& scene, const std::string& out,
                          std::vector<std::pair<std::uint64_t, std::uint64_t>> silent = {},
                          std::pair<std::uint64_t, std::uint64_t> idle = {}) {
@@ -142,20 +116,6 @@ RunOutcome run_at_double(const Scene& scene, const std::string& out,
     request.out = out;
     SteadyClock clock;
     return run_on_clock(scene, test::plugins(), request, clock, *device, station_in_world());
-}
-
-/// Returns the inputs that the run recorded in this folder.
-session::RecordedInputs inputs_in(const std::string& folder) {
-    std::string error;
-    const auto inputs = session::read_session(folder + "/session.db", error);
-    EXPECT_TRUE(inputs) << error;
-    return inputs.value_or(session::RecordedInputs{});
-}
-
-RunOutcome replayed(const Scene& scene, const session::RecordedInputs& inputs) {
-    RunRequest again;
-    EXPECT_EQ(app::repeat(inputs, "session.db", again), "");
-    return run_procedure(scene, test::plugins(), again);
 }
 
 // ---- a whole run --------------------------------------------------------------------------------------------------

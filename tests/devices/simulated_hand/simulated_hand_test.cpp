@@ -368,5 +368,44 @@ TEST(SimulatedHand, AHastyHandPlungesFartherThanACarefulOne) {
     RecordProperty("hasty_mm", std::to_string(hasty * 1e3));
 }
 
+// ---- an aim from outside -----------------------------------------------------------------------------------------
+
+/// Returns the hand's position along x after some time, while a constant force pushes it back.
+double after_aiming(double aim, double max_push, double force, double seconds) {
+    SimulatedHand hand({}, {}, identity_pose(), dt);
+    hand.aim_at({{aim, 0, 0}, {1, 0, 0, 0}}, max_push);
+    DeviceCommand command;
+    command.wrench = make_vec6({-force, 0, 0}, {});
+    for (int i = 0; i < seconds / dt; ++i) hand.step(command);
+    return hand.reported().position.x;
+}
+
+TEST(SimulatedHand, GoesToAnAimWithoutLegs) { EXPECT_NEAR(after_aiming(50.0_mm, 30.0, 0.0, 3.0), 50.0_mm, 0.5_mm); }
+
+TEST(SimulatedHand, PushesToAnAimWithItsMaximum) {
+    constexpr double far = 1e3;  // [m]
+    EXPECT_GT(after_aiming(far, 5.0, 4.8, 2.0), 0.0);
+    EXPECT_LT(after_aiming(far, 5.0, 5.2, 2.0), 0.0) << "a push of 5 N does not hold 5.2 N";
+}
+
+TEST(SimulatedHand, TurnsTheWristToAnAim) {
+    SimulatedHand hand({}, {}, identity_pose(), dt);
+    const Quat target = quat_from_rotation_vector({0, 1.0, 0});
+    hand.aim_at({{}, target}, 5.0);
+    for (int i = 0; i < 500; ++i) hand.step({});
+    EXPECT_NEAR(small_rotation_vector(hand.reported().rotation).y, 0.5, 0.05) << "at most 1 rad/s";
+    for (int i = 0; i < 700; ++i) hand.step({});
+    EXPECT_NEAR(length(small_rotation_vector(conjugate(target) * hand.reported().rotation)), 0.0, 1e-9);
+}
+
+TEST(SimulatedHand, IgnoresAnAimThatIsNotFinite) {
+    SimulatedHand hand({}, {}, identity_pose(), dt);
+    hand.aim_at({{10.0_mm, 0, 0}, {1, 0, 0, 0}}, 5.0);
+    hand.aim_at({{std::nan(""), 0, 0}, {1, 0, 0, 0}}, 5.0);
+    hand.aim_at({{1.0_m, 0, 0}, {1, 0, 0, 0}}, HUGE_VAL);
+    for (int i = 0; i < 3000; ++i) hand.step({});
+    EXPECT_NEAR(hand.reported().position.x, 10.0_mm, 0.5_mm);
+}
+
 }  // namespace
 }  // namespace kerf::simulated_hand

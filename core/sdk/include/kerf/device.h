@@ -30,8 +30,10 @@ enum {
     KERF_DEVICE_POSITION = 1,
     KERF_DEVICE_ROTATION = 2,
     KERF_DEVICE_FORCE = 4,
-    KERF_DEVICE_TORQUE = 8, /* about every line */
+    KERF_DEVICE_TORQUE = 8,      /* about every line */
+    KERF_DEVICE_DEFLECTION = 16, /* senses the deflection of its handle from rest, instead of a position */
 };
+/* A device that only has buttons, such as a pedal, has no ability. */
 
 /* What `open` states of the opened device. */
 typedef struct kerf_device_facts {
@@ -46,7 +48,8 @@ typedef struct kerf_device_facts {
     double resolution;                     /* [m] of one count */
 } kerf_device_facts;
 
-/* Flags of a state. A device whose state is not VALID is lost: unplugged, asleep, in error. It may come back. */
+/* Flags of a state. A device whose state is not VALID is lost: unplugged, asleep, in error. It may come back. One with
+ * KERF_DEVICE_POSITION is also lost when its reports stop. Others report changes alone, so their silence is rest. */
 enum { KERF_DEVICE_VALID = 1 };
 
 /* The newest report of a device. */
@@ -56,6 +59,8 @@ typedef struct kerf_device_state {
     kerf_pose device_from_handle; /* without KERF_DEVICE_ROTATION its rotation is the identity */
     uint32_t buttons;             /* bit i: button i is pressed */
     uint32_t flags;               /* KERF_DEVICE_VALID … */
+    double deflection[6]; /* -1 to 1 of its range, right-handed: along device x, y, z, then about them; 0 without
+                             KERF_DEVICE_DEFLECTION */
 } kerf_device_state;
 
 /* Flags of a command. */

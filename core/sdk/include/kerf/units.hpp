@@ -16,6 +16,7 @@ inline constexpr kerf_dimension time{{0, 0, 1, 0, 0, 0, 0, 0}};
 inline constexpr kerf_dimension mass{{0, 1, 0, 0, 0, 0, 0, 0}};
 inline constexpr kerf_dimension speed{{1, 0, -1, 0, 0, 0, 0, 0}};
 inline constexpr kerf_dimension frequency{{0, 0, -1, 0, 0, 0, 0, 0}};  ///< revolutions or strokes per second
+inline constexpr kerf_dimension turn_speed{{0, 0, -1, 0, 0, 0, 0, 1}};
 inline constexpr kerf_dimension force{{1, 1, -2, 0, 0, 0, 0, 0}};
 inline constexpr kerf_dimension torque{{2, 1, -2, 0, 0, 0, 0, 0}};
 inline constexpr kerf_dimension force_per_length{{0, 1, -2, 0, 0, 0, 0, 0}};
