@@ -62,11 +62,12 @@ void LoopChanges::post(std::size_t step) {
 }
 
 void LoopChanges::post_to_loop() {
-    PostedChange change{simulation_->prepared_for_second(), step_};
+    PostedChange change{simulation_->prepared_for_second(), step_, adopted_};
     change.change.guide = posted_->guide;
     change.change.removes_held = posted_->removes_held;
     change.change.tool = posted_->tool;
     change.change.back = posted_->back;
+    if (posted_->tool) change.change.committed = simulation_->committed_for_second();
     link_->change.post(std::move(change));
 }
 
@@ -116,7 +117,8 @@ LoopChanges::Made LoopChanges::make(bool is_refused) {
 }
 
 void LoopChanges::renew() {
-    simulation_->drop_change();
+    link_->change.empty();
+    simulation_->renew_change();
     post_to_loop();
 }
 
@@ -142,6 +144,7 @@ void LoopChanges::post_separation(bool now) {
 
 void LoopChanges::adopt() {
     simulation_->adopt_after(simulation_->ticks() + 1);
+    ++adopted_;
     renew_separation();
 }
 

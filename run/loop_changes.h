@@ -75,6 +75,8 @@ public:
     /// Notes that the posted separation needs a new offer.
     void renew_separation();
 
+    /// Returns whether a tool was decided and is not yet in hand.
+    [[nodiscard]] bool awaits_tool() const noexcept { return next_.tool || (posted_ && posted_->tool); }
     [[nodiscard]] bool is_posted() const noexcept { return posted_.has_value(); }
     /// Forgets the tool that was decided and not yet taken: the run has ended.
     void drop_tool() noexcept;
@@ -102,6 +104,7 @@ private:
     std::size_t step_ = 0;         ///< posted with it
     std::uint64_t number_ = 0;     ///< of the posted change
     bool is_separation_posted_ = false;
+    std::uint64_t adopted_ = 0;  ///< number of separations that were made
 };
 
 }  // namespace kerf::run

@@ -47,7 +47,7 @@ simulated_hand::SensedTool RehearsedHand::sensed(const TickResult& result) const
     const std::string& awaited = hand_.awaited_event();
     return {.world_from_tool = result.world_from_tool,
             .torque = result.torque,
-            .is_force_lost = is_force_away_ && force_before_ > noticed_force,
+            .keeps_aim = is_waiting_ || (is_force_away_ && force_before_ > noticed_force),
             .has_event = !awaited.empty() && result.has_event(awaited)};
 }
 

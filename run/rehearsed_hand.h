@@ -30,6 +30,8 @@ public:
     [[nodiscard]] Pose reported() const noexcept { return hand_.reported(); }
     /// Lets the hand move for one tick under its result.   [haptic, nonblocking]
     void feel(const TickResult& result, const HapticLoop& loop);
+    /// Lets the hand keep its aim, or go on (false).   [haptic, nonblocking]
+    void wait(bool waits) noexcept { is_waiting_ = waits; }
     /// Returns whether the path has ended, with all inputs taken.
     [[nodiscard]] bool is_done() const noexcept { return hand_.is_done() && !is_due(hand_.leg()); }
     [[nodiscard]] std::size_t leg() const noexcept { return hand_.leg(); }
@@ -44,7 +46,7 @@ private:
     const HandPlan* plan_;
     simulated_hand::SimulatedHand hand_;
     std::size_t next_ = 0;  ///< first leg whose inputs were not taken
-    bool is_regripping_ = false;
+    bool is_regripping_ = false, is_waiting_ = false;
     double force_before_ = 0.0;   ///< [N] of the device on the hand, before it was lost
     bool is_force_away_ = false;  ///< after a fault, until it is fully back
     bool has_slipped_ = false;    ///< the tool was anchored anew in the hand

@@ -304,12 +304,13 @@ bool Run::tick(const DeviceSample& reported) {
     if (exact_ != nullptr) exact_->follow(simulation_);
     const double now = static_cast<double>(simulation_.ticks() - 1) * Simulation::dt;
     const std::size_t step = monitor_.current();
-    observe(handle, now);
+    const bool has_tool = !changes_.awaits_tool();  // of the step
+    observe(handle, now, has_tool);
     if (monitor_.current() != step) end_step(step, now);
     if (monitor_.needs_measures()) monitor_.show_measures(measured_bone());
     for (std::size_t i = 0; i < result_.event_count; ++i) {
         add_event(result_.events[i], event_detail(result_.events[i], simulation_));
-        monitor_.report(result_.events[i], now);
+        if (has_tool) monitor_.report(result_.events[i], now);
         add_monitor_events();
     }
     if (const auto end = end_after_tick()) {
@@ -391,26 +392,29 @@ void Run::finish_input(const documents::HandInput& input) {
     before_.follow(simulation_.present());
 }
 
-void Run::observe(const Pose& handle, double now) {
+void Run::observe(const Pose& handle, double now, bool has_tool) {
     world_from_body_.clear();
     for (const auto& body : simulation_.bodies()) world_from_body_.push_back(body->world_from_body);
     const Vec3 tip = result_.world_from_tool.position;
     const std::int32_t tissue = tissue_at(*scene_, simulation_, tip);
-    monitor_.observe({.time = now,
-                      .world_from_tool = result_.world_from_tool,
-                      .is_running = result_.is_cutting,
-                      .is_resisted = is_resisted(result_, scene_->tools[simulation_.tool()]),
-                      .thrust = result_.thrust,
-                      .world_from_body = world_from_body_,
-                      .held = simulation_.held(),
-                      .is_bone_ahead = tissue >= 0,
-                      .tip_inside = tip_inside(simulation_, monitor_, tip),
-                      .handle = handle.position,
-                      .torque = result_.torque,
-                      .lateral_force = lateral_force(result_),
-                      .removed = removed_ - removed_before_step_,
-                      .signals = {simulation_.signals(), simulation_.setup().force->force->signal_count}},
-                     simulation_.outline().cutting);
+    if (!has_tool)
+        monitor_.wait(now);
+    else
+        monitor_.observe({.time = now,
+                          .world_from_tool = result_.world_from_tool,
+                          .is_running = result_.is_cutting,
+                          .is_resisted = is_resisted(result_, scene_->tools[simulation_.tool()]),
+                          .thrust = result_.thrust,
+                          .world_from_body = world_from_body_,
+                          .held = simulation_.held(),
+                          .is_bone_ahead = tissue >= 0,
+                          .tip_inside = tip_inside(simulation_, monitor_, tip),
+                          .handle = handle.position,
+                          .torque = result_.torque,
+                          .lateral_force = lateral_force(result_),
+                          .removed = removed_ - removed_before_step_,
+                          .signals = {simulation_.signals(), simulation_.setup().force->force->signal_count}},
+                         simulation_.outline().cutting);
     row_ = row_of(result_, *scene_, simulation_, monitor_, signals_, handle, tissue, removed_);
     session::add_tick(hash_, row_);
     add_monitor_events();

@@ -113,7 +113,7 @@ private:
     void change(const documents::HandInput& input);
     void make_waiting_changes();
     void finish_input(const documents::HandInput& input);
-    void observe(const Pose& handle, double now);
+    void observe(const Pose& handle, double now, bool has_tool);
     void end_step(std::size_t step, double now);
     void judge_step(std::size_t step, double now);
     [[nodiscard]] std::vector<documents::MeasureReading> measured_bone() const;

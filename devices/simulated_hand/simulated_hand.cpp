@@ -218,7 +218,7 @@ SimulatedHand::Aim SimulatedHand::aim_of_leg() const noexcept {
 Pose SimulatedHand::step(const DeviceCommand& command, const SensedTool& sensed) {
     if (aim_)
         rotation_ = turned_towards(rotation_, aim_->pose.rotation, turning * dt_);
-    else if (!sensed.is_force_lost)
+    else if (!sensed.keeps_aim)
         think(sensed);
     const Setpoint& spring = command.setpoint;
     const Aim present = aim_.value_or(aim_of_leg());

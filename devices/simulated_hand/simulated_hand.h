@@ -56,9 +56,11 @@ struct Leg {
 /// Pose, torque and events of the tool that the hand sees and feels, whatever the device renders.
 struct SensedTool {
     Pose world_from_tool = identity_pose();
-    double torque = 0.0;         ///< [N·m] of the hand on the tool about its z, unscaled
-    bool is_force_lost = false;  ///< a force that it felt has faded after a fault or a pause, and is not yet back
-    bool has_event = false;      ///< the event that ends the leg's turn has just happened
+    double torque = 0.0;  ///< [N·m] of the hand on the tool about its z, unscaled
+    /// The hand keeps its aim: a force on it has faded after a fault or a pause and is not yet back, or it waits for
+    /// what it requested.
+    bool keeps_aim = false;
+    bool has_event = false;  ///< the event that ends the leg's turn has just happened
 };
 
 struct Intent {
@@ -77,7 +79,7 @@ struct Intent {
 /// of its distance per second. The wrist turns to its target rotation and keeps it, whatever the resistance. A driver
 /// turns on from there, as often as needed. The torque about the driver's shaft is delayed by one reaction time, too.
 ///
-/// While a force is lost, the hand keeps its aim: the fault is over before a person reacts.
+/// While a force is lost, the caller lets the hand keep its aim: the fault is over before a person reacts.
 ///
 /// With `aim_at`, the caller moves the aim, and the hand follows no leg.
 ///

@@ -37,6 +37,11 @@ public:
     virtual void act(std::uint32_t missed, const TickResult& last, LoopInputs& inputs) noexcept = 0;
     /// Returns the pose for the next tick.   [haptic, nonblocking]
     [[nodiscard]] virtual DeviceSample sample(const HapticLoop& loop) noexcept = 0;
+    /// Lets a hand that cannot see whether its requests were carried out wait for the run, or go on (false).
+    /// [haptic, nonblocking]
+    virtual void wait(bool /*waits*/) noexcept {}
+    /// Returns a number that changes where the hand would wait: after a leg of its path.   [haptic, nonblocking]
+    [[nodiscard]] virtual std::size_t milestone() const noexcept { return 0; }
     /// Gets the force of a tick.   [haptic, nonblocking]
     virtual void feel(const TickResult& result, const HapticLoop& loop) noexcept = 0;
     /// Notices that the loop has taken a tool, which begins with its configured drives.   [haptic, nonblocking]

@@ -20,6 +20,8 @@ public:
     [[nodiscard]] DeviceSample sample(const HapticLoop& /*loop*/) noexcept override {
         return {.world_from_handle = hand_.reported()};
     }
+    void wait(bool waits) noexcept override { hand_.wait(waits); }
+    [[nodiscard]] std::size_t milestone() const noexcept override { return hand_.leg(); }
     void feel(const TickResult& result, const HapticLoop& loop) noexcept override { hand_.feel(result, loop); }
     [[nodiscard]] std::optional<RunEnd> end() const noexcept override {
         return hand_.is_done() ? std::optional(RunEnd::path_ended) : std::nullopt;

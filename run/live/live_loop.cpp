@@ -35,12 +35,14 @@ bool LiveLoop::step(std::uint32_t missed) {
     last_ = is_direct_ ? loop_->tick_direct(sample) : loop_->tick(sample);
     count_fades(sample);
     end_of(TickPart::motion);
+    hand_->wait(awaits_run());
     hand_->feel(last_, *loop_);
     end_of(TickPart::hand);
     loop_->reserve_bricks(bricks_of_a_tick);
     const bool has_adopted = take_separation();
     end_of(TickPart::change);
     send({.kind = LoopMessage::Kind::tick, .has_adopted = has_adopted, .sample = sample, .bits = bits_of(last_)});
+    if (std::exchange(milestone_, hand_->milestone()) != hand_->milestone()) awaited_ = sent_;
     catch_up();
 
     const auto end = hand_->end();
@@ -63,6 +65,10 @@ bool LiveLoop::take_change() {
         if (takeover != Takeover::possible)
             answer.kind = change.offer.is_history_change() ? LoopMessage::Kind::refused : LoopMessage::Kind::outdated;
     }
+    const bool is_committed_old =
+        change.committed.is_any() &&
+        (posted->adopted != adopted_ || loop_->can_take(change.committed) != Takeover::possible);
+    if (is_committed_old && answer.kind == LoopMessage::Kind::changed) answer.kind = LoopMessage::Kind::outdated;
     if (answer.kind == LoopMessage::Kind::changed) {
         loop_->take(change);
         step_ = posted->step;
@@ -77,7 +83,10 @@ bool LiveLoop::take_separation() noexcept {
     Offer* offer = link_->separation.posted();
     if (offer == nullptr || loop_->ticks() < link_->separation_due) return false;
     const bool is_possible = loop_->can_take(*offer) == Takeover::possible;
-    if (is_possible) static_cast<void>(loop_->take(*offer));
+    if (is_possible) {
+        static_cast<void>(loop_->take(*offer));
+        ++adopted_;
+    }
     link_->separation.give_back();
     if (!is_possible) send({.kind = LoopMessage::Kind::separation});
     return is_possible;
@@ -98,6 +107,7 @@ void LiveLoop::carry_out_immediate(const std::vector<documents::HandInput>& inpu
 void LiveLoop::leg(std::size_t leg) noexcept {
     carry_out_immediate(plan_->inputs[leg]);
     send({.kind = LoopMessage::Kind::leg, .index = leg});
+    awaited_ = sent_;
 }
 
 void LiveLoop::next_action() noexcept {
@@ -125,6 +135,7 @@ void LiveLoop::loosen(bool is_loose) noexcept {
 
 void LiveLoop::send(const LoopMessage& message) noexcept {
     if (!link_->messages.push(message)) link_->is_overrun = true;
+    ++sent_;
 }
 
 }  // namespace kerf::run

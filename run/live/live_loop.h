@@ -53,6 +53,10 @@ private:
     [[nodiscard]] bool take_separation() noexcept;
     void count_fades(const DeviceSample& sample) noexcept;
     void send(const LoopMessage& message) noexcept;
+    /// Returns whether the run has not yet answered what was sent up to the last milestone of the hand.
+    [[nodiscard]] bool awaits_run() const noexcept {
+        return sent_ - link_->messages.size() < awaited_ || link_->change.is_out();
+    }
     void end_of(TickPart part) noexcept {
         if (parts_ != nullptr) parts_->end_of(part);
     }
@@ -68,8 +72,11 @@ private:
     std::function<void()> with_run_;
     TickParts* parts_ = nullptr;
     NextActions next_actions_;
-    std::size_t step_ = 0;  ///< of the procedure, as the run last reported
+    std::uint64_t adopted_ = 0;  ///< number of separations taken over
+    std::size_t step_ = 0;       ///< of the procedure, as the run last reported
     TickResult last_;
+    std::size_t milestone_ = 0;
+    std::uint64_t sent_ = 0, awaited_ = 0;  ///< numbers of messages: sent, and the run has taken when the hand goes on
     bool was_fading_ = false;
     Fades fades_;
 };

@@ -66,6 +66,7 @@ private:
 struct PostedChange {
     LoopChange change;
     std::size_t step = 0;
+    std::uint64_t adopted = 0;  ///< number of separations that the run had made when it posted the change
 };
 
 struct LoopLink {

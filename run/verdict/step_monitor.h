@@ -164,6 +164,11 @@ public:
 
     /// Observes one tick with a tool whose cutting part is `cutting`.
     void observe(const Observation& now, const ToolSolid& cutting);
+    /// Passes one tick in which the tool of the step is not yet in hand: it is not judged.
+    void wait(double time) {
+        news_.clear();
+        before_ = time;
+    }
     /// Judges the cut of the step that ended in the last tick: its wall, if one was found, and the bone `removed` in it
     /// [m³].
     void judge_cut(std::size_t step, const std::optional<bone::CutWall>& wall, double removed, double time);

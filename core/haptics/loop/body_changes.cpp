@@ -101,6 +101,12 @@ bool LoopBodies::take_change(Offer& offer, const ToolNow& tool) noexcept {
         KERF_ASSERT(last == bodies_.size(), "the loop has every older body");
         start_body(*offer.made[last].body, offer.body_states.of[last], tool);
     }
+    if (offer.change == Offer::Change::committed)
+        for (const auto& body : bodies_)
+            if (LiveBody* made = offer.made[body->id].body.get()) {
+                made->low = body->low;  // as before, so that a loop that commits by itself has the same bits
+                made->high = body->high;
+            }
     const bool is_held_changed = std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) {
         return offer.made[body->id].body != nullptr && held_.contains(body->id);
     });

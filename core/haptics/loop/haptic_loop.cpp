@@ -57,6 +57,7 @@ void HapticLoop::take(LoopChange& change) {
     if (change.held_points) set_held_points(*change.held_points);
     if (change.tool) {
         close_stretches();
+        if (change.committed.is_any()) static_cast<void>(take(change.committed));
         take_tool(*change.tool, change.back);
     }
 }

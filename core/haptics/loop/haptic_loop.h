@@ -134,7 +134,7 @@ public:
     /// eight records that remove bone. An undo or redo first closes the open stretches, also if it then returns false.
     /// `closed` gets those records, and a subtraction's.   [haptic, nonblocking] between ticks
     bool take(Offer& offer) noexcept { return bodies_.take(offer, now()); }
-    /// Takes over a change. Pre: `can_take` its offer.   [haptic] between ticks; a tool's law may take long to begin
+    /// Takes over a change. Pre: `can_take` its offers.   [haptic] between ticks; a tool's law may take long to begin
     void take(LoopChange& change);
     /// Returns whether the offer can be taken over now, after `close_stretches`.   [haptic, nonblocking] between ticks
     [[nodiscard]] Takeover can_take(const Offer& offer) const noexcept { return bodies_.can_take(offer, now()); }

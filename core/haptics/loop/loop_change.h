@@ -18,6 +18,7 @@ struct LoopChange {
     bool removes_held = false;                    ///< the held body and all that is fused to it leave the scene
     std::optional<HeldPoints> held_points{};      ///< contact points of the held body
     std::optional<std::size_t> tool{};            ///< index of the tool to take
+    Offer committed{};                            ///< spares the loop to commit records before it takes the tool
     double back = 0.0;                            ///< [m] distance by which it is moved back along its axis first
 
     [[nodiscard]] bool is_any() const noexcept {

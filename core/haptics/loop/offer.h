@@ -39,7 +39,8 @@ enum class HistoryChange { undo, redo };
 /// One change of bodies. It is complete when it is offered, so the loop takes it over without allocating or waiting.
 /// The loop leaves the replaced bodies in it, so that their owner destroys them outside the tick.
 struct Offer {
-    enum class Change { none, separation, undo, redo, insertion, fusion, subtraction };
+    /// `committed`: the same bodies, with all records committed.
+    enum class Change { none, separation, undo, redo, insertion, fusion, subtraction, committed };
     struct NewBody {
         std::unique_ptr<LiveBody> body;        ///< null: the loop keeps its body of this id
         std::optional<std::uint16_t> follows;  ///< id of the body whose pose and open stretch `body` takes over

@@ -189,11 +189,25 @@ Offer BoneScene::subtraction(std::uint16_t solid, const Pose& world_from_tool, c
     return offer;
 }
 
+Offer BoneScene::committed(const std::function<bool(std::size_t)>& needs) const {
+    Offer offer;
+    offer.body_states.count = bone_.count();
+    for (std::size_t id = 0; id < bone_.count(); ++id) {
+        if (!needs(id)) continue;
+        const auto number = static_cast<std::uint16_t>(id);
+        offer.change = Offer::Change::committed;
+        offer.made[id] = {live_body(number, *bone_.piece(id).bone, bone_.cut(id), *cutting_.front()), number,
+                          next_[id]};
+    }
+    return offer;
+}
+
 // ---- changes taken over by the loop --------------------------------------------------------------------------------
 
 void BoneScene::taken(const Offer& offer, const BodyStates& before, std::uint64_t next_sequence) {
     switch (offer.change) {
         case Offer::Change::none:
+        case Offer::Change::committed:
             return;
         case Offer::Change::separation:
             bone_.mark_adopted(waiting_.front().separation);

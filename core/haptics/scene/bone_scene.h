@@ -82,6 +82,10 @@ public:
     /// records, `world_from_tool` the pose of its tool.   [worker]
     [[nodiscard]] Offer subtraction(std::uint16_t solid, const Pose& world_from_tool, const BodyStates& now) const;
 
+    /// Returns an offer of the bodies for which `needs` is true, with all records committed. The scene does not change
+    /// with it.   [worker]
+    [[nodiscard]] Offer committed(const std::function<bool(std::size_t)>& needs) const;
+
     /// Makes the change that the loop has taken over. It does not use the offer's bodies, which the loop has exchanged.
     /// [worker]
     /// @param before         states of the bodies before the change

@@ -212,7 +212,17 @@ void Simulation::make_change() {
 
 void Simulation::drop_change() {
     prepared_ = {};
+    subtracting_.reset();
+}
+
+void Simulation::renew_change() {
     if (subtracting_) prepare(Subtraction(*subtracting_));
+}
+
+Offer Simulation::committed_for_second() const {
+    constexpr std::size_t few = 4;               // records, which a loop commits by itself
+    if (scene_.waiting() != nullptr) return {};  // the scene's bodies are not those of the loop
+    return scene_.committed([&](std::size_t body) { return bodies()[body]->tracker.pending_count() > few; });
 }
 
 }  // namespace kerf

@@ -94,8 +94,12 @@ public:
     [[nodiscard]] LoopChange prepared_for_second() const;
     /// Makes the prepared change. Pre: there is one.
     void make_change();
-    /// Drops the prepared change. A subtraction is prepared anew, with the present bone.
+    /// Drops the prepared change.
     void drop_change();
+    /// Prepares the prepared change anew if it depends on the bone.
+    void renew_change();
+    /// Returns the bodies with many records to commit, for a second loop that takes another tool.
+    [[nodiscard]] Offer committed_for_second() const;
     /// Returns the first separation that waits, or null.
     [[nodiscard]] const Separation* waiting_separation() const noexcept { return scene_.waiting(); }
     /// Returns that separation as an offer for the second loop. Pre: one waits.
