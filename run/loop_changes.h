@@ -98,6 +98,7 @@ private:
     Mode mode_ = Mode::lock_step;
     LoopLink* link_ = nullptr;
     std::vector<LateChange> late_;  ///< of the replayed run
+    std::optional<std::optional<Guide>> guide_;  ///< last decided; no value: none was
     Decided next_;
     std::optional<Decided> posted_;
     std::uint64_t posted_at_ = 0;  ///< [ticks]

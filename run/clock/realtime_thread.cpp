@@ -3,6 +3,7 @@
 
 #include <malloc.h>
 #include <pthread.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 
@@ -55,6 +56,25 @@ void take_priority(RealtimeState& state) {
         state.priority = haptic_priority;
 }
 
+/// Gives the calling thread the real-time class while it exists, but not the threads and processes that it starts.
+class LowestPriority {
+public:
+    LowestPriority() noexcept {
+        sched_param parameters{};
+        parameters.sched_priority = run_priority;
+        is_taken_ = sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &parameters) == 0;
+    }
+    ~LowestPriority() {
+        const sched_param normal{};
+        if (is_taken_) sched_setscheduler(0, SCHED_OTHER, &normal);
+    }
+    LowestPriority(const LowestPriority&) = delete;
+    LowestPriority& operator=(const LowestPriority&) = delete;
+
+private:
+    bool is_taken_;
+};
+
 /// Locks the memory that is there. Later allocations are locked too only if the limit is unlimited: below it, the
 /// kernel lets them fail.
 void lock_memory(RealtimeState& state) {
@@ -94,11 +114,14 @@ RealtimeState run_in_real_time(const std::function<void()>& work, const std::fun
         }
         is_done = true;
     });
-    while (!is_done && !failure_meanwhile) {
-        try {
-            meanwhile();
-        } catch (...) {
-            failure_meanwhile = std::current_exception();
+    {
+        const LowestPriority priority;
+        while (!is_done && !failure_meanwhile) {
+            try {
+                meanwhile();
+            } catch (...) {
+                failure_meanwhile = std::current_exception();
+            }
         }
     }
     thread.join();

@@ -15,6 +15,11 @@ struct Guide {
     Vec3 along{};              ///< unit vector along the bore, towards the bone, body frame
     double length = 0.0;       ///< [m] of the bore, from the mouth backwards
     double bore_radius = 0.0;  ///< [m]
+
+    [[nodiscard]] bool is_same_as(const Guide& other) const noexcept {
+        return body == other.body && mouth == other.mouth && along == other.along && length == other.length &&
+               bore_radius == other.bore_radius;
+    }
 };
 
 /// Writes the host's contact channels between a bore and a shaft, at most 2, and returns their number. One is at the
