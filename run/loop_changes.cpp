@@ -58,6 +58,7 @@ void LoopChanges::post(std::size_t step) {
         next_.tool = std::exchange(posted_->tool, std::nullopt);
         next_.back = posted_->back;
     }
+    posted_->changes_bodies = prepared != nullptr;
     posted_at_ = simulation_->ticks();
     step_ = step;
     ++number_;
@@ -65,7 +66,7 @@ void LoopChanges::post(std::size_t step) {
 }
 
 void LoopChanges::post_to_loop() {
-    PostedChange change{simulation_->prepared_for_second(), step_, adopted_};
+    PostedChange change{posted_->changes_bodies ? simulation_->prepared_for_second() : LoopChange{}, step_, adopted_};
     change.change.guide = posted_->guide;
     change.change.removes_held = posted_->removes_held;
     change.change.tool = posted_->tool;
@@ -84,17 +85,20 @@ std::optional<LoopChanges::Due> LoopChanges::due() const {
 }
 
 LoopChanges::Made LoopChanges::make(bool is_refused) {
-    const LoopChange* prepared = simulation_->prepared();
-    is_refused =
-        is_refused || (prepared != nullptr && prepared->offer.is_any() &&
-                       simulation_->can_take(prepared->offer) != Takeover::possible);  // of a session that was changed
+    const auto can_take = [this](const LoopChange* change) {
+        return change == nullptr || !change->offer.is_any() ? Takeover::possible : simulation_->can_take(change->offer);
+    };
+    if (posted_->changes_bodies && !is_refused && can_take(simulation_->prepared()) == Takeover::outdated)
+        simulation_->renew_change();
+    const LoopChange* prepared = posted_->changes_bodies ? simulation_->prepared() : nullptr;
+    is_refused = is_refused || can_take(prepared) != Takeover::possible;  // as in a session that was changed
     Made made;
     made.number = number_;
     made.is_late = is_refused || is_late();
     made.is_refused = is_refused;
     if (link_ != nullptr) link_->change.empty();
     if (is_refused) {
-        simulation_->drop_change();
+        if (posted_->changes_bodies) simulation_->drop_change();
         // The loop took over no part of it.
         if (!next_.guide) next_.guide = posted_->guide;
         if (!next_.tool) {
@@ -116,6 +120,7 @@ LoopChanges::Made LoopChanges::make(bool is_refused) {
         }
     }
     posted_.reset();
+    if (!is_refused) ++made_;
     return made;
 }
 
@@ -123,6 +128,10 @@ void LoopChanges::renew() {
     link_->change.empty();
     simulation_->renew_change();
     post_to_loop();
+}
+
+void LoopChanges::show_busy(bool is_waiting) noexcept {
+    if (link_ != nullptr) link_->is_busy = is_waiting || awaits_tool();
 }
 
 void LoopChanges::drop_tool() noexcept {
@@ -141,7 +150,7 @@ void LoopChanges::post_separation(bool now) {
         return;
     }
     link_->separation_due = due;
-    link_->separation.post(simulation_->separation_for_second());
+    link_->separation.post({simulation_->separation_for_second(), made_});
     is_separation_posted_ = true;
 }
 

@@ -78,6 +78,8 @@ public:
     /// Returns whether a tool was decided and is not yet in hand.
     [[nodiscard]] bool awaits_tool() const noexcept { return next_.tool || (posted_ && posted_->tool); }
     [[nodiscard]] bool is_posted() const noexcept { return posted_.has_value(); }
+    /// Shows the loop on the clock whether changes wait for an earlier one, or a step for its tool.
+    void show_busy(bool is_waiting) noexcept;
     /// Forgets the tool that was decided and not yet taken: the run has ended.
     void drop_tool() noexcept;
 
@@ -85,7 +87,7 @@ private:
     enum class Mode { lock_step, replay, following };
     struct Decided {
         std::optional<std::optional<Guide>> guide;
-        bool removes_held = false, is_delayed = false;
+        bool removes_held = false, is_delayed = false, changes_bodies = false;
         std::optional<std::size_t> tool;
         double back = 0.0;
 
@@ -97,7 +99,7 @@ private:
     Simulation* simulation_;
     Mode mode_ = Mode::lock_step;
     LoopLink* link_ = nullptr;
-    std::vector<LateChange> late_;  ///< of the replayed run
+    std::vector<LateChange> late_;               ///< of the replayed run
     std::optional<std::optional<Guide>> guide_;  ///< last decided; no value: none was
     Decided next_;
     std::optional<Decided> posted_;
@@ -106,6 +108,7 @@ private:
     std::uint64_t number_ = 0;     ///< of the posted change
     bool is_separation_posted_ = false;
     std::uint64_t adopted_ = 0;  ///< number of separations that were made
+    std::uint64_t made_ = 0;     ///< number of changes that were made
 };
 
 }  // namespace kerf::run

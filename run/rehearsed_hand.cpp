@@ -29,6 +29,10 @@ void RehearsedHand::move_on(std::uint32_t missed, const TickResult& last) {
     for (std::uint32_t i = 0; i < std::min(missed, max_moved_periods); ++i) hand_.step(last.command, tool);
 }
 
+void RehearsedHand::take_tool() noexcept {
+    if (std::exchange(has_slipped_, false)) hand_.regrasp(identity_pose());
+}
+
 void RehearsedHand::feel(const TickResult& result, const HapticLoop& loop) {
     note_force(result, loop);
     hand_.step(result.command, sensed(result));

@@ -30,7 +30,10 @@ public:
     [[nodiscard]] Pose reported() const noexcept { return hand_.reported(); }
     /// Lets the hand move for one tick under its result.   [haptic, nonblocking]
     void feel(const TickResult& result, const HapticLoop& loop);
-    /// Lets the hand keep its aim, or go on (false).   [haptic, nonblocking]
+    /// Lets the hand take another tool, which the loop moves to the handle: a slip of the last one no longer counts.
+    /// [haptic, nonblocking]
+    void take_tool() noexcept;
+    /// Lets the hand keep its aim, or continue (false).   [haptic, nonblocking]
     void wait(bool waits) noexcept { is_waiting_ = waits; }
     /// Returns whether the path has ended, with all inputs taken.
     [[nodiscard]] bool is_done() const noexcept { return hand_.is_done() && !is_due(hand_.leg()); }

@@ -156,8 +156,10 @@ void Run::take_rehearsed_inputs() {
 
 void Run::take_recorded_inputs() {
     const RecordedInputs& recorded = request_.hand_inputs;
+    std::vector<documents::HandInput> inputs;
     for (; next_input_ < recorded.size() && recorded[next_input_].first <= simulation_.ticks(); ++next_input_)
-        take_hand_inputs({recorded[next_input_].second});
+        inputs.push_back(recorded[next_input_].second);
+    if (!inputs.empty()) take_hand_inputs(inputs);
 }
 
 // ---- a loop on the clock ------------------------------------------------------------------------------------------
@@ -226,6 +228,7 @@ void Run::post_changes() {
     changes_.post_separation(!waiting_.empty());
     make_waiting_changes();
     changes_.post(monitor_.current());
+    changes_.show_busy(!waiting_.empty());
 }
 
 /// Makes the changes that a replayed loop took over before this tick.
@@ -333,6 +336,7 @@ void Run::take_tool_of_step() {
     is_tool_left_ = false;
     changes_.take_tool(tool, std::exchange(back_, 0.0));
     if (!changes_.is_in_lock_step()) return;
+    hand_.take_tool();
     pass_cuts_on();
     note_tool(tool);
 }
@@ -354,8 +358,8 @@ void Run::take_hand_inputs(const std::vector<documents::HandInput>& inputs) {
         } else {
             waiting_.emplace_back(input);
         }
-        make_due_changes();
     }
+    make_due_changes();
 }
 
 /// Carries out an input that changes bodies or ends a step.
@@ -424,7 +428,7 @@ void Run::observe(const Pose& handle, double now, bool has_tool) {
 void Run::end_step(std::size_t step, double now) {
     const bool is_in_lock_step = changes_.is_in_lock_step(), is_last = monitor_.current() >= monitor_.steps().size();
     const auto left = left_implant(step);
-    const bool is_left_now = left && changes_.is_free();
+    const bool is_left_now = left && waiting_.empty() && changes_.is_free();
     std::string why_not;
     if (!is_in_lock_step) {
         if (is_left_now) why_not = insert(*left);
@@ -580,6 +584,7 @@ RunOutcome Run::finish() {
         changes_.drop_tool();
     }
     simulation_.finish();
+    make_last_changes();
     pass_cuts_on();
     // A tick that never runs: at its end, a replay also takes over the remaining parts.
     take_separations(simulation_.ticks());
@@ -595,6 +600,19 @@ RunOutcome Run::finish() {
         if (!error.empty()) outcome_.error += (outcome_.error.empty() ? "" : "\n      ") + error;
     }
     return std::move(outcome_);
+}
+
+/// Makes the changes that waited when the run ended: implants that were left. Inputs of the hand come too late.
+void Run::make_last_changes() {
+    if (waiting_.empty()) return;
+    add_event_at(simulation_.ticks(), session::late_change_event, "0");  // a replay lets them wait, too
+    for (const auto& one : std::exchange(waiting_, {})) {
+        if (const auto* left = std::get_if<LeftImplant>(&one))
+            note_left(*left, insert(*left));
+        else
+            add_event_at(simulation_.ticks(), "hand.refused",
+                         text_of(std::get<documents::HandInput>(one)) + ": the run has ended");
+    }
 }
 
 void Run::finish_exact_surface() {

@@ -112,6 +112,7 @@ private:
     void take_recorded_inputs();
     void change(const documents::HandInput& input);
     void make_waiting_changes();
+    void make_last_changes();
     void finish_input(const documents::HandInput& input);
     void observe(const Pose& handle, double now, bool has_tool);
     void end_step(std::size_t step, double now);

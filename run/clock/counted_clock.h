@@ -15,7 +15,7 @@ public:
     explicit CountedClock(double period) noexcept : period_(period) {}
 
     /// Returns the number of periods that passed without a tick before this one. A clock that jitters by less than half
-    /// a period misses none. One that stands still or goes back misses none, too.   [haptic, nonblocking]
+    /// a period misses none. One that is stopped or goes back misses none, too.   [haptic, nonblocking]
     /// @param now  [s] by the foreign clock
     [[nodiscard]] std::uint32_t missed_before(double now) noexcept {
         const double passed = last_due_ ? std::round((now - *last_due_) / period_) : 0.0;

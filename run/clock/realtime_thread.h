@@ -8,7 +8,7 @@
 namespace kerf::run {
 
 inline constexpr int haptic_priority = 49;  ///< of SCHED_FIFO; below the kernel's threaded interrupts, which have 50
-inline constexpr int run_priority = 1;        ///< of the run that follows the haptic thread
+inline constexpr int run_priority = 1;      ///< of the run that follows the haptic thread
 inline constexpr int helper_priority = 48;  ///< of threads that serve the haptic one: devices, the watch of the clock
 
 /// Gives the calling thread a priority of SCHED_FIFO. Returns 0, or the error number if the system refuses.   [any]

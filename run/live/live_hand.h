@@ -37,7 +37,7 @@ public:
     virtual void act(std::uint32_t missed, const TickResult& last, LoopInputs& inputs) noexcept = 0;
     /// Returns the pose for the next tick.   [haptic, nonblocking]
     [[nodiscard]] virtual DeviceSample sample(const HapticLoop& loop) noexcept = 0;
-    /// Lets a hand that cannot see whether its requests were carried out wait for the run, or go on (false).
+    /// Lets a hand that cannot see whether its requests were carried out wait for the run, or continue (false).
     /// [haptic, nonblocking]
     virtual void wait(bool /*waits*/) noexcept {}
     /// Returns a number that changes where the hand would wait: after a leg of its path.   [haptic, nonblocking]

@@ -20,6 +20,7 @@ public:
     [[nodiscard]] DeviceSample sample(const HapticLoop& /*loop*/) noexcept override {
         return {.world_from_handle = hand_.reported()};
     }
+    void take_tool() noexcept override { hand_.take_tool(); }
     void wait(bool waits) noexcept override { hand_.wait(waits); }
     [[nodiscard]] std::size_t milestone() const noexcept override { return hand_.leg(); }
     void feel(const TickResult& result, const HapticLoop& loop) noexcept override { hand_.feel(result, loop); }

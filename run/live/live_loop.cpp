@@ -24,8 +24,10 @@ bool LiveLoop::step(std::uint32_t missed) {
     take_changes();
     end_of(TickPart::change);
     hand_->act(missed, last_, *this);
-    catch_up();
-    take_changes();
+    if (with_run_) {  // with a thread of its own, the run has not yet answered
+        with_run_();
+        take_changes();
+    }
     end_of(TickPart::inputs);
 
     DeviceSample sample = hand_->sample(*loop_);
@@ -45,7 +47,8 @@ bool LiveLoop::step(std::uint32_t missed) {
     if (std::exchange(milestone_, hand_->milestone()) != hand_->milestone()) awaited_ = sent_;
     catch_up();
 
-    const auto end = hand_->end();
+    auto end = hand_->end();
+    if (end == RunEnd::path_ended && awaits_run()) end.reset();  // what the hand requested last
     if (end) send({.kind = LoopMessage::Kind::ended, .index = static_cast<std::size_t>(*end)});
     const bool has_more = !end && !link_->is_overrun && !link_->should_stop.load(std::memory_order_acquire);
     if (!has_more) hand_->rest();
@@ -60,31 +63,35 @@ bool LiveLoop::take_change() {
     LoopChange& change = posted->change;
     LoopMessage answer{.kind = LoopMessage::Kind::changed};
     if (change.offer.is_any()) {
+        constexpr int patience = 20;  // ticks
         const Takeover takeover = loop_->can_take(change.offer);
-        if (takeover == Takeover::not_yet) return false;
+        if (takeover == Takeover::not_yet && ++delays_ < patience) return false;
+        delays_ = 0;
         if (takeover != Takeover::possible)
             answer.kind = change.offer.is_history_change() ? LoopMessage::Kind::refused : LoopMessage::Kind::outdated;
     }
-    const bool is_committed_old =
-        change.committed.is_any() &&
-        (posted->adopted != adopted_ || loop_->can_take(change.committed) != Takeover::possible);
-    if (is_committed_old && answer.kind == LoopMessage::Kind::changed) answer.kind = LoopMessage::Kind::outdated;
     if (answer.kind == LoopMessage::Kind::changed) {
+        // If it is outdated, the loop commits the records by itself. The offer stays whole, for the run to destroy.
+        if (change.committed.is_any() &&
+            (posted->adopted != adopted_ || loop_->can_take(change.committed) != Takeover::possible))
+            change.committed.change = Offer::Change::none;
         loop_->take(change);
-        step_ = posted->step;
+        ++taken_;
         if (change.tool) hand_->take_tool();
     }
+    if (answer.kind != LoopMessage::Kind::outdated) step_ = posted->step;
     link_->change.give_back();
     send(answer);
+    awaited_ = sent_;
     return true;
 }
 
 bool LiveLoop::take_separation() noexcept {
-    Offer* offer = link_->separation.posted();
-    if (offer == nullptr || loop_->ticks() < link_->separation_due) return false;
-    const bool is_possible = loop_->can_take(*offer) == Takeover::possible;
+    PostedSeparation* posted = link_->separation.posted();
+    if (posted == nullptr || loop_->ticks() < link_->separation_due) return false;
+    const bool is_possible = posted->changes == taken_ && loop_->can_take(posted->offer) == Takeover::possible;
     if (is_possible) {
-        static_cast<void>(loop_->take(*offer));
+        static_cast<void>(loop_->take(posted->offer));
         ++adopted_;
     }
     link_->separation.give_back();
@@ -134,6 +141,7 @@ void LiveLoop::loosen(bool is_loose) noexcept {
 }
 
 void LiveLoop::send(const LoopMessage& message) noexcept {
+    if (link_->is_overrun) return;  // nothing after a gap
     if (!link_->messages.push(message)) link_->is_overrun = true;
     ++sent_;
 }

@@ -55,7 +55,7 @@ private:
     void send(const LoopMessage& message) noexcept;
     /// Returns whether the run has not yet answered what was sent up to the last milestone of the hand.
     [[nodiscard]] bool awaits_run() const noexcept {
-        return sent_ - link_->messages.size() < awaited_ || link_->change.is_out();
+        return sent_ - link_->messages.size() < awaited_ || link_->change.is_out() || link_->is_busy;
     }
     void end_of(TickPart part) noexcept {
         if (parts_ != nullptr) parts_->end_of(part);
@@ -72,11 +72,13 @@ private:
     std::function<void()> with_run_;
     TickParts* parts_ = nullptr;
     NextActions next_actions_;
-    std::uint64_t adopted_ = 0;  ///< number of separations taken over
-    std::size_t step_ = 0;       ///< of the procedure, as the run last reported
+    std::uint64_t adopted_ = 0, taken_ = 0;  ///< numbers of separations and changes taken over
+    int delays_ = 0;                         ///< ticks for which the posted change could not be taken over
+    std::size_t step_ = 0;                   ///< of the procedure, as the run last reported
     TickResult last_;
     std::size_t milestone_ = 0;
-    std::uint64_t sent_ = 0, awaited_ = 0;  ///< numbers of messages: sent, and the run has taken when the hand goes on
+    std::uint64_t sent_ = 0,
+                  awaited_ = 0;  ///< numbers of messages: sent, and the run has taken when the hand continues
     bool was_fading_ = false;
     Fades fades_;
 };

@@ -69,15 +69,22 @@ struct PostedChange {
     std::uint64_t adopted = 0;  ///< number of separations that the run had made when it posted the change
 };
 
+/// A separation, with the number of changes that the run had made when it posted it.
+struct PostedSeparation {
+    Offer offer;
+    std::uint64_t changes = 0;
+};
+
 struct LoopLink {
     static constexpr std::size_t capacity = 1 << 15;  // messages: the run may be half a minute behind
 
     SpscRing<LoopMessage> messages{capacity};  ///< from the loop to the run
     PostBox<PostedChange> change;
-    PostBox<Offer> separation;
+    PostBox<PostedSeparation> separation;
     std::atomic<std::uint64_t> separation_due{0};  ///< number of ticks after which the loop takes it over
-    std::atomic<bool> should_stop{false};          ///< the run has ended
-    std::atomic<bool> is_overrun{false};           ///< the run is `capacity` messages behind: the loop has ended
+    std::atomic<bool> is_busy{false};      ///< changes of the run wait for an earlier one, or a step for its tool
+    std::atomic<bool> should_stop{false};  ///< the run has ended
+    std::atomic<bool> is_overrun{false};   ///< the run is `capacity` messages behind: the loop has ended
 };
 
 }  // namespace kerf::run

@@ -38,7 +38,9 @@ void Simulation::follow_from(std::size_t first) {
     std::vector<CutRecord> removing;
     for (const CutRecord& record : closed().subspan(first))
         if (record.removes) removing.push_back(record);
-    if (!removing.empty()) {
+    if (prepared_.offer.added != nullptr) {
+        held_back_.insert(held_back_.end(), removing.begin(), removing.end());
+    } else if (!removing.empty()) {
         scene_.apply(removing, body_states());
     } else if (is_clear_of_bone()) {
         scene_.end_cut();
@@ -68,6 +70,7 @@ void Simulation::take_another(std::size_t tool, double back) {
 
 void Simulation::finish() {
     is_deferring_ = false;  // no second loop is left
+    drop_change();
     close_and_follow();
     flush();
     take_separations_due(true);  // the last cut is done
@@ -208,11 +211,17 @@ void Simulation::make_change() {
     if (made.offer.is_history_change()) scene_.end_cut();
     if (made.offer.is_any()) take_over(std::move(made.offer));
     if (made.held_points) set_held_points(*made.held_points);
+    apply_held_back();
+}
+
+void Simulation::apply_held_back() {
+    if (!held_back_.empty()) scene_.apply(std::exchange(held_back_, {}), body_states());
 }
 
 void Simulation::drop_change() {
     prepared_ = {};
     subtracting_.reset();
+    apply_held_back();
 }
 
 void Simulation::renew_change() {

@@ -135,6 +135,7 @@ private:
     void follow_from(std::size_t first);
     void strip();
     void prepare_late_changes();
+    void apply_held_back();
     void change(Offer offer);
     void take_over(Offer offer);
     void take_separations_due(bool all);
@@ -149,6 +150,9 @@ private:
     BoneScene scene_;
     bool is_deferring_ = false;
     LoopChange prepared_;
+    /// Records since an insertion or fusion was prepared. They wait for it: a piece that they separate would get its
+    /// id.
+    std::vector<CutRecord> held_back_;
     std::optional<Subtraction> subtracting_;  ///< what `prepared_` subtracts
     std::optional<Subtraction> stripped_at_;  ///< waits until it can be prepared
     std::vector<Separation> separations_;
