@@ -77,13 +77,12 @@ const char* name_of_signal(int signal) noexcept {
     }
 }
 
-/// Pre: a call is in progress. `words` may be empty.
-[[noreturn]] void end_by(const char* what, const char* words) noexcept {
+/// Ends the program because of a call. `words` may be empty.
+[[noreturn]] void end_by(const CallInProgress& now, const char* what, const char* words) noexcept {
     static std::atomic<bool> is_ending{false};
     while (is_ending.exchange(true)) pause();  // another thread ends the program
     alarm(10);                                 // the program ends even if a call below hangs
 
-    const CallInProgress now = call_in_progress();
     const ComponentName name = name_of(now.component);
     static FixedText<240> detail;  // into the record: no path
     detail << (name.plugin != nullptr ? name.plugin->id.c_str() : "a plugin") << ": `" << to_text(now.call) << "` of `"
@@ -110,16 +109,16 @@ const char* name_of_signal(int signal) noexcept {
 
 /// Handles faults of a plugin on this thread; leaves others to the previous handler.
 void on_signal(int signal) {
-    if (is_calling_plugin()) end_by(name_of_signal(signal), "");
+    if (is_calling_plugin()) end_by(call_in_progress(), name_of_signal(signal), "");
     std::signal(signal, SIG_DFL);
     raise(signal);  // delivered when this handler returns
 }
 
 void on_exit() {
-    if (is_calling_plugin()) end_by("ended the program (`exit`)", "");
+    if (is_calling_plugin()) end_by(call_in_progress(), "ended the program (`exit`)", "");
 }
 
-void on_throw(const char* words) { end_by("threw an exception", words); }
+void on_throw(const char* words) { end_by(call_in_progress(), "threw an exception", words); }
 
 std::terminate_handler previous_terminate = nullptr;
 
@@ -132,7 +131,7 @@ void on_terminate() {
         } catch (...) {
             on_throw("");
         }
-        end_by("called std::terminate", "");
+        end_by(call_in_progress(), "called std::terminate", "");
     }
     if (previous_terminate != nullptr) previous_terminate();
     std::abort();
@@ -175,22 +174,27 @@ PluginGuard::~PluginGuard() {
 /// A call that is the same in `polls_until_hung` polls has hung. Only calls into plugins have a number, so loading,
 /// import and Kerf's own work have no time limit.
 void PluginGuard::watch() {
-    std::uint64_t seen = 0;
-    int polls = 0;
+    struct Seen {
+        std::uint64_t count = 0;
+        int polls = 0;
+    };
+    std::array<Seen, max_calling_threads> seen{};
     std::unique_lock lock(mutex_);
-    while (!stop_.wait_for(lock, poll_interval, [&] { return is_stopping_; })) {
-        const CallInProgress now = call_in_progress();
-        polls = now.call != PluginCall::none && now.count == seen ? polls + 1 : 0;
-        seen = now.count;
-        if (polls >= polls_until_hung) end_by("did not come back within 5 s", "");
-    }
+    while (!stop_.wait_for(lock, poll_interval, [&] { return is_stopping_; }))
+        for (std::size_t thread = 0; thread < seen.size(); ++thread) {
+            const CallInProgress now = call_in_progress_of(thread);
+            Seen& last = seen[thread];
+            last.polls = now.call != PluginCall::none && now.count == last.count ? last.polls + 1 : 0;
+            last.count = now.count;
+            if (last.polls >= polls_until_hung) end_by(now, "did not come back within 5 s", "");
+        }
 }
 
 }  // namespace kerf::app
 
 // A plugin that calls one of these reaches Kerf's version; the system's would end a run as if it had passed.
 extern "C" void _exit(int status) {
-    if (kerf::is_calling_plugin()) kerf::app::end_by("ended the program (`_exit`)", "");
+    if (kerf::is_calling_plugin()) kerf::app::end_by(kerf::call_in_progress(), "ended the program (`_exit`)", "");
     kerf::app::leave(status);
 }
 extern "C" void _Exit(int status) noexcept { _exit(status); }

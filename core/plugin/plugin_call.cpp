@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/plugin/plugin_call.h"
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -14,26 +15,37 @@ namespace kerf {
 
 namespace {
 
-// Written by the calling thread alone; read by signal handlers and the watchdog.
-std::atomic<std::uint32_t> call_now{0};
-std::atomic<const kerf_component*> component_now{nullptr};
-std::atomic<std::uint64_t> count_now{0};
+/// The call of one thread. Written by it alone; read by signal handlers and the watchdog.
+struct alignas(64) ThreadCall {
+    std::atomic<std::uint32_t> call{0};
+    std::atomic<const kerf_component*> component{nullptr};
+    std::atomic<std::uint64_t> count{0};
+
+    [[nodiscard]] CallInProgress read() const noexcept {
+        const auto now = static_cast<PluginCall>(call.load(std::memory_order_acquire));
+        return {now, component.load(std::memory_order_relaxed), count.load(std::memory_order_relaxed)};
+    }
+};
+std::array<ThreadCall, max_calling_threads> thread_calls;
+std::atomic<std::size_t> calling_threads{0};
+thread_local ThreadCall* own_call = nullptr;
 thread_local bool is_calling = false;
 std::atomic<ThrowHandler> throw_handler{nullptr};
 
 class CallScope {
 public:
     CallScope(PluginCall call, const kerf_component& component) noexcept {
-        component_now.store(&component, std::memory_order_relaxed);
-        count_now.store(count_now.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-        call_now.store(static_cast<std::uint32_t>(call), std::memory_order_release);
+        if (own_call == nullptr) own_call = &thread_calls[calling_threads.fetch_add(1) % max_calling_threads];
+        own_call->component.store(&component, std::memory_order_relaxed);
+        own_call->count.store(own_call->count.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+        own_call->call.store(static_cast<std::uint32_t>(call), std::memory_order_release);
         is_calling = true;
         std::atomic_signal_fence(std::memory_order_seq_cst);
     }
     ~CallScope() {
         std::atomic_signal_fence(std::memory_order_seq_cst);
         is_calling = false;
-        call_now.store(0, std::memory_order_release);
+        own_call->call.store(0, std::memory_order_release);
     }
     CallScope(const CallScope&) = delete;
     CallScope& operator=(const CallScope&) = delete;
@@ -131,9 +143,13 @@ kerf_status call_remesh(const kerf_component& strategy, const kerf_remesh_in& in
 }
 
 CallInProgress call_in_progress() noexcept {
-    const auto call = static_cast<PluginCall>(call_now.load(std::memory_order_acquire));
-    return {call, component_now.load(std::memory_order_relaxed), count_now.load(std::memory_order_relaxed)};
+    if (is_calling) return own_call->read();
+    for (const ThreadCall& other : thread_calls)
+        if (const CallInProgress now = other.read(); now.call != PluginCall::none) return now;
+    return {};
 }
+
+CallInProgress call_in_progress_of(std::size_t thread) noexcept { return thread_calls[thread].read(); }
 
 bool is_calling_plugin() noexcept { return is_calling; }
 

@@ -29,13 +29,18 @@ void call_begin(const kerf_component& law, const kerf_tick_in& in, void* state) 
 [[nodiscard]] kerf_status call_remesh(const kerf_component& strategy, const kerf_remesh_in& in, const kerf_arena& from,
                                       kerf_arena& to, kerf_remesh_out& out, void* cache) noexcept;
 
-/// The call in progress. Kerf calls plugins on one thread at a time.
+/// A call in progress. A run on the clock calls laws on two threads, each with states of its own.
 struct CallInProgress {
     PluginCall call = PluginCall::none;
     const kerf_component* component = nullptr;
-    std::uint64_t count = 0;  ///< number of all calls so far, this one included: it identifies the call
+    std::uint64_t count = 0;  ///< number of calls of its thread so far, this one included: it identifies the call
 };
-[[nodiscard]] CallInProgress call_in_progress() noexcept;  // [any] async-signal-safe
+/// Number of threads whose calls are kept apart. More than these are given the place of an earlier one.
+inline constexpr std::size_t max_calling_threads = 16;
+/// Returns the call of this thread, else one of another thread, or `none`.   [any] async-signal-safe
+[[nodiscard]] CallInProgress call_in_progress() noexcept;
+/// Returns the call of one of the threads, 0 … `max_calling_threads` − 1, or `none`.   [any]
+[[nodiscard]] CallInProgress call_in_progress_of(std::size_t thread) noexcept;
 /// Returns whether the calling thread is the one inside the plugin.   [any] async-signal-safe
 [[nodiscard]] bool is_calling_plugin() noexcept;
 
