@@ -35,7 +35,7 @@ struct CallInProgress {
     const kerf_component* component = nullptr;
     std::uint64_t count = 0;  ///< number of calls of its thread so far, this one included: it identifies the call
 };
-/// Number of threads whose calls are kept apart. More than these are given the place of an earlier one.
+/// Number of threads whose calls are kept apart. More than these take the index of an earlier one.
 inline constexpr std::size_t max_calling_threads = 16;
 /// Returns the call of this thread, else one of another thread, or `none`.   [any] async-signal-safe
 [[nodiscard]] CallInProgress call_in_progress() noexcept;
