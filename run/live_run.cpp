@@ -24,9 +24,19 @@ void tick_until_done(FollowedRun& followed, TickClock& clock) {
     }
 }
 
+/// Ticks on this thread; the run catches up with each tick.
 RunOutcome run_alone(FollowedRun& followed, LiveHand& hand, TickClock& clock) {
     followed.begin(hand, true);
     tick_until_done(followed, clock);
+    return followed.finish();
+}
+
+/// Ticks on a thread of their own; the run follows on this one.
+RunOutcome run_beside(FollowedRun& followed, LiveHand& hand, TickClock& clock) {
+    followed.begin(hand, false);
+    auto ticks = std::async(std::launch::async, [&] { tick_until_done(followed, clock); });
+    while (!followed.has_ended()) followed.follow();
+    ticks.get();
     return followed.finish();
 }
 
@@ -47,61 +57,59 @@ RunOutcome run_live(FollowedRun& followed, LiveHand& hand) {
     return followed.finish();
 }
 
-RunRequest of_device(RunRequest request) {
+/// Calls `run(followed, hand)` with the hand of the rehearsal.
+template <class RunWith>
+RunOutcome with_rehearsal(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
+                          const RunWith& run) {
+    RunOutcome outcome;
+    const auto followed = FollowedRun::create(scene, plugins, request, outcome);
+    if (followed == nullptr) return outcome;
+    LiveRehearsal hand(followed->run().plan());
+    return run(*followed, hand);
+}
+
+/// Calls `run(followed, hand)` with a hand at a device.
+template <class RunWith>
+RunOutcome with_device(const Scene& scene, const PluginRegistry& plugins, RunRequest request, OpenedDevice& device,
+                       const documents::DeviceStation& station, const RunWith& run) {
     request.is_led = true;
-    return request;
+    RunOutcome outcome;
+    const auto followed = FollowedRun::create(scene, plugins, request, outcome);
+    if (followed == nullptr) return outcome;
+    LiveDevice hand(device, station, followed->run().simulation().world_from_tool(),
+                    arm_at(*scene.device, scene.gains.force_scale));
+    return run(*followed, hand);
 }
 
 }  // namespace
 
 RunOutcome run_on_clock(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
                         TickClock& clock) {
-    RunOutcome outcome;
-    const auto followed = FollowedRun::create(scene, plugins, request, outcome);
-    if (followed == nullptr) return outcome;
-    LiveRehearsal hand(followed->run().plan());
-    return run_alone(*followed, hand, clock);
+    return with_rehearsal(scene, plugins, request,
+                          [&](FollowedRun& followed, LiveHand& hand) { return run_alone(followed, hand, clock); });
 }
 
 RunOutcome run_beside_clock(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
                             TickClock& clock) {
-    RunOutcome outcome;
-    const auto followed = FollowedRun::create(scene, plugins, request, outcome);
-    if (followed == nullptr) return outcome;
-    LiveRehearsal hand(followed->run().plan());
-    followed->begin(hand, false);
-    auto ticks = std::async(std::launch::async, [&] { tick_until_done(*followed, clock); });
-    while (!followed->has_ended()) followed->follow();
-    ticks.get();
-    return followed->finish();
+    return with_rehearsal(scene, plugins, request,
+                          [&](FollowedRun& followed, LiveHand& hand) { return run_beside(followed, hand, clock); });
 }
 
 RunOutcome run_on_clock(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request, TickClock& clock,
                         OpenedDevice& device, const documents::DeviceStation& station) {
-    RunOutcome outcome;
-    const auto followed = FollowedRun::create(scene, plugins, of_device(request), outcome);
-    if (followed == nullptr) return outcome;
-    LiveDevice hand(device, station, followed->run().simulation().world_from_tool(),
-                    arm_at(*scene.device, scene.gains.force_scale));
-    return run_alone(*followed, hand, clock);
+    return with_device(scene, plugins, request, device, station,
+                       [&](FollowedRun& followed, LiveHand& hand) { return run_alone(followed, hand, clock); });
 }
 
 RunOutcome run_live(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request) {
-    RunOutcome outcome;
-    const auto followed = FollowedRun::create(scene, plugins, request, outcome);
-    if (followed == nullptr) return outcome;
-    LiveRehearsal hand(followed->run().plan());
-    return run_live(*followed, hand);
+    return with_rehearsal(scene, plugins, request,
+                          [](FollowedRun& followed, LiveHand& hand) { return run_live(followed, hand); });
 }
 
 RunOutcome run_live(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request, OpenedDevice& device,
                     const documents::DeviceStation& station) {
-    RunOutcome outcome;
-    const auto followed = FollowedRun::create(scene, plugins, of_device(request), outcome);
-    if (followed == nullptr) return outcome;
-    LiveDevice hand(device, station, followed->run().simulation().world_from_tool(),
-                    arm_at(*scene.device, scene.gains.force_scale));
-    return run_live(*followed, hand);
+    return with_device(scene, plugins, request, device, station,
+                       [](FollowedRun& followed, LiveHand& hand) { return run_live(followed, hand); });
 }
 
 }  // namespace kerf::run

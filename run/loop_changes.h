@@ -34,6 +34,7 @@ public:
     void begin_following(LoopLink& link);
 
     [[nodiscard]] bool is_in_lock_step() const noexcept { return mode_ == Mode::lock_step; }
+    [[nodiscard]] bool is_following() const noexcept { return mode_ == Mode::following; }
     /// Returns whether a change of bodies may be prepared now.
     [[nodiscard]] bool is_free() const noexcept {
         return is_in_lock_step() || (!posted_ && !next_.removes_held && simulation_->is_ready_for_change());
@@ -52,8 +53,8 @@ public:
     struct Due {
         bool is_refused = false;
     };
-    /// Returns what a replayed loop does with the posted change before the next tick. Nothing: it waits, or none is
-    /// posted, or a loop on the clock will tell.
+    /// Returns what a replayed loop does with the posted change before the next tick. Nothing: it waits, none is
+    /// posted, or a loop on the clock has to report it.
     [[nodiscard]] std::optional<Due> due() const;
 
     /// What was made.

@@ -168,7 +168,6 @@ std::unique_ptr<HapticLoop> Run::follow_loop(LoopLink& link) {
     constexpr std::size_t free_bricks = 4096;  // 6 MB for each body: memory that no tick touches for the first time
     auto loop = simulation_.second_loop(scene_->tools, scene_->gains, plan_.start, free_bricks);
     loop->lead(guide_of_step(*scene_, monitor_));
-    is_following_ = true;
     changes_.begin_following(link);
     return loop;
 }
@@ -234,12 +233,10 @@ void Run::post_changes() {
 /// Makes the changes that a replayed loop took over before this tick.
 void Run::make_due_changes() {
     if (changes_.is_in_lock_step()) return;
-    make_waiting_changes();
-    changes_.post(monitor_.current());
+    post_changes();
     while (const auto due = changes_.due()) {
         make_change(due->is_refused);
-        make_waiting_changes();
-        changes_.post(monitor_.current());
+        post_changes();
     }
 }
 
@@ -256,7 +253,8 @@ void Run::make_change(bool is_refused) {
         add_event_at(simulation_.ticks(), "hand.refused", text_of(*input) + ": the tool has met bone since");
     else if (input)
         finish_input(*input);
-    before_.follow(simulation_.present());
+    else
+        before_.follow(simulation_.present());
 }
 
 void Run::make_waiting_changes() {
@@ -300,7 +298,7 @@ bool Run::tick(const DeviceSample& reported) {
     const DeviceSample sample{handle, reported.missed, reported.is_lost};
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
     note_reading(reported);
-    if (!is_replay() && !request_.is_led && !is_following_) hand_.feel(result_, simulation_);
+    if (!is_replay() && !request_.is_led && !changes_.is_following()) hand_.feel(result_, simulation_);
 
     if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
     take_separations(simulation_.ticks() - 1);
@@ -511,7 +509,7 @@ std::optional<RunEnd> Run::end_after_tick() {
             outcome_.was_interrupted = *end == RunEnd::interrupted;
             return end;
         }
-    if (request_.is_led || is_following_) return std::nullopt;
+    if (request_.is_led || changes_.is_following()) return std::nullopt;
     if (is_replay() ? ticks >= request_.replay.size() : hand_.is_done()) return RunEnd::path_ended;
     return std::nullopt;
 }
@@ -566,9 +564,9 @@ void Run::note_progress() {
         what = std::to_string(ticks / 1000) + " s, step `" + scene_->procedure.steps[step].id + "`";
         if (const std::string next = next_actions_.words(step); !next.empty()) what += "; the button next: " + next;
     }
-    report_progress(is_replay()                        ? fraction(ticks, request_.replay.size())
-                    : request_.is_led || is_following_ ? fraction(step, scene_->procedure.steps.size())
-                                                       : fraction(hand_.leg(), plan_.intent.legs.size()),
+    report_progress(is_replay()                                  ? fraction(ticks, request_.replay.size())
+                    : request_.is_led || changes_.is_following() ? fraction(step, scene_->procedure.steps.size())
+                                                                 : fraction(hand_.leg(), plan_.intent.legs.size()),
                     what);
 }
 

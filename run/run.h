@@ -147,8 +147,7 @@ private:
     session::TickRow row_;                                          ///< of the last tick
     std::size_t next_input_ = 0, next_missed_ = 0, next_lost_ = 0;  ///< indices into what was recorded
     NextActions next_actions_;
-    bool is_following_ = false;  ///< a loop on the clock
-    bool is_lost_ = false;       ///< the device, in the last tick
+    bool is_lost_ = false;  ///< the device, in the last tick
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]

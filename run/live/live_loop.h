@@ -77,8 +77,8 @@ private:
     std::size_t step_ = 0;                   ///< of the procedure, as the run last reported
     TickResult last_;
     std::size_t milestone_ = 0;
-    std::uint64_t sent_ = 0,
-                  awaited_ = 0;  ///< numbers of messages: sent, and the run has taken when the hand continues
+    std::uint64_t sent_ = 0;     ///< number of messages
+    std::uint64_t awaited_ = 0;  ///< number of messages that the run must have taken before the hand continues
     bool was_fading_ = false;
     Fades fades_;
 };
