@@ -20,7 +20,7 @@ namespace {
 
 using drawing::text_at;
 
-constexpr int cell = 18, left = 372, top = 118, gap = 10;  // px
+constexpr int cell = 18, left = 490, top = 118, gap = 10;  // px
 
 struct Column {
     std::string device, hand;

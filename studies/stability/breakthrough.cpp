@@ -7,6 +7,7 @@
 #include "kerf/units.hpp"
 #include "studies/scenes/bone_block.h"
 #include "studies/stability/kerf_loop.h"
+#include "studies/stability/port_tick.h"
 #include "studies/stability/scenes.h"
 
 namespace kerf::stability {
@@ -42,8 +43,7 @@ Passage pass_through(const PortSettings& settings, const Body& body, const ToolU
     KerfLoop loop(body, tool.setup, gains, above, way);
     loop.wait(port.reported(), run_up);
     Passage passage;
-    for (int i = 0; i < longest && loop.tip() < shell + tool.full_depth; ++i)
-        port.step(loop.answer(port.reported()), push);
+    for (int i = 0; i < longest && loop.tip() < shell + tool.full_depth; ++i) tick(port, loop, push);
     passage.has_cleared = loop.tip() >= shell + tool.full_depth;
     if (!passage.has_cleared) return passage;
     // The hand has not noticed: it goes on pushing, and its arm stays where it was.
@@ -54,14 +54,13 @@ Passage pass_through(const PortSettings& settings, const Body& body, const ToolU
     passage.bound = loop.simulation().fastest_near_bone();
     passage.stretch = hand_at - tool_at;
     for (int i = 0; i < after; ++i) {
-        const double force = loop.answer(port.reported());
-        if (passage.ticks_felt < 0 && std::abs(force) < felt) passage.ticks_felt = i;
         fastest = std::max(fastest, port.rate());
+        const double force = tick(port, loop, push);
+        if (passage.ticks_felt < 0 && std::abs(force) < felt) passage.ticks_felt = i;
         if (passage.ticks_felt >= 0 && std::abs(force) > passage.later) {
             passage.later = std::abs(force);
             passage.fastest = fastest;
         }
-        port.step(force, push);
         passage.hand = std::max(passage.hand, port.depth() - hand_at);
         passage.tool = std::max(passage.tool, loop.tip() - tool_at);
         const bool has_turned =

@@ -39,8 +39,8 @@ double peak_to_peak_about_line(std::span<const double> x) {
 
 }  // namespace
 
-void PortEnergy::see(double force, double deeper, double ceiling) noexcept {
-    energy_ = std::min(energy_ + force * deeper, ceiling);
+void PortEnergy::add(double work, double ceiling) noexcept {
+    energy_ = std::min(energy_ + work, ceiling);
     least_ = std::min(least_, energy_);
 }
 

@@ -16,7 +16,9 @@ namespace kerf::stability {
 /// a plain sum would hide a fault behind the work of drilling.
 class PortEnergy {
 public:
-    void see(double force, double deeper, double ceiling = 1e300) noexcept;
+    void see(double force, double deeper, double ceiling = 1e300) noexcept { add(force * deeper, ceiling); }
+    /// The same with the work f Δx of the hand [J].
+    void add(double work, double ceiling = 1e300) noexcept;
     /// From here on: how low it has been is forgotten.
     void begin() noexcept { least_ = energy_; }
     [[nodiscard]] double now() const noexcept { return energy_; }   ///< [J]
@@ -43,9 +45,12 @@ struct Judged {
     int turns = 0;            ///< within 100 ms
     double min_energy = 0.0;  ///< [J]
 
-    [[nodiscard]] bool is_stable() const noexcept { return counts < 3.0 && turns <= 10 && min_energy >= -1e-4; }
+    /// Returns whether it gives no energy and does not alternate, wherever the hand is.
+    [[nodiscard]] bool is_calm() const noexcept { return turns <= 10 && min_energy >= -1e-4; }
+    [[nodiscard]] bool is_stable() const noexcept { return counts < 3.0 && is_calm(); }
 };
 [[nodiscard]] std::string in_figures(const Judged& judged);
+inline constexpr const char* calm_means = "<=10 turns in 100 ms, >=-0.1 mJ";
 inline constexpr const char* stable_means = "<3 counts p-p after 0.5 s, <=10 turns in 100 ms, >=-0.1 mJ";
 
 /// Stable: after 0.5 s less than 3 counts from peak to peak, no alternation above 50 Hz and 0.05 N, never more than

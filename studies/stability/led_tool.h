@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <utility>
 
@@ -67,7 +68,9 @@ struct LedTool {
         const double back = (stop - port.depth()) * settings.period / to_stand;
         meant = std::clamp(meant + speed * settings.period + back, port.depth() - farthest, port.depth() + farthest);
         const double push = stiffness * (meant - port.depth()) + damping * (speed - port.rate()) + friction;
-        port.step(loop.answer(port.reported() + (beside ? beside() : 0.0)), std::clamp(push, -most, most));
+        const double pushed = std::clamp(push, -most, most);
+        const std::uint32_t missed = port.wait_for_clock(pushed);
+        port.step(loop.answer(port.reported() + (beside ? beside() : 0.0), missed), pushed);
     });
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "core/haptics/loop/device_record.h"
+#include "studies/stability/lateness.h"
 #include "studies/stability/test_hand.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
@@ -18,6 +20,7 @@ struct PortSettings {
     TestHand hand = no_hand;
     double period = 1e-3;  ///< [s] T: a force is held as long
     int delay = 0;         ///< whole ticks from a sample to the force that answers it, 0 … longest_latency
+    Clock clock = Clock::in_time;
 
     [[nodiscard]] double moved_mass() const noexcept { return mass + hand.mass; }
     [[nodiscard]] double damping() const noexcept { return viscosity + hand.damping; }
@@ -43,6 +46,9 @@ public:
     void step(double force, double push) noexcept;
     /// One period in which the loop does not answer: the device holds what it has.
     void step_unanswered(double push) noexcept;
+    /// On the clock: goes on with the held force until the loop is called. `step` then has the rest of the period.
+    /// Returns the number of whole periods that passed unanswered; 0 without a clock.
+    std::uint32_t wait_for_clock(double push) noexcept;
 
     /// The hand's aim trails its handle by 0.2 s: an arm that goes along. Otherwise it stays where it is.
     void go_along(bool does) noexcept { goes_along_ = does; }
@@ -52,13 +58,18 @@ public:
     [[nodiscard]] double depth() const noexcept { return depth_; }  ///< [m] as it is
     [[nodiscard]] double rate() const noexcept { return rate_; }    ///< [m/s]
     [[nodiscard]] double held() const noexcept { return held_; }    ///< [N] what the device made in the last period
+    /// Returns the work of the hand against the held force so far [J].
+    [[nodiscard]] double work() const noexcept { return work_; }
     [[nodiscard]] const PortSettings& settings() const noexcept { return settings_; }
 
 private:
-    void integrate(double push) noexcept;
+    /// Integrates from one substep of the period to another.
+    void integrate(double push, int from, int to) noexcept;
 
     PortSettings settings_;
-    double depth_, rate_ = 0.0, aim_, held_ = 0.0;
+    double depth_, rate_ = 0.0, aim_, held_ = 0.0, work_ = 0.0;
+    int waited_ = 0;  ///< substeps of this period that passed before the loop was called
+    Lateness lateness_{};
     bool goes_along_ = false;
     std::array<double, max_latency> under_way_{};  ///< forces that have not arrived, the oldest first
 };

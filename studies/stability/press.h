@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "studies/stability/criterion.h"
@@ -9,8 +10,9 @@
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::stability {
 
-/// What makes the force: from the depth that the encoder says [m] to the force against it [N], once a tick.
-using Renderer = std::function<double(double depth)>;
+/// What makes the force: from the depth that the encoder says [m] to the force against it [N], once a tick, after
+/// `missed` ticks that did not run.
+using Renderer = std::function<double(double depth, std::uint32_t missed)>;
 
 /// What may be given back at most [J], the port as deep as this [m].
 using Stored = std::function<double(double depth)>;
@@ -22,11 +24,12 @@ using Stored = std::function<double(double depth)>;
     Trace trace;
     trace.period = port.settings().period;
     for (int i = 0; i < ticks; ++i) {
-        const double before = port.depth();
-        port.step(render(port.reported()), push);
+        const double before = port.work();
+        const std::uint32_t missed = port.wait_for_clock(push);
+        port.step(render(port.reported(), missed), push);
         trace.depth.push_back(port.depth());
         trace.force.push_back(port.held());
-        trace.energy.see(port.held(), port.depth() - before, stored ? stored(port.depth()) : 1e300);
+        trace.energy.add(port.work() - before, stored ? stored(port.depth()) : 1e300);
     }
     return trace;
 }

@@ -10,6 +10,32 @@
 
 namespace kerf::stability {
 
+namespace {
+
+/// Runs the scenes of a hand at a port again, with ticks that a machine calls late: all without its pauses, and those
+/// of a hand that keeps pushing with them. What is as printed is left out, and so is a hand that is led.
+void look_at_late_ticks(Scope scope, const ToolUnderTest& tool, const Report& report) {
+    const char* which = ", late ticks";
+    const Report late = [&](Finding finding) {
+        if (finding.method != Method::kerf || finding.hand == led) return;
+        finding.scene += which;
+        report(finding);
+    };
+    scope.clock = Clock::without_pauses;
+    look_at_cutting(scope, tool, late);
+    look_at_contact(scope, late);
+    look_at_noise(scope, tool, late);
+    look_at_re_entry(scope, tool, nullptr, late);
+    look_at_breakthrough(scope, tool, late);
+    look_at_switching_off(scope, tool, late);
+    scope.clock = Clock::measured;
+    which = ", late ticks and pauses";
+    look_at_cutting(scope, tool, late);
+    look_at_contact(scope, late);
+}
+
+}  // namespace
+
 std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegistry& papers, const std::string& plugin,
                                bool is_quick, const Report& as_found, std::string& error) {
     std::vector<Finding> findings;
@@ -40,6 +66,7 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegist
     look_at_missed_ticks(scope, report);
     look_at_loop_rate(scope, *tool, printed_laws, report);
     look_at_lever(scope, report);
+    look_at_late_ticks(scope, *tool, report);
     return findings;
 }
 

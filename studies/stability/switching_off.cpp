@@ -8,6 +8,7 @@
 
 #include "studies/scenes/bone_block.h"
 #include "studies/stability/kerf_loop.h"
+#include "studies/stability/port_tick.h"
 #include "studies/stability/scenes.h"
 #include "studies/stability/unreleased.h"
 
@@ -30,14 +31,14 @@ SwitchedOff switch_off(const Body& body, const ToolUnderTest& tool, const PortSe
     port.go_along(true);
     KerfLoop loop(body, tool.setup, gains, above, way);
     loop.wait(port.reported(), run_up);
-    for (int i = 0; i < longest && loop.tip() < drilled; ++i) port.step(loop.answer(port.reported()), push);
+    for (int i = 0; i < longest && loop.tip() < drilled; ++i) tick(port, loop, push);
     for (std::size_t drive = 0; drive < tool.setup.drives.size(); ++drive) loop.simulation().command_drive(drive, 0.0);
 
     SwitchedOff off;
     std::vector<double> thrust{loop.last().thrust * gains.force_scale};
     std::size_t contact = 1;  // the first tick without a cut
     for (int i = 0; i < after; ++i) {
-        port.step(loop.answer(port.reported()), push);
+        tick(port, loop, push);
         thrust.push_back(loop.last().thrust * gains.force_scale);
         off.step = std::max(off.step, std::abs(thrust.back() - thrust[thrust.size() - 2]));
         off.is_finite = off.is_finite && std::isfinite(thrust.back()) && std::isfinite(loop.last().command.wrench[2]);
