@@ -177,7 +177,7 @@ Finding finding_sideways(double tilt, double feed, const Crossing& crossing, con
 // ---- who leads -----------------------------------------------------------------------------------------------------
 
 /// The tool is where it is told to be: no device has a part in it.
-void look_at_prescribed(const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report) {
+void check_prescribed(const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report) {
     const BoneBlock block = two_tissues();
     const Body body = make(block);
     for (const Method method : {Method::as_printed, Method::kerf})
@@ -217,7 +217,7 @@ void look_at_prescribed(const ToolUnderTest& tool, const ToolUnderTest* printed,
 /// A hand that is where it is told to be leads the tool by the coupling. That lets the drill jump into the softer bone,
 /// at a rate beyond what the test crosses at; then it is looked at in ticks so short that the tip goes no further in
 /// one of them than at the test's fastest feed in a whole one. A step is as large in a short tick; a steep fall is not.
-void look_at_led_by_spring(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
+void check_led_by_spring(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
     constexpr int max_parts = 16;
     const Body body = make(two_tissues());
     for (const DeviceRecord& device : scope.devices)
@@ -253,9 +253,9 @@ void look_at_led_by_spring(const Scope& scope, const ToolUnderTest& tool, const 
 
 }  // namespace
 
-void look_at_border(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report) {
-    look_at_prescribed(tool, printed, report);
-    look_at_led_by_spring(scope, tool, report);
+void check_border(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report) {
+    check_prescribed(tool, printed, report);
+    check_led_by_spring(scope, tool, report);
 }
 
 }  // namespace kerf::stability

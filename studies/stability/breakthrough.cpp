@@ -72,7 +72,7 @@ Passage pass_through(const PortSettings& settings, const Body& body, const ToolU
 
 }  // namespace
 
-void look_at_breakthrough(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
+void check_breakthrough(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
     const Body body = make({.thickness = shell});
     at_every_port(scope, [&](const DeviceRecord& device, PortSettings settings) {
         settings.friction = 0.0;  // the formula has none

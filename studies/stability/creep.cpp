@@ -128,7 +128,7 @@ Place two_tissues() {
 
 }  // namespace
 
-void look_at_creep(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report) {
+void check_creep(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report) {
     const CouplingGains gains = in_hands(gains_for(scope.devices.front(), 1.0));
     std::vector<Way> ways{{"along an edge of the grid", {0, 0, -1}}, {"across its cells", {1, 1, -1}}};
     if (!scope.is_quick) {

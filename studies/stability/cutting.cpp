@@ -88,8 +88,8 @@ Pushed push_into(const Body& body, const ToolUnderTest& tool, const PortSettings
     return pushed;
 }
 
-void look_at_damper(const DeviceRecord& device, const PortSettings& settings, double push, double scale,
-                    const Report& report) {
+void check_damper(const DeviceRecord& device, const PortSettings& settings, double push, double scale,
+                  const Report& report) {
     Finding finding = place_of(device, settings);
     finding.scene = "feed law as a damper, gain swept";
     finding.method = Method::as_printed;
@@ -110,12 +110,12 @@ double largest_damper(PortSettings settings, double push) {
     return widest.narrowed(1.002, [&](double gain) { return !alternates(settings, gain, push); }).middle();
 }
 
-void look_at_cutting(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
+void check_cutting(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
     const Body body = make({.thickness = thickness, .spacing = 0.5e-3});
     at_every_port(scope, [&](const DeviceRecord& device, const PortSettings& settings) {
         const double push = push_of(device);
         const CouplingGains gains = gains_under_push(device, push, tool, body, settings.delay);
-        look_at_damper(device, settings, push, gains.force_scale, report);
+        check_damper(device, settings, push, gains.force_scale, report);
         for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
             const Pushed pushed = push_into(body, tool, settings, gains, push, way);
             Finding finding = place_of(device, settings);

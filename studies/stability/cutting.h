@@ -13,6 +13,6 @@ namespace kerf::stability {
 [[nodiscard]] double largest_damper(PortSettings settings, double push);
 
 /// S-01: a hand pushes into a block. The feed law as a damper, the plugin's law at the device's rate, and Kerf. [main]
-void look_at_cutting(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+void check_cutting(const Scope& scope, const ToolUnderTest& tool, const Report& report);
 
 }  // namespace kerf::stability

@@ -33,7 +33,7 @@ double laid_flat(const Body& body, const ToolSetup& probe, const CouplingGains& 
 
 }  // namespace
 
-void look_at_flat(const Scope& scope, const Report& report) {
+void check_flat(const Scope& scope, const Report& report) {
     constexpr int few = 8, many = 16;
     const Body body = make({.thickness = 20e-3, .spacing = 1e-3, .width = 80e-3});
     for (const DeviceRecord& device : scope.devices) {

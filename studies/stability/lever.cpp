@@ -74,7 +74,7 @@ Levered lever_with(Method method, const Body& body, const CouplingGains& gains) 
 
 }  // namespace
 
-void look_at_lever(const Scope& scope, const Report& report) {
+void check_lever(const Scope& scope, const Report& report) {
     constexpr double most = 0.2e-3;  // [J] a cycle
     const Body body = make({.thickness = 8e-3});
     for (const DeviceRecord& device : scope.devices)

@@ -109,8 +109,8 @@ void look_at(Way how, const ToolUnderTest& tool, const Scope& scope, const Body&
 
 }  // namespace
 
-void look_at_loop_rate(const Scope& scope, const ToolUnderTest& of, std::span<const ToolUnderTest> printed,
-                       const Report& report) {
+void check_loop_rate(const Scope& scope, const ToolUnderTest& of, std::span<const ToolUnderTest> printed,
+                     const Report& report) {
     const Body body = make(block);
     const auto finding_of = [](const std::string& scene, Method method) {
         return Finding{.test = "P-05", .scene = scene, .method = method, .hand = led, .criterion = "each within 2 %"};

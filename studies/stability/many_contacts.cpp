@@ -55,7 +55,7 @@ Impact fall(const Body& body, const PortSettings& settings, int points, double s
 
 }  // namespace
 
-void look_at_many_contacts(const Scope& scope, const Report& report) {
+void check_many_contacts(const Scope& scope, const Report& report) {
     const Body body = make({.thickness = 20e-3, .spacing = 1e-3, .width = 80e-3});
     for (const DeviceRecord& device : scope.devices)
         for (const bool is_direct : {true, false}) {

@@ -81,7 +81,7 @@ Stalled press_with_stall(const Body& body, const PortSettings& settings, const C
 
 }  // namespace
 
-void look_at_missed_ticks(const Scope& scope, const Report& report) {
+void check_missed_ticks(const Scope& scope, const Report& report) {
     const Body body = make({.thickness = 8e-3});
     at_every_port(scope, [&](const DeviceRecord& device, const PortSettings& settings) {
         const double push = std::min(2.0, 0.5 * device.peak_force);

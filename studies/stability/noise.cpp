@@ -115,7 +115,7 @@ std::string in_figures(const Heard& heard, double of) {
 
 }  // namespace
 
-void look_at_noise(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
+void check_noise(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
     const Body body = make({.thickness = 16e-3});
     const auto tell = [&](Finding finding, const CouplingGains& gains, const auto& listened_with) {
         const Listened listened = listened_with(gains);

@@ -46,7 +46,7 @@ public:
     void step(double force, double push) noexcept;
     /// One period in which the loop does not answer: the device holds what it has.
     void step_unanswered(double push) noexcept;
-    /// On the clock: goes on with the held force until the loop is called. `step` then has the rest of the period.
+    /// On the clock: keeps the held force until the loop is called. `step` then has the rest of the period.
     /// Returns the number of whole periods that passed unanswered; 0 without a clock.
     std::uint32_t wait_for_clock(double push) noexcept;
 

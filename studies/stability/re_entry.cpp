@@ -63,8 +63,7 @@ Finding finding_of(const BackAgain& again) {
 
 }  // namespace
 
-void look_at_re_entry(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed,
-                      const Report& report) {
+void check_re_entry(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report) {
     const BoneBlock block{.thickness = 16e-3};
     const Body body = make(block);
     Finding as_printed{.test = "S-12", .scene = "out of a hole and in again", .hand = led, .reason = papers::no_papers};

@@ -14,7 +14,7 @@ namespace {
 
 /// Runs the scenes of a hand at a port again, with ticks that a machine calls late: all without its pauses, and those
 /// of a hand that keeps pushing with them. What is as printed is left out, and so is a hand that is led.
-void look_at_late_ticks(Scope scope, const ToolUnderTest& tool, const Report& report) {
+void check_late_ticks(Scope scope, const ToolUnderTest& tool, const Report& report) {
     const char* which = ", late ticks";
     const Report late = [&](Finding finding) {
         if (finding.method != Method::kerf || finding.hand == led) return;
@@ -22,16 +22,16 @@ void look_at_late_ticks(Scope scope, const ToolUnderTest& tool, const Report& re
         report(finding);
     };
     scope.clock = Clock::without_pauses;
-    look_at_cutting(scope, tool, late);
-    look_at_contact(scope, late);
-    look_at_noise(scope, tool, late);
-    look_at_re_entry(scope, tool, nullptr, late);
-    look_at_breakthrough(scope, tool, late);
-    look_at_switching_off(scope, tool, late);
+    check_cutting(scope, tool, late);
+    check_contact(scope, late);
+    check_noise(scope, tool, late);
+    check_re_entry(scope, tool, nullptr, late);
+    check_breakthrough(scope, tool, late);
+    check_switching_off(scope, tool, late);
     scope.clock = Clock::measured;
     which = ", late ticks and pauses";
-    look_at_cutting(scope, tool, late);
-    look_at_contact(scope, late);
+    check_cutting(scope, tool, late);
+    check_contact(scope, late);
 }
 
 }  // namespace
@@ -52,21 +52,21 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegist
         if (as_found) as_found(finding);
     };
     const Scope scope = Scope::of(is_quick);
-    look_at_cutting(scope, *tool, report);
-    look_at_walls(scope, report);
-    look_at_tunnelling(scope, *tool, report);
-    look_at_creep(scope, *tool, printed, report);
-    look_at_noise(scope, *tool, report);
-    look_at_flat(scope, report);
-    look_at_re_entry(scope, *tool, printed, report);
-    look_at_breakthrough(scope, *tool, report);
-    look_at_border(scope, *tool, printed, report);
-    look_at_many_contacts(scope, report);
-    look_at_switching_off(scope, *tool, report);
-    look_at_missed_ticks(scope, report);
-    look_at_loop_rate(scope, *tool, printed_laws, report);
-    look_at_lever(scope, report);
-    look_at_late_ticks(scope, *tool, report);
+    check_cutting(scope, *tool, report);
+    check_walls(scope, report);
+    check_tunnelling(scope, *tool, report);
+    check_creep(scope, *tool, printed, report);
+    check_noise(scope, *tool, report);
+    check_flat(scope, report);
+    check_re_entry(scope, *tool, printed, report);
+    check_breakthrough(scope, *tool, report);
+    check_border(scope, *tool, printed, report);
+    check_many_contacts(scope, report);
+    check_switching_off(scope, *tool, report);
+    check_missed_ticks(scope, report);
+    check_loop_rate(scope, *tool, printed_laws, report);
+    check_lever(scope, report);
+    check_late_ticks(scope, *tool, report);
     return findings;
 }
 

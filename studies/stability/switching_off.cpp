@@ -59,7 +59,7 @@ std::string in_figures(const SwitchedOff& off, double push) {
 
 }  // namespace
 
-void look_at_switching_off(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
+void check_switching_off(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
     const Body body = make({.thickness = 16e-3});
     at_every_port(scope, [&](const DeviceRecord& device, const PortSettings& settings) {
         Finding finding{.test = "S-19", .scene = "switched off under a push"};

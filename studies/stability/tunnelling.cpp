@@ -54,7 +54,7 @@ double taken(const ToolUnderTest& tool, const CouplingGains& gains, KerfLoop::Wa
 
 }  // namespace
 
-void look_at_tunnelling(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
+void check_tunnelling(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
     const int times = scope.is_quick ? 100 : 1000;
     const Body body = make({.thickness = shell, .spacing = 0.1e-3, .width = 2e-3});
     for (const DeviceRecord& device : scope.devices) {

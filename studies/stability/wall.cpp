@@ -43,7 +43,7 @@ bool swings_out(const PortSettings& settings, double stiffness) {
     return late > early;
 }
 
-void look_at_the_boundary(const Scope& scope, const Report& report) {
+void check_the_boundary(const Scope& scope, const Report& report) {
     const std::vector<double> viscosities = scope.is_quick ? std::vector{0.1, 1.0} : std::vector{0.1, 0.3, 1.0, 2.0};
     const std::vector<double> periods =
         scope.is_quick ? std::vector{0.5e-3, 1e-3} : std::vector{0.25e-3, 0.5e-3, 1e-3, 2e-3};
@@ -70,7 +70,7 @@ void look_at_the_boundary(const Scope& scope, const Report& report) {
         }
 }
 
-void look_at_friction(const Scope& scope, const Report& report) {
+void check_friction(const Scope& scope, const Report& report) {
     for (const DeviceRecord& device : scope.devices)
         for (int delay = 0; delay <= scope.max_delay; ++delay) {
             PortSettings settings = port_of(device, no_hand, delay);
@@ -125,7 +125,7 @@ double stiffest_wall(const PortSettings& settings) {
 }
 
 /// A push of 2 N, or half of what the device has, from a tenth of a millimetre above the face.
-void look_at_contact(const Scope& scope, const Report& report) {
+void check_contact(const Scope& scope, const Report& report) {
     const Body body = make({.thickness = 8e-3});
     at_every_port(scope, [&](const DeviceRecord& device, const PortSettings& settings) {
         const double push = std::min(2.0, 0.5 * device.peak_force);
@@ -155,10 +155,10 @@ void look_at_contact(const Scope& scope, const Report& report) {
     });
 }
 
-void look_at_walls(const Scope& scope, const Report& report) {
-    look_at_the_boundary(scope, report);
-    look_at_friction(scope, report);
-    look_at_contact(scope, report);
+void check_walls(const Scope& scope, const Report& report) {
+    check_the_boundary(scope, report);
+    check_friction(scope, report);
+    check_contact(scope, report);
 }
 
 }  // namespace kerf::stability

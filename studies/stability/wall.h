@@ -14,8 +14,8 @@ namespace kerf::stability {
 [[nodiscard]] double stiffest_wall_in_theory(const PortSettings& settings) noexcept;
 
 /// S-02 a stiff wall, S-03 the same with latency.   [main]
-void look_at_walls(const Scope& scope, const Report& report);
-/// S-02 with a hand that pushes on a stiff wall. `look_at_walls` has it, too.   [main]
-void look_at_contact(const Scope& scope, const Report& report);
+void check_walls(const Scope& scope, const Report& report);
+/// S-02 with a hand that pushes on a stiff wall. `check_walls` has it, too.   [main]
+void check_contact(const Scope& scope, const Report& report);
 
 }  // namespace kerf::stability

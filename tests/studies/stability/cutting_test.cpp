@@ -20,8 +20,8 @@ TEST(Cutting, TheLargestSampledDamperIsThatOfTheory) {
 
 TEST(Cutting, TheLawChattersAtTheDevicesRateAndIsQuietWhenSolved) {
     std::vector<Finding> found;
-    look_at_cutting(only("premium-1.5-6dof", test_hands[2], 0), the_drill(),
-                    [&](const Finding& f) { found.push_back(f); });
+    check_cutting(only("premium-1.5-6dof", test_hands[2], 0), the_drill(),
+                  [&](const Finding& f) { found.push_back(f); });
     ASSERT_EQ(found.size(), 3u);
     EXPECT_EQ(found[0].outcome, Outcome::fail) << "as a damper: " << found[0].measured;
     EXPECT_EQ(found[1].outcome, Outcome::fail) << "directly: " << found[1].measured;
@@ -32,7 +32,7 @@ TEST(Cutting, TheLawChattersAtTheDevicesRateAndIsQuietWhenSolved) {
 
 TEST(Cutting, WhatFliesOutOfTheBlockIsNotJudgedAsIfItWereInIt) {
     std::vector<Finding> found;
-    look_at_cutting(only("premium-1.5-6dof", no_hand, 0), the_drill(), [&](const Finding& f) { found.push_back(f); });
+    check_cutting(only("premium-1.5-6dof", no_hand, 0), the_drill(), [&](const Finding& f) { found.push_back(f); });
     ASSERT_EQ(found.size(), 3u);
     EXPECT_NE(found[1].measured.find("the block after"), std::string::npos) << "directly: " << found[1].measured;
     EXPECT_EQ(found[2].outcome, Outcome::pass) << "solved: " << found[2].measured;

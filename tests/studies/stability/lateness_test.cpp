@@ -66,11 +66,11 @@ TEST(Lateness, ChangesNoVerdictOfAHandAtAPort) {
         }
     };
     late.clock = Clock::without_pauses;
-    look_at_contact(late, pass);
-    look_at_breakthrough(late, the_drill(), pass);
-    look_at_re_entry(late, the_drill(), nullptr, pass);
+    check_contact(late, pass);
+    check_breakthrough(late, the_drill(), pass);
+    check_re_entry(late, the_drill(), nullptr, pass);
     late.clock = Clock::measured;
-    look_at_contact(late, pass);
+    check_contact(late, pass);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ const Scope nominal = only("premium-1.5-6dof", test_hands[2], 0);
 
 TEST(Scenes, TwiceThePointsAreTwiceTheForceAsPrintedAndTheSameSolved) {
     Found found;
-    look_at_flat(nominal, found.report);
+    check_flat(nominal, found.report);
     const char* scene = "probe laid flat, points doubled";
     EXPECT_EQ(found.only(scene, Method::as_printed).outcome, Outcome::fail);
     EXPECT_NE(found.only(scene, Method::as_printed).measured.find(", 100 %"), std::string::npos);
@@ -59,7 +59,7 @@ TEST(Scenes, TwiceThePointsAreTwiceTheForceAsPrintedAndTheSameSolved) {
 
 TEST(Scenes, ASlowFeedIsNoiseAtTheDevicesRateAndQuietSolved) {
     Found found;
-    look_at_noise(nominal, the_drill(), found.report);
+    check_noise(nominal, the_drill(), found.report);
     EXPECT_EQ(found.only("feed of 0.5 mm/s", Method::as_printed).outcome, Outcome::fail);
     found.expect_that_kerf_passes();
     EXPECT_EQ(found.count("hold still, +-1 count", Method::kerf, Outcome::pass), 2) << "led, and held by a hand";
@@ -67,7 +67,7 @@ TEST(Scenes, ASlowFeedIsNoiseAtTheDevicesRateAndQuietSolved) {
 
 TEST(Scenes, AFastHandTunnelsAsPrintedAndFeelsTheShellSolved) {
     Found found;
-    look_at_tunnelling(nominal, the_drill(), found.report);
+    check_tunnelling(nominal, the_drill(), found.report);
     const char* scene = "0.5 mm shell at 1 m/s";
     EXPECT_EQ(found.only(scene, Method::as_printed).outcome, Outcome::fail);
     EXPECT_EQ(found.only(scene, Method::kerf).outcome, Outcome::pass) << found.only(scene, Method::kerf).measured;
@@ -78,7 +78,7 @@ TEST(Scenes, AFastHandTunnelsAsPrintedAndFeelsTheShellSolved) {
 TEST(Scenes, NeitherTheGridNorABorderOnItsFacesIsFeltAsStepsInACreep) {
     Found found;
     const ToolUnderTest printed = the_papers_drill();
-    look_at_creep(nominal, the_drill(), &printed, found.report);
+    check_creep(nominal, the_drill(), &printed, found.report);
     found.expect_that_kerf_passes();
     const char* scene = "creep over a border 10 : 1 on a face";
     EXPECT_EQ(found.count(scene, Method::kerf, Outcome::pass), 2);
@@ -87,7 +87,7 @@ TEST(Scenes, NeitherTheGridNorABorderOnItsFacesIsFeltAsStepsInACreep) {
 
 TEST(Scenes, ManyPointsGiveEnergyAsPrintedAndAreAsOneSolved) {
     Found found;
-    look_at_many_contacts(nominal, found.report);
+    check_many_contacts(nominal, found.report);
     const char* scene = "1 to 1000 points meet a plane at once";
     EXPECT_EQ(found.only(scene, Method::as_printed).outcome, Outcome::fail);
     EXPECT_EQ(found.only(scene, Method::kerf).outcome, Outcome::pass) << found.only(scene, Method::kerf).measured;
@@ -97,7 +97,7 @@ TEST(Scenes, TheLengthOfATickChangesNothing) {
     Found found;
     const std::vector<ToolUnderTest> papers{the_papers_drill(), the_papers_drill("volumetric_drilling"),
                                             the_papers_drill("dental_implant")};
-    look_at_loop_rate(nominal, the_drill(), papers, found.report);
+    check_loop_rate(nominal, the_drill(), papers, found.report);
     found.expect_that_kerf_passes();
     for (const ToolUnderTest& paper : papers)
         EXPECT_EQ(std::count_if(found.all.begin(), found.all.end(),
@@ -110,7 +110,7 @@ TEST(Scenes, TheLengthOfATickChangesNothing) {
 
 TEST(Scenes, WithoutThePapersTheirRowsSayWhy) {
     Found found;
-    look_at_re_entry(nominal, the_drill(), nullptr, found.report);
+    check_re_entry(nominal, the_drill(), nullptr, found.report);
     const Finding& as_printed = found.only("out of a hole and in again", Method::as_printed);
     EXPECT_EQ(as_printed.outcome, Outcome::not_applicable);
     EXPECT_NE(as_printed.reason.find("kerf_as_printed"), std::string::npos);
@@ -118,7 +118,7 @@ TEST(Scenes, WithoutThePapersTheirRowsSayWhy) {
 
 TEST(Scenes, MissedTicksAreNotRampedBackInto) {
     Found found;
-    look_at_missed_ticks(nominal, found.report);
+    check_missed_ticks(nominal, found.report);
     ASSERT_EQ(found.all.size(), 12u);
     found.expect_that_kerf_passes();
     EXPECT_EQ(found.only("100 ticks missed, pressing on", Method::as_printed).outcome, Outcome::fail)
@@ -128,7 +128,7 @@ TEST(Scenes, MissedTicksAreNotRampedBackInto) {
 TEST(Scenes, AHoleIsEmptySolvedAndFullOfBoneAsPrinted) {
     Found found;
     const ToolUnderTest printed = the_papers_drill();
-    look_at_re_entry(nominal, the_drill(), &printed, found.report);
+    check_re_entry(nominal, the_drill(), &printed, found.report);
     found.expect_that_kerf_passes();
     EXPECT_EQ(found.count("out of a hole and in again", Method::kerf, Outcome::pass), 2) << "led, and by a hand";
     EXPECT_EQ(found.only("out of a hole and in again", Method::as_printed).outcome, Outcome::fail);
@@ -137,7 +137,7 @@ TEST(Scenes, AHoleIsEmptySolvedAndFullOfBoneAsPrinted) {
 TEST(Scenes, ABorderIsCrossedWithoutAStepAndPushesAsideAsGeometrySays) {
     Found found;
     const ToolUnderTest printed = the_papers_drill();
-    look_at_border(nominal, the_drill(), &printed, found.report);
+    check_border(nominal, the_drill(), &printed, found.report);
     found.expect_that_kerf_passes();
     const char* sideways = "border at 10 deg: force sideways";
     EXPECT_EQ(found.count(sideways, Method::kerf, Outcome::pass), 3);
@@ -148,14 +148,14 @@ TEST(Scenes, ABorderIsCrossedWithoutAStepAndPushesAsideAsGeometrySays) {
 
 TEST(Scenes, ADrillThatIsSwitchedOffHandsOverSolvedAndChattersAsPrinted) {
     Found found;
-    look_at_switching_off(nominal, the_drill(), found.report);
+    check_switching_off(nominal, the_drill(), found.report);
     found.expect_that_kerf_passes();
     EXPECT_EQ(found.only("switched off under a push", Method::as_printed).outcome, Outcome::fail);
 }
 
 TEST(Scenes, BehindAShellTheHandOvershootsAsAReleasedSpringDoes) {
     Found found;
-    look_at_breakthrough(nominal, the_drill(), found.report);
+    check_breakthrough(nominal, the_drill(), found.report);
     EXPECT_EQ(found.only("1 mm shell: overtravel of the hand", Method::kerf).outcome, Outcome::pass)
         << found.only("1 mm shell: overtravel of the hand", Method::kerf).measured;
     EXPECT_EQ(found.only("1 mm shell: force after clearing", Method::kerf).outcome, Outcome::pass)
@@ -164,7 +164,7 @@ TEST(Scenes, BehindAShellTheHandOvershootsAsAReleasedSpringDoes) {
 
 TEST(Scenes, SkipsOvertravelWithoutHand) {
     Found found;
-    look_at_breakthrough(only("premium-1.5-6dof", no_hand, 0), the_drill(), found.report);
+    check_breakthrough(only("premium-1.5-6dof", no_hand, 0), the_drill(), found.report);
     const Finding& overtravel = found.only("1 mm shell: overtravel of the hand", Method::kerf);
     EXPECT_EQ(overtravel.outcome, Outcome::not_applicable);
     EXPECT_FALSE(overtravel.reason.empty());
@@ -172,7 +172,7 @@ TEST(Scenes, SkipsOvertravelWithoutHand) {
 
 TEST(Scenes, ALeverCycleGivesNoWorkSolvedAndSomeAsPrinted) {
     Found found;
-    look_at_lever(nominal, found.report);
+    check_lever(nominal, found.report);
     found.expect_that_kerf_passes();
     for (const char* scene : {"lever, a cycle at 1 x", "lever, a cycle at 0.01 x"})
         EXPECT_EQ(found.only(scene, Method::as_printed).outcome, Outcome::fail) << "on a device with torque";

@@ -43,7 +43,7 @@ TEST(Wall, TheRecordsOfDevicesSayWhatTheBisectionFinds) {
 TEST(Wall, ARigidWallShakesTheDeviceAsPrintedAndRestsInKerfsLoopUnderAHand) {
     const Scope scope = only("premium-1.5-6dof", test_hands[2], 0);
     std::vector<Finding> found;
-    look_at_walls(scope, [&](const Finding& finding) {
+    check_walls(scope, [&](const Finding& finding) {
         if (finding.scene == "wall of 20 kN/mm") found.push_back(finding);
     });
     ASSERT_EQ(found.size(), 2u);
