@@ -18,16 +18,20 @@ namespace {
 
 void print_devices(const PluginRegistry& plugins) {
     const std::vector<run::ListedDevice> devices = run::find_devices(plugins);
+    bool is_any_ready = false;
     for (const run::ListedDevice& device : devices) {
         if (device.id.empty()) {
             print(device.driver + "  no device found. " + device.help + "\n");
             continue;
         }
         print(name_of(device) + "  " + device.name + "\n");
-        print(device.problem.empty() ? "    kerf run PROCEDURE.yaml --device " + name_of(device) + "\n"
-                                     : "    cannot be opened: " + device.problem + "\n");
+        print(device.problem.empty() ? "    " + device.help + "\n" : "    cannot be opened: " + device.problem + "\n");
+        is_any_ready = is_any_ready || device.problem.empty();
     }
     if (devices.empty()) print("no plugin has a driver for devices\n");
+    if (is_any_ready)
+        print("\nkerf devices test DEVICE                      measures a device\n"
+              "kerf run PROCEDURE.yaml --device DEVICE       a hand at the device carries out an operation\n");
 }
 
 ExitCode set_up(const std::string& id, const PluginRegistry& plugins) {

@@ -72,7 +72,7 @@ RunOutcome with_rehearsal(const Scene& scene, const PluginRegistry& plugins, con
 template <class RunWith>
 RunOutcome with_device(const Scene& scene, const PluginRegistry& plugins, RunRequest request, OpenedDevice& device,
                        const documents::DeviceStation& station, const RunWith& run) {
-    request.is_led = true;
+    request.leader = device.name();
     RunOutcome outcome;
     const auto followed = FollowedRun::create(scene, plugins, request, outcome);
     if (followed == nullptr) return outcome;

@@ -24,8 +24,7 @@ void LoopChanges::begin_following(LoopLink& link) {
 // ---- decisions ----------------------------------------------------------------------------------------------------
 
 void LoopChanges::lead(const std::optional<Guide>& guide) {
-    const bool is_same =
-        guide_ && guide_->has_value() == guide.has_value() && (!guide || (*guide_)->is_same_as(*guide));
+    const bool is_same = guide_ && *guide_ == guide;
     guide_ = guide;
     if (is_in_lock_step())
         simulation_->lead(guide);

@@ -61,7 +61,8 @@ session::RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins
     summary.variant = scene.procedure.variant;
     summary.anatomy = scene.anatomy.id;
     summary.rehearsal = rehearsal.id;
-    summary.hand = !request.replay.empty() ? "replay" : request.is_led ? "device" : "simulated";
+    summary.hand = !request.replay.empty() ? "replay" : request.leader.empty() ? "simulated" : "device";
+    summary.leader = request.leader;
     summary.device = scene.device->id;
     summary.force_scale = scene.gains.force_scale;
     summary.coupling_stiffness = scene.procedure.is_direct ? 0.0 : scene.gains.stiffness;
@@ -102,6 +103,7 @@ Run::Run(const Scene& scene, const RunRequest& request, const documents::Rehears
       observers_(request.observers),
       scene_(&scene),
       request_(request),
+      is_led_(!request.leader.empty()),
       rehearsal_(&rehearsal),
       signals_(scene.tools),
       plan_(plan_of(rehearsal, scene)),
@@ -142,7 +144,7 @@ bool Run::step() {
 }
 
 bool Run::step(const DeviceSample& sample) {
-    request_.is_led = true;
+    is_led_ = true;
     take_tool_of_step();
     take_hand_inputs(std::exchange(requested_, {}));
     return tick(sample);
@@ -298,7 +300,7 @@ bool Run::tick(const DeviceSample& reported) {
     const DeviceSample sample{handle, reported.missed, reported.is_lost};
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
     note_reading(reported);
-    if (!is_replay() && !request_.is_led && !changes_.is_following()) hand_.feel(result_, simulation_);
+    if (!is_replay() && !is_led_ && !changes_.is_following()) hand_.feel(result_, simulation_);
 
     if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
     take_separations(simulation_.ticks() - 1);
@@ -509,7 +511,7 @@ std::optional<RunEnd> Run::end_after_tick() {
             outcome_.was_interrupted = *end == RunEnd::interrupted;
             return end;
         }
-    if (request_.is_led || changes_.is_following()) return std::nullopt;
+    if (is_led_ || changes_.is_following()) return std::nullopt;
     if (is_replay() ? ticks >= request_.replay.size() : hand_.is_done()) return RunEnd::path_ended;
     return std::nullopt;
 }
@@ -560,13 +562,13 @@ void Run::note_progress() {
     const std::uint64_t ticks = simulation_.ticks();
     const std::size_t step = monitor_.current();
     std::string what = "working, " + std::to_string(ticks / 1000) + " s simulated";
-    if (request_.is_led && step < scene_->procedure.steps.size()) {
+    if (is_led_ && step < scene_->procedure.steps.size()) {
         what = std::to_string(ticks / 1000) + " s, step `" + scene_->procedure.steps[step].id + "`";
         if (const std::string next = next_actions_.words(step); !next.empty()) what += "; the button next: " + next;
     }
-    report_progress(is_replay()                                  ? fraction(ticks, request_.replay.size())
-                    : request_.is_led || changes_.is_following() ? fraction(step, scene_->procedure.steps.size())
-                                                                 : fraction(hand_.leg(), plan_.intent.legs.size()),
+    report_progress(is_replay()                          ? fraction(ticks, request_.replay.size())
+                    : is_led_ || changes_.is_following() ? fraction(step, scene_->procedure.steps.size())
+                                                         : fraction(hand_.leg(), plan_.intent.legs.size()),
                     what);
 }
 

@@ -130,6 +130,7 @@ private:
     std::vector<RunObserver*> observers_;  ///< the files first, then the observers of the request
     const Scene* scene_;
     RunRequest request_;
+    bool is_led_;  ///< a device leads the tool
     const documents::Rehearsal* rehearsal_;
     RunOutcome outcome_;
     SignalTable signals_;

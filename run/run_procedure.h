@@ -29,8 +29,10 @@ struct RunRequest {
     std::vector<std::pair<std::uint64_t, std::uint32_t>>
         missed;  ///< of that run: numbers of missed ticks, each with the next tick, in order
     std::vector<std::pair<std::uint64_t, bool>>
-        lost;             ///< of that run: ticks at which its device was lost (true) or back, in order
-    bool is_led = false;  ///< a device leads the tool: the rehearsal only gives the start and the actions of its steps
+        lost;  ///< of that run: ticks at which its device was lost (true) or back, in order
+    /// Name of the device that leads the tool; the rehearsal then only gives the start and the actions of its steps.
+    /// Empty: the rehearsal's hand leads it.
+    std::string leader;
     std::vector<RunObserver*> observers;          ///< they must outlive the run
     const ExactStrategies* strategies = nullptr;  ///< of the procedure's instruments, started; null: no exact surface
 };

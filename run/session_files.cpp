@@ -58,6 +58,7 @@ session::SessionHeader header_of(const Scene& scene, const RunRequest& request, 
     header.anatomy = summary.anatomy;
     header.rehearsal = summary.rehearsal;
     header.hand = summary.hand;
+    header.leader = summary.leader;
     for (const documents::Variant& variant : scene.procedure.variants)
         if (variant.id == scene.procedure.variant) header.variant_title = variant.title;
     header.procedure_text = scene.procedure.text;

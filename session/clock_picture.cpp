@@ -145,7 +145,9 @@ std::string clock_svg(const RunSummary& summary, const ClockRow& clock) {
     return line("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" font-family=\"sans-serif\" "
                 "font-size=\"12\">\n<rect width=\"%.0f\" height=\"%.0f\" fill=\"white\"/>\n",
                 width, height, width, height) +
-           text_at(20, 26, "The clock of " + summary.procedure + ", " + summary.rehearsal,
+           text_at(20, 26,
+                   "The clock of " + summary.procedure + ", " +
+                       (summary.leader.empty() ? summary.rehearsal : summary.leader),
                    "font-size=\"17\" font-weight=\"bold\"") +
            text_at(20, 46,
                    std::to_string(clock.ticks) + " ticks of " + line("%.3g ms", clock.period * 1e3) + ", " +

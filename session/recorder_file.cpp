@@ -51,6 +51,7 @@ void Recorder::Impl::create(const SessionHeader& header) {
     set("session", "run.anatomy", header.anatomy);
     set("session", "run.rehearsal", header.rehearsal);
     set("session", "run.hand", header.hand);
+    if (!header.leader.empty()) set("session", "run.leader", header.leader);
     if (!header.variant_title.empty()) set("session", "run.variant_title", header.variant_title);
     set("session", "procedure_text", header.procedure_text);
     set("session", "anatomy_hash", hex16(header.anatomy_hash));

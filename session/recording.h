@@ -159,6 +159,7 @@ const char* to_text(Verdict verdict) noexcept;
 
 struct RunSummary {
     std::string procedure, procedure_version, anatomy, rehearsal, hand, device;
+    std::string leader{};   ///< name of the device whose user led the tool; empty: none did
     std::string variant{};  ///< of the procedure; empty for none
     Verdict verdict = Verdict::incomplete;
     std::vector<std::string> reasons;

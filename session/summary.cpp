@@ -144,6 +144,7 @@ std::string summary_json(const RunSummary& summary) {
                   {"variant", summary.variant},
                   {"hand", summary.hand},
                   {"device", summary.device}};
+    if (!summary.leader.empty()) document["leader"] = summary.leader;
     if (summary.exact) document["exact_surface"] = exact_summary(*summary.exact);
     if (summary.clock) document["clock"] = to_json(*summary.clock);
     return text::printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";

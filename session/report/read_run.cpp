@@ -128,6 +128,7 @@ void Reading::read_keys() {
     summary.anatomy = key("run.anatomy");
     summary.rehearsal = key("run.rehearsal");
     summary.hand = key("run.hand");
+    if (keys_.contains("run.leader")) summary.leader = key("run.leader");
     summary.device = key("condition.device");
     summary.variant = key("condition.variant");
     run_.procedure = recorded_procedure(key("procedure_text"), summary.rehearsal);

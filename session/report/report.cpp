@@ -73,7 +73,7 @@ std::string titles_html(const RunSummary& summary, const RecordedProcedure& proc
             html += std::string("<p><span class=\"soft\">") + what + ":</span> " + html_escaped(title) + "</p>";
     };
     add_title("Variant", procedure.variant_title);
-    add_title("Rehearsal", procedure.rehearsal_title);
+    add_title(summary.leader.empty() ? "Rehearsal" : "Actions of", procedure.rehearsal_title);
 
     std::string ids;
     const auto add_id = [&](const char* what, const std::string& id) {
@@ -135,7 +135,7 @@ std::string facts_html(const RunSummary& summary) {
     facts.add("Bone removed", sensible_number(summary.removed * 1e9) + " mm³");
     for (const auto& [tissue, volume] : summary.removed_by_tissue)
         facts.add("of it " + tissue, sensible_number(volume * 1e9) + " mm³");
-    facts.add("Hand", html_escaped(summary.hand));
+    facts.add("Hand", html_escaped(summary.leader.empty() ? summary.hand : summary.leader));
     facts.add("Device", html_escaped(summary.device));
     facts.add("Force scale", force_scale_text(summary.force_scale) + " device newton per bone newton");
     return "<section><h2>The run</h2>" + facts.html() + "</section>\n";

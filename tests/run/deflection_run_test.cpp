@@ -14,6 +14,7 @@
 #include "devices/pedal/pedal.h"
 #include "devices/spacemouse/spacemouse.h"
 #include "run/live_run.h"
+#include "session/report/read_run.h"
 #include "tests/devices/hid/scripted_transport.h"
 #include "tests/run/device_double.h"
 #include "tests/support/temporary_folder.h"
@@ -165,6 +166,11 @@ TEST(DeflectionRun, CapAndPedalOpenAPedicleAndReplayToTheBit) {
     EXPECT_EQ(led.summary.verdict, session::Verdict::pass)
         << (led.summary.reasons.empty() ? "" : led.summary.reasons.front());
     EXPECT_EQ(led.summary.hand, "device");
+    EXPECT_EQ(led.summary.leader, "double");
+    std::string error;
+    const auto recorded = session::read_run(folder.path() + "/led/session.db", error);
+    ASSERT_TRUE(recorded) << error;
+    EXPECT_EQ(recorded->summary.leader, "double");
     EXPECT_EQ(led.summary.device, scene->procedure.device) << "coupling and force scale are those of the procedure";
     const session::RecordedInputs inputs = inputs_in(folder.path() + "/led");
     EXPECT_TRUE(inputs.device_values.empty()) << "a modelled device needs no record";

@@ -16,10 +16,7 @@ struct Guide {
     double length = 0.0;       ///< [m] of the bore, from the mouth backwards
     double bore_radius = 0.0;  ///< [m]
 
-    [[nodiscard]] bool is_same_as(const Guide& other) const noexcept {
-        return body == other.body && mouth == other.mouth && along == other.along && length == other.length &&
-               bore_radius == other.bore_radius;
-    }
+    [[nodiscard]] bool operator==(const Guide&) const = default;
 };
 
 /// Writes the host's contact channels between a bore and a shaft, at most 2, and returns their number. One is at the

@@ -75,11 +75,12 @@ public:
     void loosen_about_shaft(bool is_loose) noexcept { hand_.loosen_about_shaft(is_loose); }
     /// Takes up a tool at the pose of the last one and starts its law anew. If it lies in bone there, moves it back
     /// along its axis, with the event `haptics.started_in_bone`. Releases the held body. Pre: `close_stretches` was
-    /// called, and the scene has applied its records.   [main] between ticks
+    /// called, and the scene has applied its records.   [main] between ticks; on the clock [haptic]
     /// @param back  [m] distance by which the tool is moved back along its axis first, such as a driver that leaves its
     ///              implant
     void take_tool(std::size_t tool, double back = 0.0);
-    /// Sets the sleeve that guides the tool from the next tick on; no value: none.   [main] between ticks
+    /// Sets the sleeve that guides the tool from the next tick on; no value: none.   [haptic, nonblocking] between
+    /// ticks
     void lead(const std::optional<Guide>& guide) noexcept { guide_ = guide; }
 
     /// Returns whether the tool moves in the hand: it is in air, and was newly taken, or anchored anew after a fault.

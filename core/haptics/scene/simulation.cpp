@@ -17,18 +17,20 @@ Simulation::Simulation(const Body& body, std::vector<Tool> tools, const Coupling
 
 TickResult Simulation::tick(const DeviceSample& sample) {
     const TickResult result = HapticLoop::tick(sample);
-    follow();
-    if (result.is_stripping) strip();
-    if (is_deferring_) prepare_late_changes();
+    follow_tick(result);
     return result;
 }
 
 TickResult Simulation::tick_direct(const DeviceSample& sample) {
     const TickResult result = HapticLoop::tick_direct(sample);
+    follow_tick(result);
+    return result;
+}
+
+void Simulation::follow_tick(const TickResult& result) {
     follow();
     if (result.is_stripping) strip();
     if (is_deferring_) prepare_late_changes();
-    return result;
 }
 
 void Simulation::follow() { follow_from(0); }

@@ -133,6 +133,8 @@ private:
 
     void close_and_follow();
     void follow_from(std::size_t first);
+    /// Does all that follows a tick of the loop: `follow`, stripped threads, changes to prepare.
+    void follow_tick(const TickResult& result);
     void strip();
     void prepare_late_changes();
     void apply_held_back();
