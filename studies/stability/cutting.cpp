@@ -30,7 +30,7 @@ bool alternates(const PortSettings& settings, double gain, double push) {
     double last = port.reported();
     const Trace trace = press(
         port,
-        [&](double depth, std::uint32_t) {
+        [&](double depth) {
             const double rate = (depth - last) / settings.period;
             last = depth;
             return std::max(0.0, gain * rate);

@@ -14,6 +14,9 @@ namespace kerf::stability {
 /// `missed` ticks that did not run.
 using Renderer = std::function<double(double depth, std::uint32_t missed)>;
 
+/// The same without ticks that did not run.
+using ForceOfDepth = std::function<double(double depth)>;
+
 /// What may be given back at most [J], the port as deep as this [m].
 using Stored = std::function<double(double depth)>;
 
@@ -32,6 +35,12 @@ using Stored = std::function<double(double depth)>;
         trace.energy.add(port.work() - before, stored ? stored(port.depth()) : 1e300);
     }
     return trace;
+}
+/// Does the same with a force that does not depend on ticks that did not run.
+[[nodiscard]] inline Trace press(Port& port, const ForceOfDepth& render, int ticks, double push,
+                                 const Stored& stored = {}) {
+    return press(
+        port, [&](double depth, std::uint32_t) { return render(depth); }, ticks, push, stored);
 }
 
 }  // namespace kerf::stability

@@ -22,8 +22,8 @@ namespace {
 constexpr double above_face = -0.1e-3;  // [m] where a press begins
 constexpr int contact_ticks = 1500;
 
-Renderer spring(double stiffness, double most = 1e300) {
-    return [=](double depth, std::uint32_t) { return std::clamp(stiffness * depth, 0.0, most); };
+ForceOfDepth spring(double stiffness, double most = 1e300) {
+    return [=](double depth) { return std::clamp(stiffness * depth, 0.0, most); };
 }
 
 /// A spring that also pulls, so that what grows goes on growing. Let go a millimetre beside its balance: does the mass

@@ -101,7 +101,7 @@ Verdict pushed_by_a_hand(const Bench& bench) {
 constexpr double above_wall = -0.1_mm;
 
 /// Whether the bare device, pushed onto a wall with 2 N, swings less and less: the same question for all methods.
-bool dies_down(const PortSettings& settings, const stability::Renderer& wall) {
+bool dies_down(const PortSettings& settings, const stability::ForceOfDepth& wall) {
     constexpr double push = 2.0, still = 1e-6;  // [N], [m]
     constexpr std::size_t ticks = 10000, settled = 500, window = 3000;
     Port port(settings, above_wall);
