@@ -40,6 +40,8 @@ struct ValidateOptions : DocumentOptions {
 
 struct RehearseOptions : DocumentOptions {
     std::vector<std::string> procedures;
+    bool is_with_cheats = false;    ///< bad hands instead of the rehearsals
+    bool is_with_coverage = false;  ///< also what no rehearsal triggers
 };
 
 struct ExpandOptions : ChangeOptions {

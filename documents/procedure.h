@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,6 +79,9 @@ struct Goal {
     }
 };
 
+/// How bad it is to break a limit: it caps the score of the run.
+enum class Severity : std::uint8_t { minor, serious, critical };
+
 struct Limit {
     /// While the step lasts: "depth" [m], "clearance" (of the cutting region to `zone` [m], negative inside), "thrust"
     /// [N], "torque" about the shaft [N·m], "lateral_force" across the shaft [N], "speed" of the tip in bone [m/s],
@@ -97,6 +101,7 @@ struct Limit {
     std::string landmark{}, other{};  ///< for "axes_angle" two axes, for "tip_apex" a point and an axis
     NamedSignal signal{};             ///< for "signal"
     std::string measure{};            ///< for "measure": id of a Measure
+    Severity severity = Severity::serious;
 
     /// Measured on the wall of the cut, in the step's plane.
     [[nodiscard]] bool is_of_wall() const noexcept {
@@ -196,6 +201,17 @@ struct Rehearsal {
     std::vector<Waypoint> path;
 };
 
+/// A metric of the results from which the score follows.
+struct ScoredMetric {
+    std::string metric;              ///< id in the results: "insert.entry-offset", "measure.gonial_angle.after"
+    std::string step;                ///< whose goals it counts with; empty: the whole run
+    std::string unit;                ///< for people
+    double full = 0.0, none = 0.0;   ///< SI: what earns all, and nothing
+    double weight = 1.0;             ///< [–]
+    std::optional<double> target{};  ///< SI; `full` and `none` are then distances from it, to either side
+    text::SourcePosition place{};
+};
+
 /// How true a procedure asks its forces and volumes to be, of what the same physics gives on the finest field [–].
 struct Accuracy {
     double force = 0.07;   ///< a hand feels no less [pang-1991]; of the torque about the shaft as well
@@ -238,6 +254,7 @@ struct Procedure {
     std::vector<Construction> constructions;
     std::vector<Measure> measures;
     std::vector<Step> steps;
+    std::vector<ScoredMetric> scoring;  ///< empty: the score counts steps and limits
     std::vector<Rehearsal> rehearsals;
 };
 

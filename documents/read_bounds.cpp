@@ -57,7 +57,8 @@ const SignalInfo* find_signal(const Node& node, const std::string& id, const Com
 }
 
 /// Reads `{id: clamp, at_least: 100 N}`. The bounds of an unknown signal have no unit, so they are not read.
-void read_signal(MapReader& map, const ComponentInfo* law, NamedSignal& signal, Bound& bound, Report& report) {
+void read_signal(MapReader& map, const Shape& shape, const ComponentInfo* law, NamedSignal& signal, Bound& bound,
+                 Report& report) {
     const SignalInfo* declared = nullptr;
     if (const Node* node = map.find("id")) {
         const std::string id = read_id(*node, "signal.id", report).value_or("");
@@ -69,7 +70,7 @@ void read_signal(MapReader& map, const ComponentInfo* law, NamedSignal& signal, 
         signal.unit = declared->display_unit;
     }
     read_bound_values(
-        map, shapes::signal_bound, signal.id.empty() ? "signal" : signal.id,
+        map, shape, signal.id.empty() ? "signal" : signal.id,
         [&](const char*) { return declared ? std::optional(need_of(*declared)) : std::nullopt; }, bound, report);
 }
 
@@ -107,13 +108,23 @@ template <class T>
 void read_bound(MapReader& map, const Shape& shape, const ComponentInfo* law, const ProcedureContext& reading,
                 T& thing) {
     if (thing.quantity == "signal")
-        read_signal(map, law, thing.signal, thing.bound, reading.report);
+        read_signal(map, shape, law, thing.signal, thing.bound, reading.report);
     else if (thing.quantity == "measure")
         read_measure_bound(map, reading, thing.measure, thing.bound);
     else if (!shape.keys.empty())
         read_bound_values(
             map, shape, thing.quantity, [&](const char* key) { return std::optional(map.need_of(key)); }, thing.bound,
             reading.report);
+}
+
+/// Reports a goal that has an upper bound alone. Returns whether it does.
+bool refuse_upper_bound_alone(const std::string& name, const Node& quantity, Report& report) {
+    const Node* upper = quantity.find("at_most");
+    if (quantity.find("at_least") != nullptr || upper == nullptr) return false;
+    report.error(text::Code::empty_bound, upper->span,
+                 "The goal `" + name + "` has an upper bound alone: got at most " + text::excerpt(upper->text, 40) +
+                     ", which also holds before the step begins. Write it under `limits:`, or add `at_least`.");
+    return true;
 }
 
 }  // namespace
@@ -125,6 +136,9 @@ Goal read_goal(const Node& item, const ComponentInfo* law, const ProcedureContex
         goal.quantity = quantity->key;
         goal.place = reading.document.place(quantity->key_span);
         const Shape& shape = *shapes::goal.find(quantity->key)->value.shape;
+        if ((goal.quantity == "depth" || goal.quantity == "signal") &&
+            refuse_upper_bound_alone(goal.quantity, *quantity, reading.report))
+            return goal;
         MapReader bound(*quantity, shape, quantity->key, reading.report);
         read_bound(bound, shape, law, reading, goal);
         if (goal.quantity == "depth" && goal.bound.at_most && *goal.bound.at_most < 0.0)

@@ -317,11 +317,24 @@ std::vector<HandInput> read_inputs(const Node& node, const Instrument& instrumen
     return InstrumentReader(catalog, report).read_inputs(node, instrument);
 }
 
-const ComponentInfo* law_of(const Instrument& instrument, const ComponentCatalog& catalog) {
+namespace {
+
+const ComponentInfo* component_in(const ComponentCatalog& catalog, std::uint32_t kind, const std::string& plugin,
+                                  const std::string& id) {
     const auto found = std::find_if(catalog.begin(), catalog.end(), [&](const ComponentInfo& c) {
-        return c.kind == KERF_KIND_FORCE && c.plugin == instrument.force_plugin && c.id == instrument.force;
+        return c.kind == kind && c.plugin == plugin && c.id == id;
     });
     return found != catalog.end() ? &*found : nullptr;
+}
+
+}  // namespace
+
+const ComponentInfo* law_of(const Instrument& instrument, const ComponentCatalog& catalog) {
+    return component_in(catalog, KERF_KIND_FORCE, instrument.force_plugin, instrument.force);
+}
+
+const ComponentInfo* tool_of(const Instrument& instrument, const ComponentCatalog& catalog) {
+    return component_in(catalog, KERF_KIND_TOOL, instrument.plugin, instrument.tool);
 }
 
 }  // namespace kerf::documents

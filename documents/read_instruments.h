@@ -19,4 +19,7 @@ namespace kerf::documents {
 /// Returns the force law of an instrument; null if it is unknown.   [main]
 [[nodiscard]] const ComponentInfo* law_of(const Instrument& instrument, const ComponentCatalog& catalog);
 
+/// Returns the tool of an instrument; null if it is unknown.   [main]
+[[nodiscard]] const ComponentInfo* tool_of(const Instrument& instrument, const ComponentCatalog& catalog);
+
 }  // namespace kerf::documents

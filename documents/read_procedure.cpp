@@ -14,6 +14,7 @@
 #include "documents/read_instruments.h"
 #include "documents/read_measures.h"
 #include "documents/read_rehearsals.h"
+#include "documents/read_scoring.h"
 #include "documents/read_steps.h"
 #include "documents/shapes/shapes.h"
 #include "documents/yaml/correct_keys.h"
@@ -104,6 +105,7 @@ public:
         read_instruments();
         read_plans();
         read_steps();
+        if (const Node* node = map_.find("scoring")) procedure_.scoring = read_scoring(*node, reading_);
         procedure_.rehearsals = read_rehearsals(map_.find("paths"), map_.find("rehearsals"), reading_);
         if (const Node* node = map_.find("variants")) procedure_.variants = read_variants(*node, report_);
         map_.finish();

@@ -17,13 +17,18 @@
 namespace kerf::documents {
 namespace {
 
-/// The names by which a rehearsal can expect a limit to break: the zone, the signal, or else the quantity.
+/// The names by which a rehearsal can expect a limit to break: the zone, the signal, or else the quantity. A goal on
+/// depth or on a signal has one, too: an implant may be left otherwise.
 struct LimitNames {
     std::vector<std::string> known;
     std::set<std::string> refused;  ///< of limits that are reported already
 
     [[nodiscard]] bool has(const std::string& name) const { return contains(known, name); }
 };
+
+bool can_be_lost(const Goal& goal) {
+    return goal.quantity == "depth" || (goal.quantity == "signal" && !goal.signal.id.empty());
+}
 
 LimitNames limit_names(const ProcedureContext& reading) {
     const Procedure& procedure = reading.procedure;
@@ -39,6 +44,9 @@ LimitNames limit_names(const ProcedureContext& reading) {
                                   (limit.zone.empty() || contains(procedure.needs_zones, limit.zone));
             if (is_sound && !names.has(limit.name())) names.known.push_back(limit.name());
         }
+    for (const Step& step : procedure.steps)
+        for (const Goal& goal : step.goals)
+            if (can_be_lost(goal) && !names.has(goal.name())) names.known.push_back(goal.name());
     const Node* steps = reading.document.root.find("steps");
     for (const Node& step : steps != nullptr ? steps->children : std::vector<Node>{})
         if (const Node* limits = step.find("limits"))
@@ -68,6 +76,9 @@ void refuse_limit(const Node& name, const LimitNames& limits, Report& report) {
 /// A limit that breaks in a step must be a limit of that step.
 void refuse_other_step(const Node& name, const Step& step, const std::string& limit, Report& report) {
     if (std::any_of(step.limits.begin(), step.limits.end(), [&](const Limit& l) { return l.name() == limit; })) return;
+    if (std::any_of(step.goals.begin(), step.goals.end(),
+                    [&](const Goal& goal) { return can_be_lost(goal) && goal.name() == limit; }))
+        return;
     report.error(text::Code::unknown_limit, name.span,
                  "The step " + quoted_id(step.id) + " has no limit " + quoted_id(limit) +
                      ". Name a step that has it, or add the limit.");

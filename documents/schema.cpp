@@ -49,7 +49,8 @@ Json example_of(const KeyShape& key) {
     const Kind kind = key.value.kind;
     const bool is_scalar = kind != Kind::map && kind != Kind::list && kind != Kind::named && kind != Kind::renamed &&
                            kind != Kind::parameters && kind != Kind::drives && kind != Kind::patch &&
-                           kind != Kind::of_signal && kind != Kind::of_measure && !key.example.starts_with('{');
+                           kind != Kind::of_signal && kind != Kind::of_measure && kind != Kind::of_metric &&
+                           !key.example.starts_with('{');
     if (!is_scalar) return nullptr;
     if (kind == Kind::yes_no) return key.example == "true";
     const bool is_plain = kind == Kind::quantity && key.value.need.unit.empty();
@@ -100,7 +101,8 @@ private:
                     {"additionalProperties", false}};
         if (!required.empty()) schema["required"] = std::move(required);
         if (&shape == &shapes::instrument) add_components(schema["properties"], groups);
-        if (&shape == &shapes::signal_bound) add_signals(schema["properties"], groups);
+        if (&shape == &shapes::signal_bound || &shape == &shapes::signal_goal)
+            add_signals(schema["properties"], groups);
         if (!groups.empty()) schema["allOf"] = std::move(groups);
         return schema;
     }
@@ -160,6 +162,7 @@ private:
                         {"additionalProperties", {{"type", scalar_types}, {"pattern", id_pattern}}}};
             case Kind::drives:
                 return any_drives();
+            case Kind::of_metric:
             case Kind::of_signal:
                 return {{"type", {"number", "string"}}};  // `add_signals` adds the units
             case Kind::of_measure:

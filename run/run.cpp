@@ -17,6 +17,7 @@
 #include "run/tick_row.h"
 #include "run/verdict/measure_bone.h"
 #include "run/verdict/run_metrics.h"
+#include "run/verdict/score.h"
 #include "text/quantity.h"
 
 namespace kerf::run {
@@ -484,9 +485,15 @@ std::optional<Run::LeftImplant> Run::left_implant(std::size_t step) {
     for (session::MetricRow& row : implant_metrics(scene_->procedure.steps[step].id,
                                                    *scene_->tools[tool].setup.force->force, simulation_.signals()))
         left_.push_back(std::move(row));
+    const std::size_t owner = monitor_.owners().step[step];
+    const PresentBone& bone = simulation_.present();
+    held_implants_.push_back(
+        {step, HeldBone::around(scene_->tools[tool].outline,
+                                inverse(simulation_.bodies()[owner]->world_from_body) * simulation_.world_from_tool(),
+                                *bone.piece(owner).bone, bone.cut(owner))});
     const std::optional<Body>& implant = scene_->staying[tool];
     return LeftImplant{scene_->procedure.steps[step].instrument, implant ? &*implant : nullptr,
-                       simulation_.world_from_tool(), monitor_.owners().step[step]};
+                       simulation_.world_from_tool(), owner};
 }
 
 /// Adds an implant that was left to the bodies. Returns the reason if it cannot.
@@ -648,6 +655,30 @@ void Run::mark_missed_implants() {
     }
 }
 
+void Run::judge_held_implants() {
+    constexpr double enough_left = 0.9;  // of the bone around the thread [assumed]
+    const PresentBone& bone = simulation_.present();
+    const auto& bodies = simulation_.bodies();
+    for (const HeldImplant& held : held_implants_) {
+        const std::size_t owner = monitor_.owners().step[held.step];
+        const std::optional<Body>& implant = scene_->staying[scene_->tool_of_step[held.step]];
+        bool is_there = bodies[owner]->is_present, was_taken = false;
+        for (const auto& body : bodies)
+            if (implant && !body->is_cuttable && body->bone->id == implant->id) {
+                was_taken = !body->is_present;
+                if (body->is_present) break;
+            }
+        is_there = is_there && !was_taken;
+        const double left = is_there ? held.bone.part_left(*bone.piece(owner).bone, bone.cut(owner)) : 0.0;
+        left_.push_back(bone_kept_row(scene_->procedure.steps[held.step].id, left));
+        if (!is_there)
+            monitor_.lose_goals(held.step, "the implant was no longer there");
+        else if (left < enough_left)
+            monitor_.lose_goals(held.step, "only " + std::to_string(static_cast<int>(100.0 * left)) +
+                                               " % of the bone around the implant's thread was left");
+    }
+}
+
 void Run::measure() {
     session::RunSummary& summary = outcome_.summary;
     const PresentBone& bone = simulation_.present();
@@ -658,6 +689,8 @@ void Run::measure() {
         summary.removed_by_tissue.emplace_back(scene_->body.materials[m].id,
                                                simulation_.present().removed_of_material(m));
     summary.hash = hash_.value();
+    monitor_.end_run(summary.duration);
+    judge_held_implants();
     judge(monitor_, end_, summary.duration, scene_->procedure.time_limit, summary);
     mark_missed_implants();
     if (end_ == RunEnd::fault) summary.reasons.front() += " " + text_of(simulation_.law_fault());
@@ -674,6 +707,7 @@ void Run::measure() {
          piece_metrics(summary, bone_volume(scene_->body, CutField(scene_->body, 0)) + bone.added(), bone.crumbs(),
                        bone.crumb_volume()))
         summary.metrics.push_back(std::move(row));
+    score(monitor_, scene_->procedure, summary);
     outcome_.is_as_expected = ended_as_expected(*rehearsal_, monitor_, summary.verdict);
 }
 

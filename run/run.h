@@ -20,6 +20,7 @@
 #include "run/session_files.h"
 #include "run/signal_table.h"
 #include "run/verdict/cut_results.h"
+#include "run/verdict/held_bone.h"
 #include "session/content_hash.h"
 
 namespace kerf::bone {
@@ -119,6 +120,8 @@ private:
     void judge_step(std::size_t step, double now);
     [[nodiscard]] std::vector<documents::MeasureReading> measured_bone() const;
     [[nodiscard]] std::optional<LeftImplant> left_implant(std::size_t step);
+    /// Compares the implants that were left with how they are at the end of the run.
+    void judge_held_implants();
     [[nodiscard]] std::string insert(const LeftImplant& left);
     void note_left(const LeftImplant& left, const std::string& why_not);
     [[nodiscard]] std::optional<RunEnd> end_after_tick();
@@ -154,9 +157,15 @@ private:
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]
     std::unique_ptr<bone::ExactFollower> exact_;
     std::vector<session::MetricRow> left_;  ///< of implants, when their drivers left them
-    double back_ = 0.0;                     ///< [m] by which the next tool is retracted: the driver leaves its implant
-    std::size_t tool_ = 0;                  ///< that the running step takes, or has taken
-    bool is_tool_left_ = false;             ///< left with its implant: a step takes another tool
+    /// An implant with the bone around it when its driver left it.
+    struct HeldImplant {
+        std::size_t step = 0;
+        HeldBone bone;
+    };
+    std::vector<HeldImplant> held_implants_;
+    double back_ = 0.0;          ///< [m] by which the next tool is retracted: the driver leaves its implant
+    std::size_t tool_ = 0;       ///< that the running step takes, or has taken
+    bool is_tool_left_ = false;  ///< left with its implant: a step takes another tool
 };
 
 }  // namespace kerf::run

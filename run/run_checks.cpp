@@ -13,6 +13,7 @@
 #include "documents/waypoint_nodes.h"
 #include "documents/yaml/document.h"
 #include "documents/yaml/read_map.h"
+#include "run/span_in.h"
 #include "text/quantity.h"
 
 namespace kerf::run {
@@ -20,15 +21,6 @@ namespace kerf::run {
 namespace {
 
 constexpr std::size_t max_tools = 8;
-
-/// Returns the span of a value of item `index` in `list`; of the item without such a value, of the document without
-/// such an item.
-documents::TextSpan span_in(const documents::Document& document, const char* list, std::size_t index, const char* key) {
-    const documents::Node* items = document.root.find(list);
-    if (items == nullptr || index >= items->children.size()) return {};
-    const documents::Node* value = items->children[index].find(key);
-    return value != nullptr ? value->span : items->children[index].span;
-}
 
 void check_device(const documents::Procedure& procedure, const documents::Document& document,
                   documents::Report& report) {

@@ -154,6 +154,7 @@ std::string what_was_missed(const documents::Goal& goal, const StepState& state,
         const auto text_of = [&](double value, int digits) {
             return with_significant_digits(value, goal.signal.unit, digits);
         };
+        if (state.left_depth) return missed_bound(name + " was ", signal->last, goal.bound, 4, text_of);
         const int enough = std::max(distinguishing_digits_of(signal->least, goal.bound, 4, text_of),
                                     distinguishing_digits_of(signal->greatest, goal.bound, 4, text_of));
         return name + " was between " + text_of(signal->least, enough) + " and " + text_of(signal->greatest, enough) +
@@ -168,14 +169,13 @@ std::string what_was_missed(const documents::Goal& goal, const StepState& state,
                                     });
         return why_unmeasured(goal.measure, state, measures);
     }
-    return missed_bound("depth ", std::max(0.0, state.deepest), goal.bound, 1, mm_text);
+    return missed_bound("depth ", state.left_depth.value_or(std::max(0.0, state.deepest)), goal.bound, 1, mm_text);
 }
 
 }  // namespace
 
 void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, session::RunSummary& summary) {
     const std::vector<documents::Measure>& measures = monitor.measures();
-    int demands = 0, met = 0;
     bool is_broken = false, is_missing = false;
     for (const auto& state : monitor.steps()) {
         session::StepRow row{state.step->id,
@@ -185,7 +185,6 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
                              state.end.value_or(duration),
                              {}};
         for (const auto& limit : state.limits) {
-            ++demands;
             if (state.is_done() && limit.limit->is_of_wall() && !limit.is_seen) {
                 is_missing = true;
                 summary.reasons.push_back("Step `" + state.step->id +
@@ -206,22 +205,22 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
                                           "`: " + why_unmeasured(limit.limit->measure, state, measures) + ".");
                 continue;
             }
-            if (!limit.broken_at) {
-                ++met;
-                continue;
-            }
+            if (!limit.broken_at) continue;
             is_broken = true;
             row.broken_limits.push_back(limit.limit->name());
             summary.reasons.push_back("Step `" + state.step->id + "`: " + limit.limit->reason +
                                       how_far(limit, measures));
         }
+        if (!state.lost_hold.empty()) {
+            is_broken = true;
+            summary.reasons.push_back("Step `" + state.step->id + "`: at the end of the run, " + state.lost_hold + ".");
+        }
         for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
-            ++demands;
-            met += state.goal_done[g];
-            if (state.goal_done[g]) continue;
-            is_missing = true;
+            if (state.goal_done[g] || !state.lost_hold.empty()) continue;
+            (state.is_done() ? is_broken : is_missing) = true;
             summary.reasons.push_back("Step `" + state.step->id +
-                                      "`: " + what_was_missed(state.step->goals[g], state, measures) + ".");
+                                      "`: " + (state.is_done() ? "when the implant was left, " : "") +
+                                      what_was_missed(state.step->goals[g], state, measures) + ".");
         }
         if (!state.is_done() && !is_missing && !is_broken) {
             is_missing = true;
@@ -255,7 +254,6 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
                                    : session::Verdict::pass;
     if (end == RunEnd::fault)
         summary.reasons.insert(summary.reasons.begin(), "The force law or the solve failed; force was released.");
-    summary.score = demands > 0 ? 100.0 * met / demands : 100.0;
 }
 
 bool ended_as_expected(const documents::Rehearsal& rehearsal, const StepMonitor& monitor, session::Verdict verdict) {
@@ -271,10 +269,14 @@ bool ended_as_expected(const documents::Rehearsal& rehearsal, const StepMonitor&
             if (!is_the_one && !rehearsal.expects_others) return false;
             is_named = is_named || is_the_one;
         }
-        // "Because of that limit alone": all goals were reached.
-        if (!rehearsal.expects_others &&
-            std::find(state.goal_done.begin(), state.goal_done.end(), false) != state.goal_done.end())
-            return false;
+        // "Because of that limit alone": all other goals were reached.
+        for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
+            if (state.goal_done[g]) continue;
+            const bool is_the_one = state.is_done() && rehearsal.expect_limit == state.step->goals[g].name() &&
+                                    (rehearsal.expect_step.empty() || rehearsal.expect_step == state.step->id);
+            if (!is_the_one && !rehearsal.expects_others) return false;
+            is_named = is_named || is_the_one;
+        }
     }
     return is_named;
 }

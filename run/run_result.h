@@ -22,14 +22,15 @@ enum class RunEnd {
     fell_behind,  ///< on the clock: the run could not keep up with the loop
 };
 
-/// Computes step rows, verdict, reasons and score. Pass: every goal reached and no limit broken. Fail: a limit broken.
-/// Incomplete: goals missing, or interrupted before a limit broke. Invalid: a fault.   [any] pure.
+/// Computes step rows, verdict and reasons. Pass: every goal reached and no limit broken. Fail: a limit broken, or an
+/// implant left otherwise than its goals say. Incomplete: goals missing, or interrupted before a limit broke. Invalid:
+/// a fault.   [any] pure.
 /// @param time_limit   [s] of the procedure
 void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, session::RunSummary& summary);
 
 /// Returns whether the run ended as its rehearsal expects: "pass", "incomplete", or "fail". A failure must be by the
-/// one expected limit, in the expected step if there is one. Other limits may break only if the rehearsal expects
-/// others.
+/// one expected limit, or goal of an implant that was left otherwise, in the expected step if there is one. Other
+/// limits may break, and other goals be missed, only if the rehearsal expects others.
 [[nodiscard]] bool ended_as_expected(const documents::Rehearsal& rehearsal, const StepMonitor& monitor,
                                      session::Verdict verdict);
 

@@ -148,6 +148,8 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
     }
     set("session", "result.verdict", to_text(summary.verdict));
     set("session", "result.score", text_of(summary.score));
+    set("session", "result.score_rules", std::to_string(summary.score_rules));
+    set("session", "result.score_band", summary.score_band);
     set("session", "result.duration", text_of(summary.duration));
     set("session", "result.ticks", std::to_string(summary.ticks));
     set("session", "result.removed", text_of(summary.removed));

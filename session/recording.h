@@ -157,14 +157,27 @@ struct ClockRow {
 enum class Verdict { pass, fail, incomplete, invalid };
 const char* to_text(Verdict verdict) noexcept;
 
+/// A part of the score that a run did not earn.
+struct DeductionRow {
+    std::string step{};          ///< id; empty: the whole run
+    std::string kind{};          ///< "limit", "goal", "metric", "step" or "run"
+    std::string name{};          ///< of the limit, goal or metric
+    std::string detail{};        ///< for people; may be empty
+    std::optional<double> at{};  ///< [s] when it was decided
+    double loss = 0.0;           ///< points of the score
+};
+
 struct RunSummary {
     std::string procedure, procedure_version, anatomy, rehearsal, hand, device;
     std::string leader{};   ///< name of the device whose user led the tool; empty: none did
     std::string variant{};  ///< of the procedure; empty for none
     Verdict verdict = Verdict::incomplete;
     std::vector<std::string> reasons;
-    double score = 0.0;     ///< [–] 0 … 100
-    double duration = 0.0;  ///< [s] simulated
+    double score = 0.0;   ///< [–] 0 … 100
+    int score_rules = 1;  ///< version of the rules that made it; 1: goals and limits that were met
+    std::string score_band{};
+    std::vector<DeductionRow> deductions{};  ///< they add up to 100 less the score
+    double duration = 0.0;                   ///< [s] simulated
     std::vector<StepRow> steps;
     std::vector<MetricRow> metrics;
     std::uint64_t ticks = 0;

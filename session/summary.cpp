@@ -48,6 +48,15 @@ Json to_json(const MetricRow& metric) {
             {"status", metric.status}};
 }
 
+Json to_json(const DeductionRow& deduction) {
+    return {{"step", deduction.step},
+            {"kind", deduction.kind},
+            {"name", deduction.name},
+            {"detail", deduction.detail},
+            {"at_s", deduction.at ? plain_number(*deduction.at) : Json(nullptr)},
+            {"loss", plain_number(deduction.loss)}};
+}
+
 Json to_json(const ClockRow::Times& times) {
     const auto in_us = [](double seconds) { return plain_number(std::round(seconds * 1e8) * 1e-2); };
     return {{"median_us", in_us(times.median)},
@@ -122,6 +131,8 @@ std::string summary_json(const RunSummary& summary) {
                           {"material", piece.is_metal ? "metal" : "bone"},
                           {"volume_mm3", plain_number(piece.volume * 1e9)},
                           {"file", piece.file}});
+    Json deductions = Json::array();
+    for (const DeductionRow& deduction : summary.deductions) deductions.push_back(to_json(deduction));
     Json versions = Json::object();
     for (const auto& [part, version] : summary.versions) versions[part] = version;
 
@@ -131,6 +142,9 @@ std::string summary_json(const RunSummary& summary) {
                   {"verdict", to_text(summary.verdict)},
                   {"reasons", summary.reasons},
                   {"score", plain_number(summary.score)},
+                  {"score_rules", summary.score_rules},
+                  {"score_band", summary.score_band},
+                  {"deductions", std::move(deductions)},
                   {"duration_s", plain_number(summary.duration)},
                   {"steps", std::move(steps)},
                   {"metrics", std::move(metrics)},

@@ -93,10 +93,16 @@ std::vector<Command> procedure_commands() {
                     .summary = "Run every rehearsal and compare its result with `expect:`",
                     .arguments = {procedures_of<RehearseOptions>()},
                     .options = {anatomy_of<RehearseOptions>("procedures'"), variant_of<RehearseOptions>(),
-                                settings_of<RehearseOptions>()},
+                                settings_of<RehearseOptions>(),
+                                flag("--cheats", "Run standing bad hands instead, made of the first hand that passes",
+                                     in<RehearseOptions>(&RehearseOptions::is_with_cheats)),
+                                flag("--coverage", "Also list steps and limits that no rehearsal ends or breaks",
+                                     in<RehearseOptions>(&RehearseOptions::is_with_coverage))},
                     .when_missing = "which procedure? Write `kerf rehearse PROCEDURE.yaml`.",
-                    .examples = {{"kerf rehearse pedicle-screw.yaml", "runs all rehearsals of a shipped procedure"}},
-                    .footer = "Exit code: 0 all ended as expected, 1 one did not, 2 bad input, 3 fault or interrupted.",
+                    .examples = {{"kerf rehearse pedicle-screw.yaml", "runs all rehearsals of a shipped procedure"},
+                                 {"kerf rehearse my.yaml --cheats", "shows whether a bad hand can pass a procedure"}},
+                    .footer = "Exit code: 0 all ended as expected, or no bad hand passed; 1 one did not, or one "
+                              "passed; 2 bad input; 3 fault or interrupted.",
                     .defaults = RehearseOptions{},
                     .run = with_environment(&commands::rehearse)});
     rows.push_back(

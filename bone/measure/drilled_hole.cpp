@@ -249,6 +249,78 @@ std::optional<DrilledHole> hole_along(const Body& body, const HolePlan& plan, Ve
     return hole;
 }
 
+namespace {
+
+/// The face through which a hole enters the bone, as a plane. A cylinder around the hole leaves the bone there at one
+/// side, the more the flatter it enters; that is no breach.
+class EntryFace {
+public:
+    /// Searches from outside for the point at which the hole's line meets bone. Without one there is no face.
+    EntryFace(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius)
+        : slack_(0.5 * body.grid().spacing) {
+        const double step = 0.5 * body.grid().spacing, steepness = dot(hole.direction, plan.along);
+        const double at = dot(hole.at - plan.entry, plan.along);  // depth of `hole.at`
+        const auto on_line = [&](double depth) { return hole.at + (depth - at) / steepness * hole.direction; };
+        double before = uncut_at(body, on_line(-4.0 * radius));
+        for (double depth = -4.0 * radius + step; depth <= hole.end_depth; depth += step) {
+            const double now = uncut_at(body, on_line(depth));
+            if (before >= 0.0 && now < 0.0) {
+                depth_ = depth - step * now / (now - before);
+                point_ = on_line(*depth_);
+                normal_ = outward_at(body, point_, hole.direction, radius);
+                return;
+            }
+            before = now;
+        }
+    }
+    /// Returns whether a section at this depth [m] along the planned axis lies behind the face.
+    [[nodiscard]] bool is_behind(double depth) const noexcept { return !depth_ || depth >= *depth_; }
+    /// Returns whether a point of the border belongs to the face. It may curve away from the plane by 0.15 of the
+    /// distance from the hole [assumed].
+    [[nodiscard]] bool has(Vec3 border) const noexcept {
+        const Vec3 from_point = border - point_;
+        return depth_ && std::abs(dot(from_point, normal_)) <= slack_ + 0.15 * length(from_point);
+    }
+
+private:
+    /// Returns the mean unit normal of the bone's surface around a point of it, within half the radius.
+    static Vec3 outward_at(const Body& body, Vec3 point, Vec3 into, double radius) {
+        const Vec3 there = gradient(body, point);
+        if (there == Vec3{}) return -into;
+        const std::array<Vec3, 2> plane = across(there);
+        Vec3 sum = there;
+        for (int k = 0; k < ray_count; ++k) {
+            const Vec3 beside = point + 0.5 * radius * ray(plane, k);
+            sum = sum + gradient(body, beside + to_surface(body, beside, -there, 0.5 * radius) * -there);
+        }
+        return length(sum) > 1e-9 ? normalized(sum) : -into;
+    }
+    /// Returns how far the surface is from a point along a unit vector, within ± `reach` [m]; 0 if it is not there.
+    static double to_surface(const Body& body, Vec3 from, Vec3 along, double reach) {
+        const double step = 0.5 * body.grid().spacing;
+        double before = uncut_at(body, from - reach * along);
+        for (double far = -reach + step; far <= reach; far += step) {
+            const double now = uncut_at(body, from + far * along);
+            if (before >= 0.0 && now < 0.0) return far - step * now / (now - before);
+            before = now;
+        }
+        return 0.0;
+    }
+    static Vec3 gradient(const Body& body, Vec3 p) {
+        const double h = body.grid().spacing;
+        const Vec3 slope{uncut_at(body, p + Vec3{h, 0, 0}) - uncut_at(body, p - Vec3{h, 0, 0}),
+                         uncut_at(body, p + Vec3{0, h, 0}) - uncut_at(body, p - Vec3{0, h, 0}),
+                         uncut_at(body, p + Vec3{0, 0, h}) - uncut_at(body, p - Vec3{0, 0, h})};
+        return length(slope) > 1e-12 ? normalized(slope) : Vec3{};
+    }
+
+    double slack_;                   ///< [m]
+    std::optional<double> depth_{};  ///< [m] of the hole's line at the face; none: there is no face
+    Vec3 point_{}, normal_{};        ///< on the face, and outwards
+};
+
+}  // namespace
+
 double Breach::worst() const noexcept { return *std::max_element(towards.begin(), towards.end()); }
 
 Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius, Vec3 a, Vec3 b,
@@ -256,15 +328,13 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
     const std::array<Vec3, 2> plane = across(plan.along);
     Breach breach;
     bool is_inside = false;
-    // A section of an inclined hole must not reach out of the face through which the hole enters.
-    const double steepness = dot(hole.direction, plan.along);
-    const double first = radius * length(cross(hole.direction, plan.along)) / steepness + 0.5 * body.grid().spacing;
+    const EntryFace face(body, plan, hole, radius);
     for (double depth = 0.0; depth <= hole.end_depth; depth += section_distance) {
         // A plan that is nowhere surrounded by bone, as of a screw wider than its pedicle, counts from the depth of its
         // diameter.
         is_inside =
             is_inside || depth >= 2.0 * radius || narrowness(body, plan.entry + depth * plan.along, plane) >= radius;
-        if (!is_inside || depth < std::max(first, range.from) || depth > range.to) continue;
+        if (!is_inside || depth < range.from || depth > range.to || !face.is_behind(depth)) continue;
         const Vec3 from_line = plan.entry + depth * plan.along - hole.at;
         const Vec3 middle = hole.at + dot(from_line, plan.along) / dot(hole.direction, plan.along) * hole.direction;
         const std::array<Vec3, 2> around = across(hole.direction);
@@ -279,8 +349,8 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
         }
         for (int k = 0; k < ray_count; ++k) {
             const Vec3 unit = ray(around, k);
-            const double beyond = radius - to_border(body, middle, unit);
-            if (beyond <= 0.0) continue;
+            const double border = to_border(body, middle, unit), beyond = radius - border;
+            if (beyond <= 0.0 || face.has(middle + border * unit)) continue;
             if (beyond > breach.worst()) breach.depth = depth;
             double& towards = breach.towards[side_of(unit)];
             towards = std::max(towards, beyond);

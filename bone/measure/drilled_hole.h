@@ -64,9 +64,9 @@ struct DepthRange {
     double from = 0.0, to = HUGE_VAL;
 };
 /// Returns the breach of a cylinder of `radius` [m] along the hole's line. Rays from the line find the border of the
-/// bone before any cut; the breach is the cylinder's reach beyond it [gertzbein-robbins-1990]. The tested stretch
-/// begins where the planned cylinder is first completely in bone, and ends with the hole. `range` limits it.   [worker]
-/// pure.
+/// bone before any cut; the breach is the cylinder's reach beyond it [gertzbein-robbins-1990]. The face through which
+/// the hole enters does not count, at any angle. The tested stretch begins where the planned cylinder is first
+/// completely in bone, and ends with the hole. `range` limits it.   [worker] pure.
 /// @param a,b  unit, perpendicular to the axis and to each other; they define the sides
 [[nodiscard]] Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius, Vec3 a,
                                Vec3 b, DepthRange range = {});

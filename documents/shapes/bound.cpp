@@ -11,6 +11,18 @@ ValueOf<double> removed_volume() { return quantity(dimension::volume, "mm3", 1e-
 
 const Shape entry_goal{"entry_goal", "The tool has met bone for the first time.", {}};
 
+const Shape depth_goal{"depth_goal",
+                       "Depth of the tip along the step's axis, from where the axis meets bone.",
+                       {{required, "at_least", depth(), "As deep as this.", "30 mm"},
+                        {optional, "at_most", depth(), "No deeper than this.", "38 mm"}}};
+
+const Shape signal_goal{
+    "signal_goal",
+    "A signal of the step's force law, in any tick of the step; of an implant, as it is left.",
+    {{required, "id", id(), "One of the law's signals; `kerf describe` lists them.", "drive_power"},
+     {required, "at_least", of_kind(Kind::of_signal), "As much as this, in the signal's unit.", "1 W"},
+     {optional, "at_most", of_kind(Kind::of_signal), "No more than this, in the signal's unit.", "30 W"}}};
+
 const Shape depth_bound{"depth_bound",
                         "Depth of the tip along the step's axis, from where the axis meets bone.",
                         {{any_of, "at_least", depth(), "As deep as this.", "30 mm"},

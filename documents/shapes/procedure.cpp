@@ -63,6 +63,18 @@ const MapShape<Variant> variant{
       "Paths of values, and the new values; ids address the items of lists, `~` removes.",
       "{accuracy.spacing: 0.5 mm}"}}};
 
+const MapShape<ScoredMetric> scored_metric{
+    "scored_metric",
+    "A metric of the results that the score counts.",
+    {{required, "metric", text(), "Its id in `summary.json`, such as `insert.entry-offset`.", "drill.entry-offset"},
+     {required, "full", of_kind(Kind::of_metric), "The value that earns all, in the metric's unit.", "1 mm"},
+     {required, "none", of_kind(Kind::of_metric), "The value that earns nothing; between the two, in proportion.",
+      "4 mm"},
+     {optional, "target", of_kind(Kind::of_metric),
+      "The planned value; `full` and `none` are then distances from it, to either side.", "35 mm"},
+     {optional, "weight", &ScoredMetric::weight, number(0.0, 1000.0), "How much it counts beside the others.", "2",
+      "1"}}};
+
 const Shape procedure{
     "procedure",
     "An operation, in terms of an anatomy's names.",
@@ -92,6 +104,9 @@ const Shape procedure{
       "{cortex: {thickness: {at: midline, along: right_pedicle}}}"},
      {required, "steps", list(map(step)), "What to do, in this order.",
       "[{id: drill, title: Drill, instrument: pilot, axis: right_pedicle, goals: [{entry: {}}]}]"},
+     {optional, "scoring", list(map(scored_metric)),
+      "The metrics from which the score follows; without it, steps and limits count in equal parts.",
+      "[{metric: drill.entry-offset, full: 1 mm, none: 4 mm}]"},
      {optional, "paths", named(list(map(waypoint))), "Waypoints that several rehearsals follow.",
       "{approach: [{depth: -5 mm}, {depth: 5 mm}]}"},
      {optional, "rehearsals", list(map(rehearsal)), "Simulated hands, and their expected results.",

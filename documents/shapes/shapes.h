@@ -14,6 +14,7 @@ namespace kerf::documents::shapes {
 // procedure.cpp
 extern const MapShape<Procedure> metadata, needs, accuracy, budget, haptics;
 extern const MapShape<Variant> variant;
+extern const MapShape<ScoredMetric> scored_metric;
 extern const Shape procedure;
 
 // instrument.cpp
@@ -21,7 +22,7 @@ extern const MapShape<Sleeve> guide;
 extern const MapShape<Instrument> instrument;
 
 // bound.cpp
-extern const Shape entry_goal, depth_bound, clearance_bound, separated_goal, held_goal, moved_bound, thrust_bound,
+extern const Shape entry_goal, depth_goal, signal_goal, depth_bound, clearance_bound, separated_goal, held_goal, moved_bound, thrust_bound,
     angle_bound, offset_bound, reduction_offset_bound, reduction_angle_bound, axes_angle_bound, tip_apex_bound,
     flatness_bound, hole_angle_bound, hole_offset_bound, excess_bound, plunge_bound, air_bound, torque_bound,
     lateral_force_bound, removed_goal, removed_bound, speed_bound, duration_bound, signal_bound, measure_bound;

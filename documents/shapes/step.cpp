@@ -8,12 +8,12 @@ const Shape goal{
     "goal",
     "What must be reached; goals are met in their order.",
     {{one_of, "entry", map(entry_goal), "The tool has met bone.", "{}"},
-     {one_of, "depth", map(depth_bound), "The tip is as deep as this.", "{at_least: 30 mm}"},
+     {one_of, "depth", map(depth_goal), "The tip is as deep as this.", "{at_least: 30 mm}"},
      {one_of, "separated", map(separated_goal), "The bone has come apart.", "{}"},
      {one_of, "held", map(held_goal), "The tool holds the piece.", "{}"},
      {one_of, "moved", map(moved_bound), "The piece has been moved.", "{at_least: 60 mm}"},
      {one_of, "removed_volume", map(removed_goal), "The step has removed as much bone as this.", "{at_least: 100 mm3}"},
-     {one_of, "signal", map(signal_bound), "A signal of the law has been within this.",
+     {one_of, "signal", map(signal_goal), "A signal of the law has been within this.",
       "{id: drive_power, at_least: 1 W}"},
      {one_of, "measure", map(measure_bound), "A measure of the bone is within this.", "{of: cortex, at_least: 2 mm}"}}};
 
@@ -65,6 +65,9 @@ const MapShape<Limit> limit{
      {one_of, "plunge", map(plunge_bound), "How far the tip plunges behind a far face.", "{at_most: 5 mm}"},
      {one_of, "time_in_air", map(air_bound), "How long the tip advances without bone in front of it.",
       "{at_most: 1 s}"},
+     {optional, "severity", &Limit::severity,
+      choice<Severity>({{"minor", Severity::minor}, {"serious", Severity::serious}, {"critical", Severity::critical}}),
+      "How bad it is: it caps the score. Harm that cannot be undone is critical.", "critical", "serious"},
      {required, "reason", &Limit::reason, text(), "The sentence that a trainee reads when it happens.",
       "The hole is deeper than planned."}}};
 

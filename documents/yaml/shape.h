@@ -34,6 +34,7 @@ struct ValueShape {
         patch,       ///< of the procedure itself: the paths of values, and what they are instead
         of_signal,   ///< a number in the unit of a signal: the step's law declares it
         of_measure,  ///< an angle or a length, as the measure is
+        of_metric,   ///< a number in the unit of a metric of the results
     };
     Kind kind = Kind::text;
     text::QuantityNeed need{};

@@ -63,18 +63,6 @@ private:
     std::vector<session::MetricRow>* rows_;
 };
 
-void add_clearances(const StepState& state, StepRows& rows) {
-    for (const auto& limit : state.limits)
-        if (limit.limit->quantity == "clearance" && limit.is_seen)
-            rows.length("clearance." + limit.limit->zone, limit.worst, rows.half_voxel(),
-                        limit.broken_at ? "broken" : "ok",
-                        "Least distance of the running tool's cutting region to the zone; negative inside.");
-    for (const auto& limit : state.limits)
-        if (limit.limit->quantity == "thrust" && limit.is_seen)
-            rows.row("thrust", limit.worst, "N", 1.0, limit.broken_at ? "broken" : "ok",
-                     "Greatest thrust of the running tool.");
-}
-
 /// Returns the status of the limits on a quantity that `is_selected` selects; "info" without one.
 template <class IsSelected>
 const char* status_of_limits(const StepState& state, IsSelected&& is_selected) {
@@ -83,6 +71,25 @@ const char* status_of_limits(const StepState& state, IsSelected&& is_selected) {
         if (is_selected(*limit.limit) && (limit.broken_at || status == std::string_view("info")))
             status = limit.broken_at ? "broken" : "ok";
     return status;
+}
+
+void add_clearances(const StepState& state, StepRows& rows) {
+    std::vector<std::string> zones;
+    for (const auto& limit : state.limits) {
+        const std::string& zone = limit.limit->zone;
+        // Several limits on one zone had the same values.
+        if (limit.limit->quantity != "clearance" || !limit.is_seen ||
+            std::find(zones.begin(), zones.end(), zone) != zones.end())
+            continue;
+        zones.push_back(zone);
+        rows.length("clearance." + zone, limit.worst, rows.half_voxel(),
+                    status_of_limits(state, [&](const documents::Limit& one) { return one.zone == zone; }),
+                    "Least distance of the running tool's cutting region to the zone; negative inside.");
+    }
+    for (const auto& limit : state.limits)
+        if (limit.limit->quantity == "thrust" && limit.is_seen)
+            rows.row("thrust", limit.worst, "N", 1.0, limit.broken_at ? "broken" : "ok",
+                     "Greatest thrust of the running tool.");
 }
 
 /// Adds the limits on one number of each tick. Several limits on one number had the same values.
@@ -425,6 +432,19 @@ std::vector<session::MetricRow> implant_metrics(const std::string& step, const k
         row.help = "When the driver left: " + std::string(signal.help);
     }
     return rows;
+}
+
+session::MetricRow bone_kept_row(const std::string& step, double part) {
+    session::MetricRow row;
+    row.id = step + ".left.bone-kept";
+    row.scope = step;
+    row.value = part;
+    row.unit = "%";
+    row.per_unit = 0.01;
+    row.status = "info";
+    row.help =
+        "Of the bone close around the implant's thread when the driver left, what is there at the end of the run.";
+    return row;
 }
 
 session::MetricRow groove_row(double volume) {

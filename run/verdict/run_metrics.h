@@ -19,6 +19,8 @@ namespace kerf::run {
 /// @param signals   SI, declared order
 [[nodiscard]] std::vector<session::MetricRow> implant_metrics(const std::string& step, const kerf_force& law,
                                                               const double* signals);
+/// Returns the part of the bone around an implant's thread that is left at the end of the run.   [any] pure.
+[[nodiscard]] session::MetricRow bone_kept_row(const std::string& step, double part);
 /// Returns the bone volume in the grooves of threads, which the removed volume does not include [m³].   [any] pure.
 [[nodiscard]] session::MetricRow groove_row(double volume);
 

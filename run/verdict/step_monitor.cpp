@@ -8,6 +8,7 @@
 
 #include "documents/solids.h"
 #include "documents/turn_about.h"
+#include "run/verdict/within_bound.h"
 
 namespace kerf::run {
 
@@ -67,14 +68,6 @@ double clearance(const ToolSolid& solid, const Pose& world_from_tool, const docu
 
 namespace {
 
-/// Returns the pose of the world in the body `owner`.
-Pose body_from_world(std::size_t owner, const Observation& now) noexcept {
-    return owner < now.world_from_body.size() ? inverse(now.world_from_body[owner]) : identity_pose();
-}
-bool is_within(const documents::Bound& bound, double value) noexcept {
-    return bound.at_least.value_or(-HUGE_VAL) <= value && value <= bound.at_most.value_or(HUGE_VAL);
-}
-
 /// Returns the distance of a value beyond its bound; negative within.
 double excess_of(const documents::Bound& bound, double value) noexcept {
     return std::max(bound.at_least ? *bound.at_least - value : -HUGE_VAL,
@@ -99,6 +92,7 @@ void take_signals(const Observation& now, StepState& state) noexcept {
         if (const auto value = value_of(*s.signal, now)) {
             s.least = s.is_seen ? std::min(s.least, *value) : *value;
             s.greatest = s.is_seen ? std::max(s.greatest, *value) : *value;
+            s.last = *value;
             s.is_seen = true;
         }
     for (std::size_t g = 0; g < state.was_within_bound.size(); ++g) {
@@ -107,6 +101,11 @@ void take_signals(const Observation& now, StepState& state) noexcept {
         if (const auto value = value_of(goal.signal, now); value && is_within(goal.bound, *value))
             state.was_within_bound[g] = true;
     }
+}
+
+/// Returns the pose of the world in the body `owner`.
+Pose body_from_world(std::size_t owner, const Observation& now) noexcept {
+    return owner < now.world_from_body.size() ? inverse(now.world_from_body[owner]) : identity_pose();
 }
 
 /// Returns the pose of the tool in the body `owner`.
@@ -178,6 +177,7 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     state.tip_speed.show(tool.position, is_in_bone, time - before_);
     before_ = time;
     state.removed = now.removed;
+    state.has_held = state.has_held || (now.held >= 0 && now.held == static_cast<int>(owners_.step[current_]));
     take_signals(now, state);
 
     for (auto& limit : state.limits)
@@ -203,10 +203,58 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
             if (const auto value =
                     measured_at_end(*limit.limit, *anatomy_, now.world_from_body, now.world_from_tool.position))
                 hold(limit, *value, time);
+        if (state.is_released_at_end) judge_left(state, time);
         news_.emplace_back("step_done", state.step->id);
         is_measure_due_ = needs_measures_ = false;
         ++current_;
     }
+}
+
+std::optional<double> StepState::value_of_goal(std::size_t goal) const noexcept {
+    const documents::Goal& wanted = step->goals[goal];
+    if (wanted.quantity == "moved") return moved;
+    if (wanted.quantity == "removed_volume") return removed;
+    if (wanted.quantity == "depth") return left_depth ? *left_depth : std::max(0.0, deepest);
+    if (wanted.quantity != "signal") return {};
+    for (const SignalState& signal : signals)
+        if (signal.signal->id == wanted.signal.id && signal.is_seen) return left_depth ? signal.last : signal.greatest;
+    return {};
+}
+
+void StepMonitor::judge_left(StepState& state, double time) {
+    state.left_depth = depth_;
+    for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
+        const documents::Goal& goal = state.step->goals[g];
+        const std::optional<double> value = state.value_of_goal(g);
+        if (!value || (goal.quantity != "depth" && goal.quantity != "signal")) continue;
+        state.goal_done[g] = is_within(goal.bound, *value);
+        if (!state.goal_done[g]) news_.emplace_back("goal_lost", state.step->id + ": " + goal.name());
+    }
+    hold_state(state, time);
+}
+
+void StepMonitor::hold_state(StepState& state, double time) {
+    for (LimitState& limit : state.limits) {
+        if (limit.limit->quantity == "depth") hold(limit, depth_, time);
+        if (limit.limit->quantity != "signal") continue;
+        for (const SignalState& signal : state.signals)
+            if (signal.signal->id == limit.limit->signal.id && signal.is_seen) hold(limit, signal.last, time);
+    }
+}
+
+void StepMonitor::end_run(double time) {
+    news_.clear();
+    if (current_ >= steps_.size()) return;
+    StepState& state = steps_[current_];
+    if (!state.is_released_at_end || !state.has_cut_bone()) return;
+    for (LimitState& limit : state.limits)
+        if (limit.limit->quantity == "depth" && limit.limit->bound.at_most) hold(limit, depth_, time);
+}
+
+void StepMonitor::lose_goals(std::size_t step, std::string why) {
+    StepState& state = steps_[step];
+    state.goal_done.assign(state.goal_done.size(), false);
+    state.lost_hold = std::move(why);
 }
 
 void StepMonitor::update_need_of_measures(const StepState& state, std::size_t next_goal, bool is_in_bone, bool is_out,
@@ -249,8 +297,15 @@ std::optional<double> StepMonitor::measured(const LimitState& limit, const StepS
     if (quantity == "lateral_force") return now.lateral_force;
     if (quantity == "removed_volume") return now.removed;
     if (quantity == "duration") return now.time - *state.start;
-    if (quantity == "signal") return value_of(asked.signal, now);
-    if (!now.is_running) return {};  // a still tool does no harm
+    if (quantity == "signal") {
+        const auto value = value_of(limit.limit->signal, now);
+        const std::optional<double>& at_least = limit.limit->bound.at_least;
+        // What an implant must keep counts as it is left: it begins at nothing.
+        const bool is_not_yet_there = value && state.is_released_at_end && at_least && *value < *at_least;
+        return is_not_yet_there ? std::nullopt : value;
+    }
+    if (quantity == "depth" && state.is_released_at_end) return {};  // as it is left
+    if (!now.is_running) return {};                                  // a still tool does no harm
     if (asked.is_of_wall() || asked.is_of_hole() || asked.is_of_places() || quantity == "measure" ||
         quantity == "damage")
         return {};  // judged at the end of the step

@@ -114,6 +114,7 @@ struct HoleResult {
 struct SignalState {
     const documents::NamedSignal* signal = nullptr;
     double least = 0.0, greatest = 0.0;  ///< SI, over the ticks of the step
+    double last = 0.0;                   ///< SI, in the last of them
     bool is_seen = false;
 };
 
@@ -143,14 +144,22 @@ struct StepState {
     std::vector<documents::MeasureReading>
         measures{};  ///< of the procedure, as last measured in this step; empty: not yet
 
-    bool is_released_at_end = false;  ///< its tool stays in the bone
-    double moved = 0.0;               ///< [m] maximum distance of the bone at the entry from its pose at the start
+    bool is_released_at_end = false;   ///< its tool stays in the bone
+    bool has_held = false;             ///< its tool has held the body of the step
+    std::string lost_hold{};           ///< why its implant is no longer held as it was left; empty: it is
+    std::optional<double> left_depth;  ///< [m] of the tip of an implant, as the hand left it
+    double moved = 0.0;                ///< [m] maximum distance of the bone at the entry from its pose at the start
 
     [[nodiscard]] bool has_cut_bone() const noexcept { return deepest >= 0.0; }
     [[nodiscard]] bool has_reached_all() const noexcept {
         return std::all_of(goal_done.begin(), goal_done.end(), [](bool done) { return done; });
     }
     [[nodiscard]] bool is_done() const noexcept { return end.has_value(); }
+    /// Returns whether the hand has done anything: cut bone, or held the piece.
+    [[nodiscard]] bool has_begun() const noexcept { return has_cut_bone() || has_held; }
+    /// Returns the value that a goal compares with its bound [SI]: of an implant as it was left, otherwise the most
+    /// that was reached. Nothing for a goal that is an event or a measure.
+    [[nodiscard]] std::optional<double> value_of_goal(std::size_t goal) const noexcept;
 };
 
 class StepMonitor {
@@ -161,6 +170,11 @@ public:
 
     /// Sets that the tool of a step is an implant: the step ends when it is released, not when it is retracted.
     void ends_with_release(std::size_t step) { steps_[step].is_released_at_end = true; }
+
+    /// Judges what a run leaves that ends within a step.
+    void end_run(double time);
+    /// Takes away the goals of an implant that is no longer held as it was left, for this reason.
+    void lose_goals(std::size_t step, std::string why);
 
     /// Observes one tick with a tool whose cutting part is `cutting`.
     void observe(const Observation& now, const ToolSolid& cutting);
@@ -209,6 +223,10 @@ private:
                                                               const StepState& state) const noexcept;
     /// Updates whether a goal on a measure is next, and can be measured now.
     void update_need_of_measures(const StepState& state, std::size_t next_goal, bool is_in_bone, bool is_out, int held);
+    /// Judges an implant as the hand leaves it: goals that it no longer reaches are lost.
+    void judge_left(StepState& state, double time);
+    /// Judges the limits of an implant that read it as it is now.
+    void hold_state(StepState& state, double time);
     static void follow(const Observation& now, double depth, double hand, double dt, StepState& state);
     /// Compares a measured value with its limit.
     void hold(LimitState& limit, double value, double time);

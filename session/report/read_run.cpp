@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "session/read_deductions.h"
 #include "session/record_checksum.h"
 #include "session/recorded_rows.h"
 #include "session/recorder.h"
@@ -155,6 +156,10 @@ void Reading::read_lists() {
 void Reading::read_result() {
     RunSummary& summary = run_.summary;
     summary.score = number_of("result.score");
+    if (const std::string rules = key("result.score_rules"); !rules.empty())
+        summary.score_rules = static_cast<int>(std::strtol(rules.c_str(), nullptr, 10));
+    summary.score_band = key("result.score_band");
+    summary.deductions = read_deductions(key("summary"));
     summary.duration = number_of("result.duration");
     summary.ticks = count_of("result.ticks");
     summary.removed = number_of("result.removed");

@@ -16,6 +16,7 @@
 #include "session/report/report_data.h"
 #include "session/report/report_overview.h"
 #include "session/report/report_page.h"
+#include "session/report/report_score.h"
 #include "session/report/report_steps.h"
 #include "text/plain_numbers.h"
 
@@ -253,7 +254,7 @@ std::string report_html(const RunSummary& summary, const DrawnRun& run, const Re
     return filled(report_skeleton,
                   {{"title", html_escaped(heading(summary, procedure)) + ": " + to_text(summary.verdict)},
                    {"style", std::string(report_style)},
-                   {"header", header_html(summary, procedure)},
+                   {"header", header_html(summary, procedure) + score_html(summary)},
                    {"bone-legend", legend_html(summary, "Tissue")},
                    {"forces", plots_html(summary, run)},
                    {"holes", holes_html(summary)},

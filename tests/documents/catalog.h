@@ -44,7 +44,9 @@ inline ComponentCatalog spine_catalog() {
     force.plugin = tool.plugin;
     force.id = "screw_insertion";
     force.kind = KERF_KIND_FORCE;
-    force.signals = {{"torque", "", dimension::torque, "N m"}, {"clamp", "", dimension::force, "N"}};
+    force.signals = {{"torque", "", dimension::torque, "N m"},
+                     {"clamp", "", dimension::force, "N"},
+                     {"engaged", "", dimension::length, "mm"}};
     force.events = {{"implant.head_contact", "", false}, {"implant.stripped", "", true}};
     catalog.push_back(tool);
     tool.id = "tap";

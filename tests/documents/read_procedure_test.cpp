@@ -533,12 +533,60 @@ TEST(ReadProcedure, ReadsAGoalOnRemovedBone) {
                    "{«removed_volume»: {at_least: 300 mm3, at_most: 200 mm3}},");
 }
 
+TEST(ReadProcedure, RefusesAGoalThatHoldsBeforeItBegins) {
+    expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}", "{depth: {at_most: «25 mm»}}");
+    expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}",
+                   "{signal: {id: drive_power, at_most: «25 W»}}");
+}
+
+TEST(ReadProcedure, ReadsWhatTheScoreCounts) {
+    text::Diagnostics diagnostics;
+    const auto procedure = read(replaced(faultless, "rehearsals:\n",
+                                         "scoring:\n"
+                                         "  - {metric: drill.entry-offset, full: 0.5 mm, none: 3 mm, weight: 2}\n"
+                                         "  - {metric: drill.depth, target: 32 mm, full: 1 mm, none: 4 mm}\n"
+                                         "rehearsals:\n"),
+                                diagnostics);
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    ASSERT_EQ(procedure->scoring.size(), 2u);
+    const ScoredMetric &offset = procedure->scoring[0], &depth = procedure->scoring[1];
+    EXPECT_EQ(offset.step, "drill");
+    EXPECT_EQ(offset.unit, "mm");
+    EXPECT_EQ(offset.full, 0.5_mm);
+    EXPECT_EQ(offset.none, 3.0_mm);
+    EXPECT_EQ(offset.weight, 2.0);
+    EXPECT_FALSE(offset.target);
+    EXPECT_EQ(depth.target, 32.0_mm);
+    EXPECT_EQ(depth.weight, 1.0);
+    EXPECT_EQ(procedure->steps[0].limits[0].severity, Severity::serious);
+}
+
+TEST(ReadProcedure, RefusesAScoreThatNobodyCanEarn) {
+    const auto refused = [](text::Code code, const std::string& scoring) {
+        expect_refused(code, "rehearsals:\n", "scoring: " + scoring + "\nrehearsals:\n");
+    };
+    refused(text::Code::unknown_metric, "[{metric: «drill.offest», full: 1 mm, none: 2 mm}]");
+    refused(text::Code::unknown_metric, "[{metric: «drill.thrust», full: 1 N, none: 2 N}]");  // without a limit on it
+    refused(text::Code::contradiction, "[{metric: drill.offset, full: 2 mm, none: «2 mm»}]");
+    refused(text::Code::contradiction, "[{metric: drill.depth, target: 30 mm, full: 2 mm, none: «1 mm»}]");
+    refused(text::Code::wrong_dimension, "[{metric: drill.offset, full: «2 deg», none: 2 mm}]");
+    refused(text::Code::missing_key, "[«{»metric: drill.offset, full: 2 mm}]");
+    refused(text::Code::duplicate_id,
+            "[{metric: drill.offset, full: 1 mm, none: 2 mm}, {metric: «drill.offset», full: 1 mm, none: 3 mm}]");
+    refused(text::Code::out_of_range, "[{metric: drill.offset, full: 1 mm, none: 2 mm, weight: «-1»}]");
+}
+
+TEST(ReadProcedure, RefusesWeightsThatAddUpToNothing) {
+    expect_refused(text::Code::contradiction, "rehearsals:\n",
+                   "«scoring»: [{metric: drill.offset, full: 1 mm, none: 2 mm, weight: 0}]\nrehearsals:\n");
+}
+
 TEST(ReadProcedure, FindsTheSignalOfTheStepsLaw) {
     text::Diagnostics diagnostics;
-    const auto procedure =
-        read(replaced(with_limit("signal: {id: drive_power, at_most: 30 W}"), "{entry: {}},",
-                      "{signal: {id: spindle_speed, at_least: 600 rpm}}, {signal: {id: engagement, at_most: 0.5}},"),
-             diagnostics);
+    const auto procedure = read(replaced(with_limit("signal: {id: drive_power, at_most: 30 W}"), "{entry: {}},",
+                                         "{signal: {id: spindle_speed, at_least: 600 rpm}}, {signal: {id: engagement, "
+                                         "at_least: 0.1, at_most: 0.5}},"),
+                                diagnostics);
     ASSERT_TRUE(procedure) << to_text(diagnostics);
     const Step& step = procedure->steps.at(0);
     EXPECT_EQ(step.goals.at(0).name(), "spindle_speed");
@@ -705,7 +753,8 @@ TEST(ReadProcedure, RefusesAForceForASpeed) {
     expect_refused(text::Code::wrong_dimension, "feed: 2 mm/s", "feed: «2 N»");
 }
 TEST(ReadProcedure, RefusesABoundWithoutEnd) {
-    expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}", "{«depth»: {}}");
+    expect_limit_refused(text::Code::empty_bound, "«depth»: {}");
+    expect_refused(text::Code::missing_key, "{depth: {at_least: 30 mm}}", "{«depth»: {}}");
 }
 TEST(ReadProcedure, RefusesABoundThatNothingFulfils) {
     expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}",
@@ -718,9 +767,9 @@ TEST(ReadProcedure, RefusesAGoalToBeOutsideWhichADeepestDepthNeverIs) {
 
 TEST(ReadProcedure, RefusesAGoalThatALimitOfItsStepForbids) {
     expect_refused(text::Code::contradiction, "{depth: {at_least: 30 mm}}", "{depth: {at_least: «38.1 mm»}}");
-    expect_refused(
-        text::Code::contradiction, "{depth: {at_least: 30 mm}} ]\n    limits:\n",
-        "{depth: {at_most: «5 mm»}} ]\n    limits:\n      - {depth: {at_least: 6 mm}, reason: Too shallow.}\n");
+    expect_refused(text::Code::contradiction, "{depth: {at_least: 30 mm}} ]\n    limits:\n",
+                   "{depth: {at_least: 1 mm, at_most: «5 mm»}} ]\n    limits:\n      - {depth: {at_least: 6 mm}, "
+                   "reason: Too shallow.}\n");
     text::Diagnostics diagnostics;
     EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}}", "{depth: {at_least: 38 mm}}"), diagnostics))
         << "it can be reached and kept";
@@ -728,15 +777,15 @@ TEST(ReadProcedure, RefusesAGoalThatALimitOfItsStepForbids) {
 
 TEST(ReadProcedure, RefusesAGoalThatIsLessDeepThanAnEarlierOne) {
     expect_refused(text::Code::contradiction, "{depth: {at_least: 30 mm}} ]",
-                   "{depth: {at_least: 30 mm}}, {depth: {at_most: «29 mm»}} ]");
+                   "{depth: {at_least: 30 mm}}, {depth: {at_least: 1 mm, at_most: «29 mm»}} ]");
     text::Diagnostics diagnostics;
-    EXPECT_TRUE(read(
-        replaced(faultless, "{depth: {at_least: 30 mm}} ]", "{depth: {at_most: 29 mm}}, {depth: {at_least: 30 mm}} ]"),
-        diagnostics))
+    EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}} ]",
+                              "{depth: {at_least: 1 mm, at_most: 29 mm}}, {depth: {at_least: 30 mm}} ]"),
+                     diagnostics))
         << "first little, then more";
-    EXPECT_TRUE(read(
-        replaced(faultless, "{depth: {at_least: 30 mm}} ]", "{depth: {at_least: 30 mm}}, {depth: {at_most: 30 mm}} ]"),
-        diagnostics))
+    EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}} ]",
+                              "{depth: {at_least: 30 mm}}, {depth: {at_least: 1 mm, at_most: 30 mm}} ]"),
+                     diagnostics))
         << "it can be as deep";
 }
 

@@ -99,6 +99,8 @@ std::vector<std::string> mistakes(const ValueShape& value) {
             return {"5", "[a]"};
         case Kind::of_signal:
             return {"5", "5 furlong", "5 mm", "hard", "[5]"};
+        case Kind::of_metric:
+            return {"[5]"};
         case Kind::of_measure:
             return {"5", "5 furlong", "5 N", "hard", "[5]"};
     }

@@ -22,10 +22,10 @@ TEST(Summary, HasTheKeysThatScriptsDependOnInThisOrder) {
     const Json document = read(test::synthetic_summary());
     for (const auto& [key, value] : document.items()) keys.push_back(key);
 
-    const std::vector<std::string> promised{"schema",        "notice",     "procedure",   "verdict", "reasons",
-                                            "score",         "duration_s", "steps",       "metrics", "ticks",
-                                            "removed_mm3",   "pieces",     "force_scale", "hash",    "versions",
-                                            "anatomy_notes", "variant",    "hand",        "device"};
+    const std::vector<std::string> promised{
+        "schema",     "notice",     "procedure",     "verdict", "reasons", "score",       "score_rules", "score_band",
+        "deductions", "duration_s", "steps",         "metrics", "ticks",   "removed_mm3", "pieces",      "force_scale",
+        "hash",       "versions",   "anatomy_notes", "variant", "hand",    "device"};
     EXPECT_EQ(keys, promised);
     EXPECT_EQ(document["schema"], 1);
 }

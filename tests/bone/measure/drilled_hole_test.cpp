@@ -158,6 +158,29 @@ TEST(DrilledHole, ACylinderAlongTheHoleBreachesByWhatItReachesBeyondTheFace) {
     EXPECT_EQ(breach_of(block.body, block.plan, *hole, 2.9_mm, {1, 0, 0}, {0, 1, 0}).worst(), 0.0);
 }
 
+// Screws of 6 mm that enter the face z = 0 at a slant, in the middle of the bone and next to its wall y = 12 mm.
+TEST(DrilledHole, TheFaceOfEntryIsNoBreachAtAnyAngle) {
+    for (const double slant : {0.0_deg, 20.0_deg, 40.0_deg, 60.0_deg, 70.0_deg})
+        for (const double lean : {-8.0_deg, 0.0_deg, 5.0_deg}) {
+            DrilledBlock block;
+            const auto leading = [](double angle) { return Vec3{std::sin(angle), 0, std::cos(angle)}; };
+            const Vec3 entry{-9.0_mm, 0, 0}, direction = leading(slant + lean);
+            block.plan.entry = entry;
+            block.plan.along = leading(slant);
+            const auto breach_at = [&](double y) {
+                const Vec3 tip = entry + Vec3{0, y, 0} + 14.0_mm * direction;
+                const auto hole = hole_along(block.body, block.plan, tip, direction);
+                return breach_of(block.body, block.plan, hole.value(), 3.0_mm, {0, 1, 0},
+                                 normalized(cross(Vec3{0, 1, 0}, block.plan.along)));
+            };
+            const double angle = (slant + lean) / 1.0_deg;
+            if (slant + lean >= 0.0_deg) {  // the others lead towards the wall x = -12 mm
+                EXPECT_EQ(breach_at(0.0).worst(), 0.0) << angle << " deg, of " << slant / 1.0_deg;
+            }
+            EXPECT_NEAR(breach_at(10.5_mm).towards[0], 1.5_mm, 0.05_mm) << angle << " deg: the wall counts";
+        }
+}
+
 // An implant 9 mm off the middle of the block and tilted by 3 degrees towards its face, 12 mm away.
 TEST(DrilledHole, TheAxisOfAnImplantIsOffByItsPlaceAndItsTangent) {
     DrilledBlock block;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -103,6 +104,69 @@ TEST(AxisFrame, APlaneSeenFromBehindTurnsTheBladeOver) {
     const Pose pose = axis_frame(axis, 0.0, {}, &plane).pose_at({});
     EXPECT_LT(length(rotate(pose.rotation, {0, 1, 0}) - Vec3{0, -1, 0}), 1e-12);
     EXPECT_LT(length(rotate(pose.rotation, {0, 0, 1}) - Vec3{0, 0, 1}), 1e-12);
+}
+
+TEST(StepMonitor, JudgesAnImplantAsItIsLeft) {
+    Watch run;
+    run.monitor.ends_with_release(0);
+    run.show(1.0_mm);
+    run.show(13.0_mm);  // deeper than the limit of 12 mm, and back
+    run.show(5.0_mm);   // the goal was 10 mm
+    EXPECT_EQ(run.monitor.release(), "");
+    run.show(5.0_mm);
+    const StepState& left = run.monitor.steps()[0];
+    EXPECT_TRUE(left.is_done());
+    EXPECT_EQ(left.left_depth, 5.0_mm);
+    EXPECT_EQ(left.goal_done, (std::vector<bool>{true, false}));
+    EXPECT_FALSE(left.limits[1].broken_at) << "where it was on its way is no fault";
+    EXPECT_EQ(run.scene.new_events.back(), "step_done");
+    EXPECT_TRUE(std::count(run.scene.new_events.begin(), run.scene.new_events.end(), "goal_lost"));
+
+    Watch deep;
+    deep.monitor.ends_with_release(0);
+    deep.show(1.0_mm);
+    deep.show(13.0_mm);
+    EXPECT_EQ(deep.monitor.release(), "");
+    deep.show(13.0_mm);
+    EXPECT_TRUE(deep.monitor.steps()[0].limits[1].broken_at);
+
+    Watch never;
+    never.monitor.ends_with_release(0);
+    never.show(1.0_mm);
+    never.show(13.0_mm);
+    never.monitor.end_run(never.time);
+    EXPECT_TRUE(never.monitor.steps()[0].limits[1].broken_at) << "a run may end before the implant is released";
+}
+
+TEST(StepMonitor, JudgesSignalsOfAnImplantAsItIsLeft) {
+    const documents::NamedSignal engaged{"engaged", 0, "mm"}, torque{"torque", 1, "N m"};
+    Watch run;
+    documents::Step& step = run.scene.procedure.steps[0];
+    step.goals.push_back({.quantity = "signal", .bound = {20.0_mm, {}}, .signal = engaged});
+    step.limits = {{.quantity = "signal", .bound = {15.0_mm, {}}, .signal = engaged},
+                   {.quantity = "signal", .bound = {{}, 3.0}, .signal = torque}};
+    StepMonitor monitor(run.scene.procedure, run.scene.anatomy, run.scene.frames);
+    monitor.ends_with_release(0);
+    double time = 0.0;
+    const auto show = [&](double depth, double thread, double moment) {
+        const std::array signals{thread, moment};
+        monitor.observe({.time = time += 1e-3,
+                         .world_from_tool = {{0, 0, depth}, {1, 0, 0, 0}},
+                         .is_running = true,
+                         .is_resisted = true,
+                         .signals = signals},
+                        run.scene.drill);
+    };
+    show(1.0_mm, 1.0_mm, 0.5);
+    EXPECT_FALSE(monitor.steps()[0].limits[0].broken_at) << "a thread has to begin";
+    show(11.0_mm, 21.0_mm, 3.5);
+    show(11.0_mm, 12.0_mm, 0.5);
+    EXPECT_EQ(monitor.release(), "");
+    show(11.0_mm, 12.0_mm, 0.5);
+    const StepState& left = monitor.steps()[0];
+    EXPECT_EQ(left.goal_done, (std::vector<bool>{true, true, false}));
+    EXPECT_TRUE(left.limits[0].broken_at) << "too little of it is left";
+    EXPECT_TRUE(left.limits[1].broken_at) << "a torque on the way counts";
 }
 
 TEST(StepMonitor, TheStepOfAnImplantEndsWhenItIsReleasedInBone) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `kerf run` and `kerf rehearse`.
+// `kerf run`.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -20,6 +20,7 @@
 #include "app/progress.h"
 #include "app/read_scene.h"
 #include "app/replay.h"
+#include "app/shown_run.h"
 #include "app/standard_streams.h"
 #include "app/watch.h"
 #include "run/device/stated_device.h"
@@ -74,6 +75,7 @@ std::string text_of(const session::MetricRow& m) {
 
 void print_summary(const session::RunSummary& s) {
     print(std::string("verdict: ") + to_text(s.verdict) + "\n");
+    print(formatted("score: %.0f of 100\n", std::round(s.score)));
     for (const auto& reason : s.reasons) print("  " + reason + "\n");
     // A measure without a limit of its step is only in summary.json.
     const auto is_shown = [](const session::MetricRow& m) {
@@ -89,59 +91,6 @@ void print_summary(const session::RunSummary& s) {
     if (s.exact) print(text_of(*s.exact));
     print("checks of the simulation:\n");
     print_metrics(true);
-}
-
-/// Shows the progress of a run, and ends the run at the first Ctrl-C.
-class ShownRun final : public run::RunObserver {
-public:
-    explicit ShownRun(const Interruption& interruption) : interruption_(interruption) {}
-    void on_progress(double fraction, const std::string& what) override { show_progress(fraction, what); }
-    std::optional<run::RunEnd> end() override {
-        return interruption_.has_come() ? std::optional(run::RunEnd::interrupted) : std::nullopt;
-    }
-
-private:
-    const Interruption& interruption_;
-};
-
-// ---- rehearse ----------------------------------------------------------------------------------------------------
-
-std::string expectation_of(const documents::Rehearsal& rehearsal) {
-    if (rehearsal.expect != "fail") return rehearsal.expect;
-    return "fail by the limit `" + rehearsal.expect_limit +
-           (rehearsal.expects_others ? "`, and others may break" : "` alone") +
-           (rehearsal.expect_step.empty() ? "" : ", in the step `" + rehearsal.expect_step + "`");
-}
-
-std::string ending_of(const session::RunSummary& summary) {
-    std::string text = to_text(summary.verdict);
-    for (const auto& reason : summary.reasons) text += "\n            " + text::shown(reason);
-    return text;
-}
-
-ExitCode rehearse_file(const std::string& file, const DocumentOptions& options, const Environment& with) {
-    const auto scene = read_scene(file, options, with);
-    if (!scene) return exit_bad_input;
-    if (scene->procedure.rehearsals.empty())
-        return complain(file + " has no rehearsals. Add one under `rehearsals:`.", exit_bad_input);
-
-    int as_expected = 0;
-    for (const auto& rehearsal : scene->procedure.rehearsals) {
-        run::RunRequest request;
-        request.rehearsal = rehearsal.id;
-        const Interruption interruption;
-        ShownRun shown_run(interruption);
-        request.observers = {&shown_run};
-        const run::RunOutcome outcome = run::run_procedure(*scene, with.plugins, request);
-        if (outcome.was_interrupted) return complain("interrupted", exit_fault);
-        if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
-        print(rehearsal.id + ": " + (outcome.is_as_expected ? "ended as expected" : "NOT AS EXPECTED") +
-              "\n  expected  " + expectation_of(rehearsal) + "\n  ended     " + ending_of(outcome.summary) + "\n");
-        as_expected += outcome.is_as_expected;
-    }
-    const int count = static_cast<int>(scene->procedure.rehearsals.size());
-    print(file + formatted(": %d of %d rehearsals ended as expected\n", as_expected, count));
-    return as_expected == count ? exit_pass : exit_not_passed;
 }
 
 // ---- run ---------------------------------------------------------------------------------------------------------
@@ -209,12 +158,6 @@ ExitCode compare(const session::RecordedInputs& recorded, const session::RunSumm
 }  // namespace
 
 namespace commands {
-
-ExitCode rehearse(const RehearseOptions& options, const Environment& with) {
-    ExitCode worst = exit_pass;
-    for (const auto& file : options.procedures) worst = std::max(worst, rehearse_file(file, options, with));
-    return worst;
-}
 
 ExitCode run(const RunOptions& options, const Environment& with) {
     if (const std::string refusal = options.out.empty() ? "" : refusal_of_folder(options.out); !refusal.empty())

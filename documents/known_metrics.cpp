@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "documents/known_metrics.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "documents/names.h"
+#include "documents/read_instruments.h"
+#include "documents/signal_need.h"
+#include "kerf/units.hpp"
+
+namespace kerf::documents {
+
+namespace {
+
+using namespace literals;
+
+const text::QuantityNeed length{dimension::length, "mm", -500.0_mm, 500.0_mm};
+const text::QuantityNeed angle{dimension::angle, "deg", -180.0_deg, 180.0_deg};
+const text::QuantityNeed time{dimension::time, "s", 0.0, 3600.0_s};
+const text::QuantityNeed part{dimension::none, "%", -1.0, 100.0};
+const text::QuantityNeed volume{dimension::volume, "mm3", -1e-3, 1e-3};
+const text::QuantityNeed force{dimension::force, "N", 0.0, 10000.0_N};
+const text::QuantityNeed torque{dimension::torque, "N m", 0.0, 1e6_Nmm};
+const text::QuantityNeed speed{dimension::speed, "mm/s", 0.0, 500.0_mm_per_s};
+
+struct Named {
+    const char* name;
+    const text::QuantityNeed* need;
+    const char* quantity = nullptr;  ///< measured only for a goal or limit on it; null: always
+};
+/// Metrics of a step.
+const std::array<Named, 32> of_step{{{"depth", &length},
+                                     {"offset", &length},
+                                     {"moved", &length},
+                                     {"time-in-air", &time},
+                                     {"depth-in-air", &length},
+                                     {"plunge", &length},
+                                     {"plunge.hand", &length},
+                                     {"axis-in-bone", &part},
+                                     {"hole-angle", &angle},
+                                     {"entry-offset", &length},
+                                     {"narrowest-offset", &length},
+                                     {"end-offset", &length},
+                                     {"excess-removal", &part},
+                                     {"gertzbein-robbins", &length},
+                                     {"heary", &length},
+                                     {"thread-outside", &length},
+                                     {"hole-offset", &length},
+                                     {"hole-axis-angle", &angle},
+                                     {"plane-angle", &angle},
+                                     {"plane-offset", &length},
+                                     {"flatness", &length},
+                                     {"removed", &volume},
+                                     {"reduction-offset", &length},
+                                     {"reduction-angle", &angle},
+                                     {"breach", &length, "breach"},
+                                     {"removed-volume", &volume, "removed_volume"},
+                                     {"tip-apex", &length, "tip_apex"},
+                                     {"thrust", &force, "thrust"},
+                                     {"duration", &time, "duration"},
+                                     {"torque", &torque, "torque"},
+                                     {"lateral-force", &force, "lateral_force"},
+                                     {"speed", &speed, "speed"}}};
+
+bool names(const Step& step, const std::string& quantity) {
+    const auto is_on_it = [&](const auto& bounded) { return bounded.quantity == quantity; };
+    return std::any_of(step.goals.begin(), step.goals.end(), is_on_it) ||
+           std::any_of(step.limits.begin(), step.limits.end(), is_on_it);
+}
+bool names_signal(const Step& step, const std::string& signal) {
+    const auto is_on_it = [&](const auto& bounded) { return bounded.signal.id == signal; };
+    return std::any_of(step.goals.begin(), step.goals.end(), is_on_it) ||
+           std::any_of(step.limits.begin(), step.limits.end(), is_on_it);
+}
+
+std::string with_hyphens(std::string name) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name;
+}
+
+}  // namespace
+
+std::vector<KnownMetric> metrics_of(const Procedure& procedure, const ComponentCatalog& catalog) {
+    std::vector<KnownMetric> known;
+    for (const Step& step : procedure.steps) {
+        const auto add = [&](const std::string& name, const text::QuantityNeed& need) {
+            known.push_back({step.id + "." + name, step.id, need});
+        };
+        for (const Named& one : of_step)
+            if (one.quantity == nullptr || names(step, one.quantity)) add(one.name, *one.need);
+        for (const Limit& limit : step.limits) {
+            if (!limit.zone.empty()) add("clearance." + limit.zone, length);
+            if (limit.quantity == "axes_angle") add("axes-angle." + limit.landmark, angle);
+        }
+        const Instrument* used = find_id(procedure.instruments, step.instrument);
+        if (const ComponentInfo* law = used != nullptr ? law_of(*used, catalog) : nullptr)
+            for (const SignalInfo& signal : law->signals) {
+                if (names_signal(step, signal.id)) add("signal." + signal.id, need_of(signal));
+                add("left." + with_hyphens(signal.id), need_of(signal));
+            }
+        for (const Measure& measure : procedure.measures)
+            add("measure." + measure.id, measure.is_angle() ? angle : length);
+    }
+    for (const Measure& measure : procedure.measures)
+        known.push_back({"measure." + measure.id + ".after", "", measure.is_angle() ? angle : length});
+    return known;
+}
+
+}  // namespace kerf::documents

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/cheats.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "documents/names.h"
+#include "documents/read_instruments.h"
+#include "kerf/units.hpp"
+#include "text/quantity.h"
+
+namespace kerf::run {
+
+namespace {
+
+using namespace literals;
+using documents::HandInput;
+using documents::Rehearsal;
+using documents::Waypoint;
+
+constexpr double above_bone = -5.0_mm;   // where a hand stays outside
+constexpr double scratch = 1.0_mm;       // how deep one goes that withdraws at once
+constexpr double beside = 5.0_mm;        // off the plan
+constexpr double times_faster = 5.0;     // of a hasty hand: feed and push
+constexpr double part_turned_out = 0.6;  // of the turns that drove an implant in
+
+bool releases(const Waypoint& at) {
+    return std::any_of(at.inputs.begin(), at.inputs.end(),
+                       [](const HandInput& input) { return input.kind == HandInput::Kind::release; });
+}
+
+/// Returns whether any waypoint fulfils a condition.
+template <class Condition>
+bool any(const Rehearsal& hand, const Condition& condition) {
+    return std::any_of(hand.path.begin(), hand.path.end(), condition);
+}
+
+const documents::Instrument* instrument_of(const documents::Procedure& procedure, const Waypoint& at) {
+    return at.step < procedure.steps.size()
+               ? documents::find_id(procedure.instruments, procedure.steps[at.step].instrument)
+               : nullptr;
+}
+
+void stay(Rehearsal& hand) { hand.path.resize(1); }
+
+void stay_outside(Rehearsal& hand) {
+    for (Waypoint& at : hand.path) at.depth = std::min(at.depth, above_bone);
+}
+
+void hurry(Rehearsal& hand) {
+    const auto harder = [](double push) { return std::min(times_faster * push, documents::hardest_push); };
+    hand.feed *= times_faster;
+    hand.push = harder(hand.push);
+    for (Waypoint& at : hand.path) {
+        if (at.speed) *at.speed *= times_faster;
+        if (at.push) *at.push = harder(*at.push);
+        at.turning *= times_faster;
+    }
+}
+
+void hammer(Rehearsal& hand) {
+    hand.push = documents::hardest_push;
+    for (Waypoint& at : hand.path) {
+        at.turn = 0.0;
+        at.until_torque.reset();
+        at.until_event.clear();
+        at.push.reset();
+    }
+}
+
+void withdraw_at_once(Rehearsal& hand) {
+    for (Waypoint& at : hand.path) at.depth = std::min(at.depth, scratch);
+}
+
+/// Turns each implant out again before it is released.
+void back_out(Rehearsal& hand) {
+    std::vector<Waypoint> path;
+    double turned = 0.0, deepened = 0.0, before = 0.0;
+    std::size_t step = hand.path.empty() ? 0 : hand.path.front().step;
+    for (Waypoint at : hand.path) {
+        if (at.step != step) turned = deepened = 0.0;
+        step = at.step;
+        if (at.turn > 0.0) {
+            turned += at.turn;
+            deepened += at.depth - before;
+        }
+        before = at.depth;
+        if (!releases(at) || !(turned > 0.0)) {
+            path.push_back(std::move(at));
+            continue;
+        }
+        Waypoint out = at;
+        std::erase_if(at.inputs, [](const HandInput& input) { return input.kind == HandInput::Kind::release; });
+        out.turn = -part_turned_out * turned;
+        out.until_torque.reset();
+        out.until_event.clear();
+        out.depth = at.depth - part_turned_out * std::max(0.0, deepened);
+        path.push_back(std::move(at));
+        path.push_back(std::move(out));
+    }
+    hand.path = std::move(path);
+}
+
+/// Moves all waypoints towards the midline.
+void miss(Rehearsal& hand) {
+    for (Waypoint& at : hand.path) at.medial += beside;
+}
+
+/// Switches the motor off at each waypoint. Returns whether any tool has one.
+bool switch_off(const documents::Procedure& procedure, const ComponentCatalog& catalog, Rehearsal& hand) {
+    bool has_any = false;
+    for (Waypoint& at : hand.path) {
+        std::erase_if(at.inputs, [](const HandInput& input) { return input.kind == HandInput::Kind::drive; });
+        const documents::Instrument* used = instrument_of(procedure, at);
+        const ComponentInfo* tool = used != nullptr ? documents::tool_of(*used, catalog) : nullptr;
+        for (const ParameterInfo& drive : tool != nullptr ? tool->drives : std::vector<ParameterInfo>{}) {
+            at.inputs.insert(at.inputs.begin(), {HandInput::Kind::drive, drive.id, 0.0});
+            has_any = true;
+        }
+    }
+    return has_any;
+}
+
+}  // namespace
+
+std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const ComponentCatalog& catalog) {
+    const auto good = std::find_if(procedure.rehearsals.begin(), procedure.rehearsals.end(),
+                                   [](const Rehearsal& one) { return one.expect == "pass" && !one.path.empty(); });
+    std::vector<Cheat> cheats;
+    if (good == procedure.rehearsals.end()) return cheats;
+    const auto add = [&](const char* id, std::string strength, const char* why_not, const auto& spoil) {
+        Cheat& cheat = cheats.emplace_back(id, std::move(strength), why_not, *good);
+        cheat.rehearsal.id = std::string("cheat-") + id;
+        cheat.rehearsal.title = cheat.strength;
+        cheat.rehearsal.expect = "incomplete";
+        if (cheat.why_not.empty()) spoil(cheat.rehearsal);
+    };
+    const bool turns = any(*good, [](const Waypoint& at) { return at.turn > 0.0; });
+    const bool leaves = turns && any(*good, &releases);
+    const bool knows_sides = documents::contains(procedure.needs_landmarks, "midline");
+    const std::string mm = text::quantity_text(beside, "mm");
+    add("idle", "stays at its first waypoint", "", &stay);
+    add("outside",
+        "stays " + text::quantity_text(-above_bone, "mm") + " outside the bone, otherwise like `" + good->id + "`", "",
+        &stay_outside);
+    add("hasty", "5 times the feed, turns and push, at most " + text::quantity_text(documents::hardest_push, "N"), "",
+        &hurry);
+    add("hammered", "pushes with " + text::quantity_text(documents::hardest_push, "N") + " and does not turn",
+        turns ? "" : "no waypoint turns a tool", &hammer);
+    Rehearsal off = *good;
+    const bool has_motor = switch_off(procedure, catalog, off);
+    add("drive-off", "its motors are switched off", has_motor ? "" : "no tool has a drive",
+        [&](Rehearsal& hand) { hand.path = off.path; });
+    add("withdrawn", "goes " + text::quantity_text(scratch, "mm") + " deep and withdraws", "", &withdraw_at_once);
+    add("backed-out", "turns each implant out again by 60 % of its turns before it is left",
+        leaves ? "" : "no waypoint turns and releases an implant", &back_out);
+    add("beside", mm + " beside the plan, towards the midline", knows_sides ? "" : "there is no landmark `midline`", &miss);
+    return cheats;
+}
+
+}  // namespace kerf::run

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/cheats.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "documents/read_procedure.h"
+#include "kerf/units.hpp"
+#include "tests/support/drill_rig.h"
+
+namespace kerf::run {
+namespace {
+
+using namespace literals;
+using documents::HandInput;
+
+documents::Procedure shipped(const std::string& name) {
+    text::Diagnostics diagnostics;
+    auto procedure = documents::read_procedure(KERF_SOURCE_DIR "/procedures/" + name, test::plugins().catalog(), {});
+    EXPECT_TRUE(procedure) << text::to_text(procedure.diagnostics());
+    return *std::move(procedure);
+}
+
+const Cheat& cheat(const std::vector<Cheat>& cheats, const std::string& id) {
+    const auto found = std::find_if(cheats.begin(), cheats.end(), [&](const Cheat& one) { return one.id == id; });
+    EXPECT_NE(found, cheats.end()) << id;
+    return *found;
+}
+
+TEST(Cheats, AreMadeOfTheFirstHandThatPasses) {
+    const documents::Procedure procedure = shipped("pedicle-screw.yaml");
+    const documents::Rehearsal& expert = procedure.rehearsals.front();
+    const std::vector<Cheat> cheats = cheats_of(procedure, test::plugins().catalog());
+
+    EXPECT_EQ(cheat(cheats, "idle").rehearsal.path.size(), 1u);
+    for (const auto& at : cheat(cheats, "outside").rehearsal.path) EXPECT_LE(at.depth, -5.0_mm);
+    for (const auto& at : cheat(cheats, "withdrawn").rehearsal.path) EXPECT_LE(at.depth, 1.0_mm);
+    EXPECT_EQ(cheat(cheats, "hasty").rehearsal.feed, 5.0 * expert.feed);
+    EXPECT_EQ(cheat(cheats, "hasty").rehearsal.push, 5.0 * expert.push);
+    for (const auto& at : cheat(cheats, "hammered").rehearsal.path) EXPECT_EQ(at.turn, 0.0);
+    for (std::size_t i = 0; i < expert.path.size(); ++i)
+        EXPECT_EQ(cheat(cheats, "beside").rehearsal.path[i].medial, expert.path[i].medial + 5.0_mm);
+    EXPECT_EQ(cheat(cheats, "drive-off").rehearsal.path.front().inputs.front().id, "spindle_speed");
+    EXPECT_EQ(cheat(cheats, "drive-off").rehearsal.path.front().inputs.front().value, 0.0);
+}
+
+TEST(Cheats, BackAnImplantOutBeforeItIsLeft) {
+    const documents::Procedure procedure = shipped("pedicle-screw.yaml");
+    const documents::Waypoint& in = procedure.rehearsals.front().path.back();
+    const std::vector<Cheat> cheats = cheats_of(procedure, test::plugins().catalog());
+    const auto& path = cheat(cheats, "backed-out").rehearsal.path;
+    ASSERT_EQ(path.size(), procedure.rehearsals.front().path.size() + 1);
+    EXPECT_TRUE(path[path.size() - 2].inputs.empty()) << "it is not yet released";
+    EXPECT_DOUBLE_EQ(path.back().turn, -0.6 * in.turn);
+    EXPECT_DOUBLE_EQ(path.back().depth, 35.0_mm - 0.6 * 37.0_mm) << "it came from 2 mm above";
+    EXPECT_EQ(path.back().inputs.back().kind, HandInput::Kind::release);
+}
+
+TEST(Cheats, SayWhyTheyDoNotApply) {
+    const std::vector<Cheat> cheats = cheats_of(shipped("amputation.yaml"), test::plugins().catalog());
+    EXPECT_EQ(cheat(cheats, "backed-out").why_not, "no waypoint turns and releases an implant");
+    EXPECT_EQ(cheat(cheats, "beside").why_not, "there is no landmark `midline`");
+    documents::Procedure without = shipped("pedicle-awl.yaml");
+    without.rehearsals.clear();
+    EXPECT_TRUE(cheats_of(without, test::plugins().catalog()).empty());
+}
+
+}  // namespace
+}  // namespace kerf::run
