@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/device/device_hand.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-
+#include "core/haptics/loop/device_report.h"
 #include "core/haptics/loop/tick_result.h"
 #include "core/haptics/scene/simulation.h"
 
@@ -12,18 +9,7 @@ namespace kerf::run {
 
 namespace {
 
-constexpr double max_age = 20e-3;     // [s] of a report
-constexpr double max_distance = 5.0;  // [m] of a handle from its origin
-
-bool is_usable(const Pose& device_from_handle) noexcept {
-    const Quat& q = device_from_handle.rotation;
-    return is_finite(device_from_handle) && length(device_from_handle.position) < max_distance &&
-           std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1.0) < 1e-3;
-}
-
-bool is_usable(const double (&deflection)[6]) noexcept {
-    return std::all_of(std::begin(deflection), std::end(deflection), [](double d) { return std::abs(d) <= 1.0; });
-}
+constexpr double max_age = 20e-3;  // [s] of a report
 
 }  // namespace
 

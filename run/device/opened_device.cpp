@@ -74,9 +74,8 @@ std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, 
 std::unique_ptr<OpenedDevice> OpenedDevice::take(const kerf_device& driver, const kerf_device_open_out& opened,
                                                  const std::string& name, std::string& error) {
     std::unique_ptr<OpenedDevice> device(new OpenedDevice(driver, opened, name));
-    std::string fault = fault_of_buttons(opened.facts);
-    const bool needs_record = (opened.facts.abilities & ~std::uint32_t{KERF_DEVICE_DEFLECTION}) != 0;
-    if (fault.empty() && needs_record) device->stated_ = StatedDevice::of(name, opened.facts, fault);
+    std::string fault = fault_of_facts(opened.facts);
+    if (fault.empty() && leads_under_force(opened.facts)) device->stated_ = StatedDevice::of(name, opened.facts, fault);
     if (fault.empty()) return device;
     error = "the device `" + name + "` cannot be used: " + fault + ".";
     return nullptr;
