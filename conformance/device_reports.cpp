@@ -11,6 +11,7 @@
 #include "core/haptics/loop/device_report.h"
 #include "core/haptics/loop/stated_device.h"
 #include "core/plugin/plain_text.h"
+#include "kerf/device_buttons.hpp"
 
 namespace kerf::conformance {
 
@@ -105,9 +106,7 @@ std::string fault_of_report(const kerf_device_facts& facts, const kerf_device_st
     if (has(facts, KERF_DEVICE_POSITION))
         if (std::string fault = fault_of_pose(facts, state.device_from_handle); !fault.empty()) return fault;
     if (std::string fault = fault_of_deflection(facts, state.deflection); !fault.empty()) return fault;
-    const std::uint32_t known_buttons =
-        facts.button_count >= KERF_DEVICE_MAX_BUTTONS ? ~0u : (1u << facts.button_count) - 1u;
-    if ((state.buttons & ~known_buttons) != 0)
+    if ((state.buttons & ~button_bits(facts.button_count)) != 0)
         return "`buttons` is " + std::to_string(state.buttons) + ", but the device states " +
                std::to_string(facts.button_count) + " buttons. Clear the other bits, or state more.";
     return {};

@@ -4,6 +4,7 @@
 #include "core/haptics/loop/device_report.h"
 #include "core/haptics/loop/tick_result.h"
 #include "core/haptics/scene/simulation.h"
+#include "kerf/device_buttons.hpp"
 
 namespace kerf::run {
 
@@ -17,7 +18,7 @@ DeviceHand::DeviceHand(const documents::DeviceStation& station, const kerf_devic
                        const Pose& world_from_tool, const Arm& arm)
     : station_(station),
       frame_(station, (facts.abilities & KERF_DEVICE_ROTATION) != 0),
-      pressable_(facts.button_count >= documents::max_buttons ? ~0u : (1u << facts.button_count) - 1u),
+      pressable_(button_bits(facts.button_count)),
       has_drive_button_(is_pressed(documents::ButtonAction::drive, pressable_)),
       wanted_(world_from_tool) {
     if ((facts.abilities & KERF_DEVICE_DEFLECTION) != 0) aimed_.emplace(station, arm, world_from_tool, Simulation::dt);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kerf/device_buttons.hpp"
 #include "text/printable.h"
 #include "text/source.h"
 
@@ -96,7 +97,7 @@ kerf_device_state OpenedDevice::read() noexcept {
     driver_->read(device_, &state);
     if (pedal_ == nullptr || pedal_->facts().button_count == 0) return state;
     const kerf_device_state of_pedal = pedal_->read();
-    state.buttons &= (1u << own_buttons_) - 1u;
+    state.buttons &= button_bits(own_buttons_);
     if ((of_pedal.flags & KERF_DEVICE_VALID) != 0) state.buttons |= of_pedal.buttons << own_buttons_;
     return state;
 }
