@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/haptics/watch/watch.h"
 #include "devices/motion/motion_text.h"
 #include "tests/devices/motion/opened_driver.h"
 #include "tests/support/temporary_folder.h"
@@ -72,6 +73,18 @@ TEST_F(ReplayedMotion, WaitsForTheFirstTick) {
     }
     device->write(pushing());
     expect_row(device->read(), rows[1]);
+}
+
+TEST_F(ReplayedMotion, AllocatesAndLocksNothingInATick) {
+    if (!conformance::can_watch()) GTEST_SKIP() << "a sanitizer is built in";
+    const auto device = open_with_motion<Replay>(file_with(motion::text_of(rising(), "")));
+    conformance::start_watching();
+    for (int i = 0; i < 100; ++i) {
+        static_cast<void>(device->read());
+        device->write(pushing());
+    }
+    const conformance::Watched seen = conformance::stop_watching();
+    for (const char* function : seen.function) EXPECT_EQ(function, nullptr) << function;
 }
 
 TEST_F(ReplayedMotion, NeedsAMotion) {
