@@ -8,9 +8,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <thread>
 
 #include "app/interruption.h"
+#include "app/motion_recorder.h"
 #include "app/own_device.h"
 #include "app/standard_streams.h"
 #include "run/device/opened_device.h"
@@ -98,7 +100,18 @@ struct Reports {
     bool was_valid = false;
 };
 
-Reports watch_reports(run::OpenedDevice& device, const Sense& sense, double seconds, const Interruption& interruption) {
+/// Returns the command of a tick without force, in which the tool is where the handle is.
+kerf_device_command command_without_force(std::uint64_t tick, const kerf_device_state& state) noexcept {
+    kerf_device_command command{};
+    command.tick = tick;
+    command.device_from_tool = state.device_from_handle;
+    command.flags = KERF_DEVICE_RUNNING;
+    return command;
+}
+
+/// @param recorder  gets the motion of the handle, unless null
+Reports watch_reports(run::OpenedDevice& device, const Sense& sense, double seconds, MotionRecorder* recorder,
+                      const Interruption& interruption) {
     constexpr auto period = std::chrono::milliseconds(1);
     constexpr std::size_t window = 200;  // samples
     Reports reports;
@@ -106,6 +119,7 @@ Reports watch_reports(run::OpenedDevice& device, const Sense& sense, double seco
     std::size_t recent_count = 0;
     const auto start = std::chrono::steady_clock::now();
     const std::uint64_t first = device.read().reports;
+    std::uint64_t tick = 0;
     auto next = start;
     while (reports.seconds < seconds && !interruption.has_come()) {
         next += period;
@@ -113,6 +127,8 @@ Reports watch_reports(run::OpenedDevice& device, const Sense& sense, double seco
         const double before = reports.seconds;
         reports.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const kerf_device_state state = device.read();
+        device.write(command_without_force(tick++, state));
+        if (recorder != nullptr) recorder->take(reports.seconds, state);
         const std::uint64_t count = state.reports - first, added = count - reports.count;
         reports.count = count;
         const Channels channels = channels_of(state, sense);
@@ -204,26 +220,36 @@ std::string pressed_buttons(const Reports& reports, std::uint32_t count) {
 
 }  // namespace
 
-ExitCode test_device(const std::string& id, const PluginRegistry& plugins) {
-    if (id.empty())
+ExitCode test_device(const DeviceTest& test, const PluginRegistry& plugins) {
+    if (test.id.empty())
         return complain("which device? Write `kerf devices test ID`; `kerf devices` shows them.", exit_bad_input);
-    constexpr double seconds = 10.0;
     const Interruption interruption;
     OwnDevice own;
-    if (const ExitCode code = open_own_device(id, plugins, interruption, own); code != exit_pass) return code;
+    if (const ExitCode code = open_own_device(test.id, plugins, interruption, own); code != exit_pass) return code;
     run::OpenedDevice& device = *own.opened;
     const Sense& sense = sense_of(device.facts());
+    if (!test.record.empty() && &sense != &position)
+        return complain("the device senses " + std::string(sense.what) +
+                            ", not the position of a handle. Leave out `--record`, or measure another device.",
+                        exit_bad_input);
+    std::optional<MotionRecorder> recorder;
+    if (!test.record.empty()) recorder.emplace(test.seconds);
     print(device.name() + "\n" + facts_line(device, sense));
     print_error(sense.count > 0
                     ? "kerf: move the handle to all ends, press each button, then hold still; no force is made\n"
                     : "kerf: press each button\n");
-    const Reports reports = watch_reports(device, sense, seconds, interruption);
+    const Reports reports = watch_reports(device, sense, test.seconds, recorder ? &*recorder : nullptr, interruption);
     const bool must_send = &sense == &position;
     if (!reports.was_valid || (must_send && reports.count == 0))
         return complain("the device sent no pose in " + formatted("%.0f s", reports.seconds) + ".", exit_not_passed);
     print(rate_lines(reports, sense));
     if (sense.count > 0) print_channels(reports, sense);
     print("  buttons pressed: " + pressed_buttons(reports, device.facts().button_count) + "\n");
+    if (recorder) {
+        if (const std::string error = recorder->write(test.record); !error.empty())
+            return complain(error, exit_bad_input);
+        print("  motion: " + test.record + "\n");
+    }
     return interruption.has_come() ? complain("interrupted", exit_fault) : exit_pass;
 }
 

@@ -8,7 +8,14 @@
 
 namespace kerf::app {
 
-/// `kerf devices test`: watches a device for 10 s, without force, and prints what it reported.   [main]
-[[nodiscard]] ExitCode test_device(const std::string& id, const PluginRegistry& plugins);
+/// A measurement of a device.
+struct DeviceTest {
+    std::string id{};
+    double seconds = 10.0;  ///< [s]
+    std::string record{};   ///< file for the motion of the handle; empty: none
+};
+
+/// `kerf devices test`: runs a device without force, and prints what it reported.   [main]
+[[nodiscard]] ExitCode test_device(const DeviceTest& test, const PluginRegistry& plugins);
 
 }  // namespace kerf::app

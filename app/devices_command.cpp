@@ -10,7 +10,9 @@
 #include "app/listed_name.h"
 #include "app/standard_streams.h"
 #include "app/station_file.h"
+#include "kerf/units.hpp"
 #include "run/device/opened_device.h"
+#include "text/quantity.h"
 
 namespace kerf::app {
 
@@ -49,12 +51,20 @@ ExitCode set_up(const std::string& id, const PluginRegistry& plugins) {
     return exit_pass;
 }
 
+ExitCode measure(const DevicesOptions& options, const PluginRegistry& plugins) {
+    const text::Parsed<double> seconds =
+        text::parse_quantity(options.duration, "`--for`", {dimension::time, "s", 0.1, 3600.0});
+    if (!seconds.value) return complain(seconds.problem.message, exit_bad_input);
+    return test_device({.id = options.device, .seconds = *seconds.value, .record = options.record}, plugins);
+}
+
 }  // namespace
 
 namespace commands {
 
 ExitCode devices(const DevicesOptions& options, const Environment& with) {
-    if (options.action == "test") return test_device(options.device, with.plugins);
+    if (options.action == "test") return measure(options, with.plugins);
+    if (!options.record.empty()) return complain("only `kerf devices test` takes `--record`.", exit_bad_input);
     if (options.action == "setup") return set_up(options.device, with.plugins);
     if (!options.device.empty()) return complain("only `kerf devices test` and `setup` take a device.", exit_bad_input);
     if (options.action == "doctor") return report_health(with);

@@ -103,8 +103,10 @@ struct PrivacyOptions {
 struct ListOptions {};
 
 struct DevicesOptions {
-    std::string action = "list";  ///< list | test | setup | doctor
-    std::string device;           ///< of test and setup
+    std::string action = "list";    ///< list | test | setup | doctor
+    std::string device;             ///< of test and setup
+    std::string record;             ///< of test: file for the motion of the handle; empty: none
+    std::string duration = "10 s";  ///< of test
 };
 
 struct DescribeOptions {

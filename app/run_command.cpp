@@ -23,7 +23,7 @@
 #include "app/shown_run.h"
 #include "app/standard_streams.h"
 #include "app/watch.h"
-#include "run/device/stated_device.h"
+#include "core/haptics/loop/stated_device.h"
 #include "run/exact/exact_strategies.h"
 #include "run/live_run.h"
 #include "run/run_checks.h"
@@ -109,8 +109,8 @@ std::string refusal_of(const RunOptions& options, const documents::Procedure& pr
 
 /// The device of a run other than the one that its procedure names.
 struct DeviceOfRun {
-    OwnDevice own;                                ///< that leads the tool
-    std::unique_ptr<run::StatedDevice> recorded;  ///< of a replayed session
+    OwnDevice own;                           ///< that leads the tool
+    std::unique_ptr<StatedDevice> recorded;  ///< of a replayed session
 
     /// Returns null if there is none, or if it makes no force: then the one of the procedure counts.
     [[nodiscard]] const DeviceRecord* record() const noexcept {
@@ -123,7 +123,7 @@ ExitCode choose_device(const RunOptions& options, const std::optional<session::R
                        const Environment& with, const Interruption& interruption, DeviceOfRun& chosen) {
     if (recorded && !recorded->device_values.empty()) {
         std::string fault;
-        chosen.recorded = run::StatedDevice::of(recorded->device, recorded->device_values, fault);
+        chosen.recorded = StatedDevice::of(recorded->device, recorded->device_values, fault);
         if (chosen.recorded == nullptr)
             return complain(
                 options.replay + ": the recorded device cannot be used: " + fault + ". The file was changed.",

@@ -64,7 +64,10 @@ std::string write_station(const std::string& file, const std::string& device) {
         "    # pedal: pedal\n"
         "    # A program on another machine needs its address, and a key that both machines have:\n"
         "    # peer: 192.168.1.7\n"
-        "    # key_file: /home/user/kerf.key\n";
+        "    # key_file: /home/user/kerf.key\n"
+        "    # The drivers `replay` and `simulated_hand` play a motion that `kerf devices test ID --record FILE` "
+        "wrote:\n"
+        "    # motion: /home/user/motion.csv\n";
     return text::write_file(file, text);
 }
 

@@ -31,14 +31,6 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-/// Those of `after` that are not among `before`.
-std::vector<std::string> further(const std::vector<std::string>& before, const std::vector<std::string>& after) {
-    std::vector<std::string> more;
-    for (const std::string& one : after)
-        if (std::find(before.begin(), before.end(), one) == before.end()) more.push_back(one);
-    return more;
-}
-
 void* open_plugin(Examination& exam) {
     void* const handle = dlopen(exam.path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle == nullptr) {

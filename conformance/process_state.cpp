@@ -32,6 +32,13 @@ std::uint32_t floating_point_control() noexcept {
 #endif
 }
 
+std::vector<std::string> further(const std::vector<std::string>& before, const std::vector<std::string>& after) {
+    std::vector<std::string> more;
+    for (const std::string& one : after)
+        if (std::find(before.begin(), before.end(), one) == before.end()) more.push_back(one);
+    return more;
+}
+
 int count_threads() {
     const auto count = [] {
         std::error_code error;

@@ -19,6 +19,10 @@ struct ProcessState {
 };
 [[nodiscard]] ProcessState process_state();  // [main]
 
+/// Returns those of `after` that are not among `before`.   [any] pure
+[[nodiscard]] std::vector<std::string> further(const std::vector<std::string>& before,
+                                               const std::vector<std::string>& after);
+
 /// The control bits of the floating-point unit, without the flags that every calculation sets.   [any]
 [[nodiscard]] std::uint32_t floating_point_control() noexcept;
 

@@ -76,7 +76,7 @@ std::vector<SubjectName> subjects_in(const std::string& path, std::string& plugi
                     {"subjects", Json::array()}};
         for (const SubjectName& name : subjects_of(entry))
             answer["subjects"].push_back(
-                {static_cast<int>(name.scope), name.name, name.tool, name.force, name.strategy});
+                {static_cast<int>(name.scope), name.name, name.tool, name.force, name.strategy, name.device});
         return answer.dump(-1, ' ', false, Json::error_handler_t::replace);
     });
     const Json answer = ended.how == Ended::How::returned ? Json::parse(ended.text, nullptr, false) : Json();
@@ -87,7 +87,7 @@ std::vector<SubjectName> subjects_in(const std::string& path, std::string& plugi
     plugin = answer["plugin"];
     std::vector<SubjectName> names;
     for (const Json& one : answer["subjects"])
-        names.push_back({static_cast<Scope>(one[0].get<int>()), one[1], one[2], one[3], one[4]});
+        names.push_back({static_cast<Scope>(one[0].get<int>()), one[1], one[2], one[3], one[4], one[5]});
     return names;
 }
 
@@ -126,11 +126,15 @@ private:
     }
     void start_what_can() {
         const auto is_busy = [](const Task& task) { return task.child != nullptr; };
+        // A device may be open once only, so tests of devices take turns.
+        const auto is_of_device = [](const Task& task) { return task.test->scope == Scope::device; };
+        const auto is_busy_with_device = [&](const Task& task) { return is_busy(task) && is_of_device(task); };
         const long processors = std::clamp(sysconf(_SC_NPROCESSORS_ONLN), 1l, 4l);
         auto free = processors - std::count_if(tasks_.begin(), tasks_.end(), is_busy);
         for (Task& task : tasks_) {
             if (free <= 0) return;
             if (task.result || task.child) continue;
+            if (is_of_device(task) && std::any_of(tasks_.begin(), tasks_.end(), is_busy_with_device)) continue;
             if (task.test->needs != nullptr) {
                 const Task* const first = needed(task.test->needs, task.subject.name);
                 if (first != nullptr && !first->result) continue;
@@ -191,11 +195,11 @@ void run_tests(const std::string& path, const Selection& selection,
     };
     for (const Test& test : all_tests()) {
         if (test.scope == Scope::file) continue;
-        // Few plugins have tools and strategies: what one kind has not is no gap of the other's.
-        const bool is_of_strategies = test.scope == Scope::strategy;
+        // Few plugins have tools, strategies and devices: what one kind has not is no gap of the others'.
         const bool is_of_tools = test.scope == Scope::tool || test.scope == Scope::law;
-        if (is_of_strategies && !has(Scope::strategy)) continue;
-        if (is_of_tools && has(Scope::strategy) && !has(Scope::tool) && !has(Scope::law)) continue;
+        if ((test.scope == Scope::strategy || test.scope == Scope::device) && !has(test.scope)) continue;
+        if (is_of_tools && (has(Scope::strategy) || has(Scope::device)) && !has(Scope::tool) && !has(Scope::law))
+            continue;
         const std::size_t before = others.size();
         for (const SubjectName& subject : subjects)
             if (subject.scope == test.scope) add(test, subject, others);

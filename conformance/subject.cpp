@@ -114,6 +114,8 @@ std::vector<SubjectName> subjects_of(const kerf_entry& entry) {
         if (all[i].kind == KERF_KIND_TOOL) names.push_back({Scope::tool, all[i].id, i, -1});
     for (int i = 0; i < static_cast<int>(entry.component_count); ++i)
         if (all[i].kind == KERF_KIND_REMESHER) names.push_back({Scope::strategy, all[i].id, -1, -1, i});
+    for (int i = 0; i < static_cast<int>(entry.component_count); ++i)
+        if (all[i].kind == KERF_KIND_DEVICE) names.push_back({.scope = Scope::device, .name = all[i].id, .device = i});
     for (int f = 0; f < static_cast<int>(entry.component_count); ++f) {
         if (all[f].kind != KERF_KIND_FORCE) continue;
         const std::string law = std::string(" with ") + all[f].id;
@@ -133,6 +135,7 @@ Subject subject_of(std::shared_ptr<Plugin> plugin, const SubjectName& name) {
     const kerf_component* all = subject.plugin->entry().components;
     if (name.force >= 0) subject.force = all + name.force;
     if (name.strategy >= 0) subject.strategy = all + name.strategy;
+    if (name.device >= 0) subject.device = all + name.device;
     if (name.tool >= 0)
         subject.tool = all + name.tool;
     else if (name.force >= 0)

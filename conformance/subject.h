@@ -17,6 +17,7 @@ struct Subject {
     const kerf_component* tool = nullptr;   ///< of a tool, and of a law
     const kerf_component* force = nullptr;  ///< of a law
     const kerf_component* strategy = nullptr;
+    const kerf_component* device = nullptr;  ///< the driver of devices
 
     /// The tool and the law with everything at its default.   [any]
     [[nodiscard]] ToolSetup setup() const;
@@ -28,10 +29,12 @@ struct SubjectName {
     std::string name;           ///< "burr", "burr with burring"; empty: the plugin
     int tool = -1, force = -1;  ///< indices of components; −1 for a law's tool: a stand-in
     int strategy = -1;          ///< index of a component
+    int device = -1;            ///< index of a component
 };
 
-/// What a plugin holds: itself, its tools, its strategies, and each law with each tool that it takes. A law that needs
-/// parameters of any tool comes with the plugin's tools that have them, or with a stand-in.   [any]
+/// What a plugin holds: itself, its tools, its strategies, its drivers of devices, and each law with each tool that it
+/// takes. A law that needs parameters of any tool comes with the plugin's tools that have them, or with a stand-in.
+/// [any]
 [[nodiscard]] std::vector<SubjectName> subjects_of(const kerf_entry& entry);
 
 /// The subject of this name. Its texts live as long as the plugin.   [main]

@@ -43,11 +43,12 @@ private:
 
 /// What a test is about, and what is loaded for it.
 enum class Scope {
-    file,     ///< nothing is loaded
-    plugin,   ///< the plugin, once
-    tool,     ///< each tool
-    law,      ///< each law, with each tool that it takes
-    strategy  ///< each remeshing strategy
+    file,      ///< nothing is loaded
+    plugin,    ///< the plugin, once
+    tool,      ///< each tool
+    law,       ///< each law, with each tool that it takes
+    strategy,  ///< each remeshing strategy
+    device     ///< each driver of devices
 };
 
 struct Test {

@@ -19,4 +19,6 @@ namespace kerf::conformance {
 [[nodiscard]] std::span<const Test> physics_tests();    // level 4
 [[nodiscard]] std::span<const Test> strategy_tests();   // levels 3 and 4: remeshing strategies
 
+[[nodiscard]] std::span<const Test> device_tests();  // level 3: drivers of devices
+
 }  // namespace kerf::conformance

@@ -54,7 +54,7 @@ DeviceStation read_device(const Node& node, Report& report) {
     MapReader map(node, shapes::station_device, "devices", report);
     shapes::station_device.fill(map, station);
     if (const Node* buttons = map.find("buttons")) read_buttons(*buttons, map.name_of("buttons"), station, report);
-    for (const char* key : {"peer", "key_file"})
+    for (const char* key : {"peer", "key_file", "motion"})
         if (std::string value = map.text(key); !value.empty()) station.settings.emplace_back(key, std::move(value));
     if (const Node* axes = map.find("axes"); axes != nullptr && std::abs(dot(station.right, station.up)) > 0.5)
         report.error(text::Code::degenerate, axes->span,

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "kerf/device.h"
 #include "kerf/math.hpp"
 
 namespace kerf::documents {
@@ -17,7 +18,7 @@ namespace kerf::documents {
 /// of the step. `clutch` keeps the tool where it is while the hand moves the handle elsewhere.
 enum class ButtonAction : std::uint8_t { none, drive, next, clutch, undo };
 
-inline constexpr std::size_t max_buttons = 32;
+inline constexpr std::size_t max_buttons = KERF_DEVICE_MAX_BUTTONS;
 
 /// The setup of a device on its table, and its use by a hand.
 struct DeviceStation {

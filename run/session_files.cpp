@@ -5,7 +5,7 @@
 
 #include "bone/surface/write_stl.h"
 #include "core/field/surface/bone_surface.h"
-#include "run/device/stated_device.h"
+#include "core/haptics/loop/stated_device.h"
 #include "run/exact/exact_files.h"
 #include "session/clock_picture.h"
 #include "session/envelope.h"

@@ -66,6 +66,17 @@ public:
     std::terminate();
 }
 
+/// Runs a call into a plugin.
+template <class Work>
+auto run_call(PluginCall call, const kerf_component& component, const Work& work) noexcept {
+    const CallScope note(call, component);
+    try {
+        return work();
+    } catch (...) {
+        end_by_exception();
+    }
+}
+
 // A node of a list from which nothing is removed, so that a signal handler may walk the list at any time.
 struct RegisteredPlugin {
     PluginName name;
@@ -90,56 +101,64 @@ const char* to_text(PluginCall call) noexcept {
             return "commit";
         case PluginCall::remesh:
             return "remesh";
+        case PluginCall::find:
+            return "find";
+        case PluginCall::open:
+            return "open";
+        case PluginCall::read:
+            return "read";
+        case PluginCall::write:
+            return "write";
+        case PluginCall::close:
+            return "close";
         default:
             return "";
     }
 }
 
 kerf_status call_shape(const kerf_component& tool, const double* parameters, kerf_tool_shape& out) noexcept {
-    const CallScope note(PluginCall::shape, tool);
-    try {
-        return tool.tool->shape(parameters, &out);
-    } catch (...) {
-        end_by_exception();
-    }
+    return run_call(PluginCall::shape, tool, [&] { return tool.tool->shape(parameters, &out); });
 }
 
 void call_begin(const kerf_component& law, const kerf_tick_in& in, void* state) noexcept {
-    const CallScope note(PluginCall::begin, law);
-    try {
-        law.force->begin(&in, state);
-    } catch (...) {
-        end_by_exception();
-    }
+    run_call(PluginCall::begin, law, [&] { law.force->begin(&in, state); });
 }
 
 kerf_status call_resist(const kerf_component& law, const kerf_tick_in& in, const void* state, kerf_law& out) noexcept {
-    const CallScope note(PluginCall::resist, law);
-    try {
-        return law.force->resist(&in, state, &out);
-    } catch (...) {
-        end_by_exception();
-    }
+    return run_call(PluginCall::resist, law, [&] { return law.force->resist(&in, state, &out); });
 }
 
 kerf_status call_commit(const kerf_component& law, const kerf_tick_in& in, const kerf_advance& advance, void* state,
                         kerf_commit_out& out) noexcept {
-    const CallScope note(PluginCall::commit, law);
-    try {
-        return law.force->commit(&in, &advance, state, &out);
-    } catch (...) {
-        end_by_exception();
-    }
+    return run_call(PluginCall::commit, law, [&] { return law.force->commit(&in, &advance, state, &out); });
 }
 
 kerf_status call_remesh(const kerf_component& strategy, const kerf_remesh_in& in, const kerf_arena& from,
                         kerf_arena& to, kerf_remesh_out& out, void* cache) noexcept {
-    const CallScope note(PluginCall::remesh, strategy);
-    try {
-        return strategy.remesher->remesh(&in, &from, &to, &out, cache);
-    } catch (...) {
-        end_by_exception();
-    }
+    return run_call(PluginCall::remesh, strategy,
+                    [&] { return strategy.remesher->remesh(&in, &from, &to, &out, cache); });
+}
+
+std::uint32_t call_find(const kerf_component& driver, const double* parameters, kerf_device_found* found,
+                        std::uint32_t capacity) noexcept {
+    return run_call(PluginCall::find, driver, [&] { return driver.device->find(parameters, found, capacity); });
+}
+
+kerf_status call_open(const kerf_component& driver, const kerf_device_open_in& in, std::int32_t (*is_cancelled)(void*),
+                      void* context, kerf_device_open_out& out) noexcept {
+    return run_call(PluginCall::open, driver, [&] { return driver.device->open(&in, is_cancelled, context, &out); });
+}
+
+void call_read(const kerf_component& driver, void* device, kerf_device_state& state) noexcept {
+    run_call(PluginCall::read, driver, [&] { driver.device->read(device, &state); });
+}
+
+void call_write(const kerf_component& driver, void* device, const kerf_device_command& command) noexcept {
+    run_call(PluginCall::write, driver, [&] { driver.device->write(device, &command); });
+}
+
+void call_close(const kerf_component& driver, void* device) noexcept {
+    run_call(PluginCall::close, driver, [&] { driver.device->close(device); });
 }
 
 CallInProgress call_in_progress() noexcept {

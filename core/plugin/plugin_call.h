@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "kerf/abi.h"
+#include "kerf/device.h"
 #include "kerf/remesh.h"
 
-/// Functions for all calls into plugins, so that a crash, an exit or a loop in a call can be attributed to its plugin.
+/// Functions for calls into plugins, so that a crash, an exit or a loop in a call can be attributed to its plugin.
 namespace kerf {
 
-enum class PluginCall : std::uint32_t { none, shape, begin, resist, commit, remesh };
+enum class PluginCall : std::uint32_t { none, shape, begin, resist, commit, remesh, find, open, read, write, close };
 [[nodiscard]] const char* to_text(PluginCall call) noexcept;  // [any]
 
 /// Calls a tool's `shape`.   [main]
@@ -28,6 +29,19 @@ void call_begin(const kerf_component& law, const kerf_tick_in& in, void* state) 
 /// Calls a strategy's `remesh`.   [worker]
 [[nodiscard]] kerf_status call_remesh(const kerf_component& strategy, const kerf_remesh_in& in, const kerf_arena& from,
                                       kerf_arena& to, kerf_remesh_out& out, void* cache) noexcept;
+
+/// Calls a driver's `find`. Pre: `found` has a capacity of `capacity` devices.   [main]
+[[nodiscard]] std::uint32_t call_find(const kerf_component& driver, const double* parameters, kerf_device_found* found,
+                                      std::uint32_t capacity) noexcept;
+/// Calls a driver's `open`.   [main] may wait for the device
+[[nodiscard]] kerf_status call_open(const kerf_component& driver, const kerf_device_open_in& in,
+                                    std::int32_t (*is_cancelled)(void*), void* context,
+                                    kerf_device_open_out& out) noexcept;
+/// Call the functions of an open device.   [haptic, nonblocking]
+void call_read(const kerf_component& driver, void* device, kerf_device_state& state) noexcept;
+void call_write(const kerf_component& driver, void* device, const kerf_device_command& command) noexcept;
+/// Calls a driver's `close`.   [main]
+void call_close(const kerf_component& driver, void* device) noexcept;
 
 /// A call in progress. A run on the clock calls laws on two threads, each with states of its own.
 struct CallInProgress {

@@ -24,6 +24,7 @@
 #include <thread>
 
 #include "datagram.h"
+#include "kerf/device_buttons.hpp"
 #include "kerf/newest.hpp"
 
 namespace kerf::udp {
@@ -270,10 +271,17 @@ private:
         const auto* pose = std::get_if<PoseReport>(&datagram.content);
         if (pose == nullptr) return false;
         ++newest_.reports;
-        newest_.device_from_handle = pose->device_from_handle;
-        newest_.buttons = pose->buttons;
-        newest_.flags = KERF_DEVICE_VALID;
+        take(*pose);
         return true;
+    }
+
+    /// Takes of a pose what the device states that it has.
+    void take(const PoseReport& pose) noexcept {
+        const kerf_device_facts& facts = peer_.facts;
+        newest_.device_from_handle = pose.device_from_handle;
+        if ((facts.abilities & KERF_DEVICE_ROTATION) == 0) newest_.device_from_handle.rotation = {1.0, 0.0, 0.0, 0.0};
+        newest_.buttons = pose.buttons & button_bits(facts.button_count);
+        newest_.flags = KERF_DEVICE_VALID;
     }
 
     /// Takes the first peer, or the same device again after its program was started anew. A second one must wait until

@@ -45,7 +45,8 @@ const MapShape<DeviceStation> station_device{
      {optional, "pedal", &DeviceStation::pedal, text(), "A second device, whose buttons do what its own entry states.",
       "pedal"},
      {optional, "peer", text(), "The address of another machine whose program drives the device.", "192.168.1.7"},
-     {optional, "key_file", text(), "The file of the key that both machines share.", "/home/user/kerf.key"}}};
+     {optional, "key_file", text(), "The file of the key that both machines share.", "/home/user/kerf.key"},
+     {optional, "motion", text(), "The file of a motion that the device plays.", "/home/user/motion.csv"}}};
 
 const Shape station{"station",
                     "The devices of one table.",

@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/device/device_hand.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-
+#include "core/haptics/loop/device_report.h"
 #include "core/haptics/loop/tick_result.h"
 #include "core/haptics/scene/simulation.h"
+#include "kerf/device_buttons.hpp"
 
 namespace kerf::run {
 
 namespace {
 
-constexpr double max_age = 20e-3;     // [s] of a report
-constexpr double max_distance = 5.0;  // [m] of a handle from its origin
-
-bool is_usable(const Pose& device_from_handle) noexcept {
-    const Quat& q = device_from_handle.rotation;
-    return is_finite(device_from_handle) && length(device_from_handle.position) < max_distance &&
-           std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1.0) < 1e-3;
-}
-
-bool is_usable(const double (&deflection)[6]) noexcept {
-    return std::all_of(std::begin(deflection), std::end(deflection), [](double d) { return std::abs(d) <= 1.0; });
-}
+constexpr double max_age = 20e-3;  // [s] of a report
 
 }  // namespace
 
@@ -31,7 +18,7 @@ DeviceHand::DeviceHand(const documents::DeviceStation& station, const kerf_devic
                        const Pose& world_from_tool, const Arm& arm)
     : station_(station),
       frame_(station, (facts.abilities & KERF_DEVICE_ROTATION) != 0),
-      pressable_(facts.button_count >= documents::max_buttons ? ~0u : (1u << facts.button_count) - 1u),
+      pressable_(button_bits(facts.button_count)),
       has_drive_button_(is_pressed(documents::ButtonAction::drive, pressable_)),
       wanted_(world_from_tool) {
     if ((facts.abilities & KERF_DEVICE_DEFLECTION) != 0) aimed_.emplace(station, arm, world_from_tool, Simulation::dt);

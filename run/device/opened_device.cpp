@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "kerf/device_buttons.hpp"
 #include "text/printable.h"
 #include "text/source.h"
 
@@ -74,9 +75,8 @@ std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, 
 std::unique_ptr<OpenedDevice> OpenedDevice::take(const kerf_device& driver, const kerf_device_open_out& opened,
                                                  const std::string& name, std::string& error) {
     std::unique_ptr<OpenedDevice> device(new OpenedDevice(driver, opened, name));
-    std::string fault = fault_of_buttons(opened.facts);
-    const bool needs_record = (opened.facts.abilities & ~std::uint32_t{KERF_DEVICE_DEFLECTION}) != 0;
-    if (fault.empty() && needs_record) device->stated_ = StatedDevice::of(name, opened.facts, fault);
+    std::string fault = fault_of_facts(opened.facts);
+    if (fault.empty() && leads_under_force(opened.facts)) device->stated_ = StatedDevice::of(name, opened.facts, fault);
     if (fault.empty()) return device;
     error = "the device `" + name + "` cannot be used: " + fault + ".";
     return nullptr;
@@ -97,7 +97,7 @@ kerf_device_state OpenedDevice::read() noexcept {
     driver_->read(device_, &state);
     if (pedal_ == nullptr || pedal_->facts().button_count == 0) return state;
     const kerf_device_state of_pedal = pedal_->read();
-    state.buttons &= (1u << own_buttons_) - 1u;
+    state.buttons &= button_bits(own_buttons_);
     if ((of_pedal.flags & KERF_DEVICE_VALID) != 0) state.buttons |= of_pedal.buttons << own_buttons_;
     return state;
 }

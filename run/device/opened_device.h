@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/haptics/loop/stated_device.h"
 #include "core/plugin/loader.h"
 #include "documents/station.h"
 #include "kerf/device.h"
-#include "run/device/stated_device.h"
 
 namespace kerf::run {
 

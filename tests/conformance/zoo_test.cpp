@@ -182,6 +182,36 @@ const std::vector<Animal>& zoo() {
         {"leaves_bone", "remesh.removal", "bone is left in the path"},
         {"is_a_little_shallow", "remesh.volume", "expected"},
         {"stumbles_over_its_walls", "remesh.steps", "on the surface that it has left"},
+        {"finds_more_than_fit", "device.find_bounded", "more devices than `capacity`"},
+        {"forgets_the_end_of_a_name", "device.find_bounded", "does not end with NUL"},
+        {"spells_its_ids_freely", "device.find_bounded", "`left stylus`"},
+        {"finds_two_of_one_id", "device.find_bounded", "two devices the id `left`"},
+        {"finds_another_each_time", "device.find_bounded", "other devices", Status::warned},
+        {"opens_whatever_is_asked", "device.refuses_unknown_id", "which none has"},
+        {"is_silent_about_strangers", "device.refuses_unknown_id", "writes no `message`"},
+        {"waits_in_vain", "device.gives_up", "Call `is_cancelled`"},
+        {"reads_numbers_from_any_text", "device.takes_any_setting", "threw an exception in `open`"},
+        {"weighs_no_number", "device.facts", "its mass must be"},
+        {"has_forty_buttons", "device.facts", "32 buttons"},
+        {"invents_an_ability", "device.facts", "unknown bits 64"},
+        {"is_stronger_for_long", "device.facts", "continuous force"},
+        {"twists_without_the_ability", "device.facts", "without KERF_DEVICE_TORQUE"},
+        {"counts_backwards", "device.reports", "`reports` falls"},
+        {"reports_before_it_is_born", "device.reports", "`age` is -0.001 s"},
+        {"loses_its_position", "device.reports", "a position within 5 m"},
+        {"stretches_its_rotation", "device.reports", "a unit quaternion"},
+        {"turns_without_the_ability", "device.reports", "no KERF_DEVICE_ROTATION"},
+        {"bends_without_the_ability", "device.reports", "`deflection[2]` is 0.5"},
+        {"presses_a_button_too_many", "device.reports", "states 2 buttons"},
+        {"invents_a_flag", "device.reports", "`flags` is 9"},
+        {"integrates_any_force", "device.takes_any_command", "whose numbers are nan"},
+        {"allocates_in_read", "device.no_allocation", "`read` calls"},
+        {"locks_in_write", "device.no_lock", "`write` calls `pthread_mutex_lock`"},
+        {"calls_the_system_in_read", "device.no_system_call", "`read` makes the system call number"},
+        {"takes_long_to_close", "device.closes", "at most 0.2 s"},
+        {"leaves_its_thread", "device.closes", "1 thread(s) running"},
+        {"leaves_its_file", "device.closes", "/dev/null"},
+        {"leaves_its_memory", "device.closes", "Free them in `close`"},
     };
     return animals;
 }
@@ -211,7 +241,7 @@ TEST_P(Zoo, FailsItsTestFirst) {
     EXPECT_EQ(first->id, test) << first->text;
     EXPECT_EQ(first->status, status) << first->text;
     EXPECT_NE(first->text.find(cause), std::string::npos) << first->text;
-    EXPECT_FALSE(is_conforming(report));
+    EXPECT_EQ(is_conforming(report), status == Status::warned);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Zoo, testing::ValuesIn(zoo()),
@@ -239,7 +269,7 @@ TEST(ZooOfTheKit, WholeProceduresNoticeTheirAnimals) {
 }
 
 TEST(ZooOfTheKit, TheSaintsPass) {
-    for (const char* saint : {"saint", "strategy_saint"}) {
+    for (const char* saint : {"saint", "strategy_saint", "device_saint"}) {
         const PluginReport report = check_plugin(file_of(saint), {.child = child, .level = 4}, {});
         for (const TestResult& result : report.results)
             EXPECT_EQ(result.status, Status::passed) << text_of(result, report.path) << result.text;

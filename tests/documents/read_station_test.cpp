@@ -38,7 +38,8 @@ TEST(Station, ReadsHowADeviceStands) {
     const Station station =
         read("  - device: udp\n    axes: {right: anterior, up: superior}\n    scale: 0.25\n    buttons: [next, none, "
              "drive]\n"
-             "    peer: 192.168.1.7\n    key_file: /etc/kerf.key\n  - {device: udp/port-5000, scale: 0.5}\n");
+             "    peer: 192.168.1.7\n    key_file: /etc/kerf.key\n    motion: a.csv\n  - {device: udp/port-5000, "
+             "scale: 0.5}\n");
     const DeviceStation udp = station.of("udp/port-4190");
     EXPECT_EQ(udp.device, "udp/port-4190");
     EXPECT_EQ(udp.scale, 0.25);
@@ -47,8 +48,9 @@ TEST(Station, ReadsHowADeviceStands) {
     EXPECT_EQ(udp.buttons[1], ButtonAction::none);
     EXPECT_EQ(udp.buttons[2], ButtonAction::drive);
     EXPECT_EQ(udp.buttons[3], ButtonAction::none) << "a list replaces all";
-    ASSERT_EQ(udp.settings.size(), 2u);
+    ASSERT_EQ(udp.settings.size(), 3u);
     EXPECT_EQ(udp.settings[0].second, "192.168.1.7");
+    EXPECT_EQ(udp.settings[2].second, "a.csv");
     EXPECT_EQ(station.of("kerf.udp.udp").scale, 0.25);
     EXPECT_EQ(station.of("udp/port-5000").scale, 0.5) << "its own entry precedes that of its driver";
 }

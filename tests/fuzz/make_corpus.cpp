@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "devices/motion/motion_text.h"
 #include "devices/udp/datagram.h"
 #include "documents/shapes/shapes.h"
 #include "session/content_hash.h"
@@ -574,6 +575,21 @@ void write_reports() {
     for (const auto& [name, bytes] : of_pedal) write("pedal_report", name, bytes);
 }
 
+// ---- motions --------------------------------------------------------------------------------------------------------
+
+void write_motions() {
+    const std::vector<motion::MotionRow> rows{{0.0, {{0.01, -0.02, 0.03}, {1, 0, 0, 0}}, 0},
+                                              {0.001, {{0.011, -0.02, 0.03}, {0.8, 0.6, 0, 0}}, 1},
+                                              {0.0025, {{0.012, -0.02, 0.03}, {0, 0, 0, -1}}, 3}};
+    write("motion", "good-rows", motion::text_of(rows, "A notice."));
+    write("motion", "good-spaces", "# a comment\r\n\r\n 0 , 0 , 0 , 1e-3 , 1 , 0 , 0 , 0 , 4294967295\r\n");
+    write("motion", "good-not-quite-unit", "0,0,0,0,0.7074,0.7074,0,0,0");
+    write("motion", "bad-columns", "0,0,0,0,1,0,0,0\n");
+    write("motion", "bad-number", "0,0,nan,0,1,0,0,0,0\n");
+    write("motion", "bad-order", "1,0,0,0,1,0,0,0,0\n0.5,0,0,0,1,0,0,0,0\n");
+    write("motion", "bad-length", "0,0,0,0,0.5,0.5,0,0,0\n");
+}
+
 }  // namespace
 }  // namespace kerf
 
@@ -594,5 +610,6 @@ int main(int count, char** words) {
     kerf::write_sessions();
     kerf::write_datagrams();
     kerf::write_reports();
+    kerf::write_motions();
     return 0;
 }

@@ -292,9 +292,7 @@ TEST(StatedDevice, RefusesADeviceThatTheLoopCannotUse) {
     const auto fault_of = [](auto&& change) {
         kerf_device_facts facts = facts_of_premium();
         change(facts);
-        std::string fault;
-        static_cast<void>(StatedDevice::of("double", facts, fault));
-        return fault;
+        return fault_of_facts(facts);
     };
     EXPECT_EQ(fault_of([](auto&) {}), "");
     EXPECT_NE(fault_of([](auto& f) { f.peak_force = 0.0; }), "");

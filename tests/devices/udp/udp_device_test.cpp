@@ -191,6 +191,17 @@ TEST(UdpDevice, ExchangesPosesAndForces) {
     EXPECT_GE(rig.link->read().age, 30e-3) << "the device is silent";
 }
 
+TEST(UdpDevice, ReportsNothingThatTheDeviceDoesNotState) {
+    Connected rig;  // without rotation, with one button
+    PoseReport turned = pose_at(0.25, 0xff);
+    turned.device_from_handle.rotation = {0.6, 0.8, 0.0, 0.0};
+    ASSERT_TRUE(rig.program.send_until_answered(turned));
+    const kerf_device_state state = rig.link->read();
+    EXPECT_EQ(state.device_from_handle.rotation.w, 1.0);
+    EXPECT_EQ(state.device_from_handle.rotation.x, 0.0);
+    EXPECT_EQ(state.buttons, 1u);
+}
+
 TEST(UdpDevice, SendsNoForceThatTheLoopHasNotRenewed) {
     Connected rig;
     rig.link->write(command_with(5.0));

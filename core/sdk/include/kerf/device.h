@@ -35,11 +35,13 @@ enum {
 };
 /* A device that only has buttons, such as a pedal, has no ability. */
 
+enum { KERF_DEVICE_MAX_BUTTONS = 32 };
+
 /* What `open` states of the opened device. */
 typedef struct kerf_device_facts {
     char name[96];
     uint32_t abilities;
-    uint32_t button_count;                 /* at most 32 */
+    uint32_t button_count;                 /* at most KERF_DEVICE_MAX_BUTTONS */
     double peak_force, continuous_force;   /* [N]; 0 without KERF_DEVICE_FORCE */
     double peak_torque, continuous_torque; /* [N·m]; 0 without KERF_DEVICE_TORQUE */
     double largest_stiffness;              /* [N/m] of a spring that it renders stably, as this driver renders it */

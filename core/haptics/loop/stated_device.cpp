@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "run/device/stated_device.h"
+#include "core/haptics/loop/stated_device.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 
-#include "documents/station.h"
-
-namespace kerf::run {
+namespace kerf {
 
 namespace {
 
@@ -55,8 +53,16 @@ void complete(DeviceRecord& d) {
 
 }  // namespace
 
-std::string fault_of_buttons(const kerf_device_facts& facts) {
-    return facts.button_count > documents::max_buttons ? "it states more than 32 buttons" : "";
+bool leads_under_force(const kerf_device_facts& facts) noexcept {
+    return (facts.abilities & ~std::uint32_t{KERF_DEVICE_DEFLECTION}) != 0;
+}
+
+std::string fault_of_facts(const kerf_device_facts& facts) {
+    if (facts.button_count > KERF_DEVICE_MAX_BUTTONS)
+        return "it states more than " + std::to_string(KERF_DEVICE_MAX_BUTTONS) + " buttons";
+    std::string fault;
+    if (leads_under_force(facts)) static_cast<void>(StatedDevice::of("", facts, fault));
+    return fault;
 }
 
 std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const Values& recorded, std::string& fault) {
@@ -79,7 +85,6 @@ std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const kerf_device
     if ((facts.abilities & KERF_DEVICE_POSITION) == 0) fault = "it senses no position";
     if ((facts.abilities & KERF_DEVICE_FORCE) == 0)
         fault = "it makes no force; without force only a deflection can move the tool";
-    if (fault.empty()) fault = fault_of_buttons(facts);
     if (!fault.empty()) return nullptr;
     const bool has_torque = (facts.abilities & KERF_DEVICE_TORQUE) != 0;
     return of(std::move(id),
@@ -100,4 +105,4 @@ StatedDevice::Values StatedDevice::values_of(const DeviceRecord& record) {
     return all;
 }
 
-}  // namespace kerf::run
+}  // namespace kerf

@@ -10,10 +10,14 @@
 #include "core/haptics/loop/device_record.h"
 #include "kerf/device.h"
 
-namespace kerf::run {
+namespace kerf {
 
-/// Returns why the buttons of a device cannot be used; empty if they can.   [any] pure
-[[nodiscard]] std::string fault_of_buttons(const kerf_device_facts& facts);
+/// Returns whether a device leads a tool by its position, under a force. Others need no `StatedDevice`: one that senses
+/// a deflection, or that only has buttons.   [any] pure
+[[nodiscard]] bool leads_under_force(const kerf_device_facts& facts) noexcept;
+
+/// Returns why the loop cannot use a device of these facts; empty if it can.   [any]
+[[nodiscard]] std::string fault_of_facts(const kerf_device_facts& facts);
 
 /// The capabilities of a connected device that makes a force, as its driver states them or as a session recorded them.
 class StatedDevice {
@@ -38,4 +42,4 @@ private:
     DeviceRecord record_{};
 };
 
-}  // namespace kerf::run
+}  // namespace kerf
