@@ -22,10 +22,11 @@ extern const MapShape<Sleeve> guide;
 extern const MapShape<Instrument> instrument;
 
 // bound.cpp
-extern const Shape entry_goal, depth_goal, signal_goal, depth_bound, clearance_bound, separated_goal, held_goal, moved_bound, thrust_bound,
-    angle_bound, offset_bound, reduction_offset_bound, reduction_angle_bound, axes_angle_bound, tip_apex_bound,
-    flatness_bound, hole_angle_bound, hole_offset_bound, excess_bound, plunge_bound, air_bound, torque_bound,
-    lateral_force_bound, removed_goal, removed_bound, speed_bound, duration_bound, signal_bound, measure_bound;
+extern const Shape entry_goal, depth_goal, signal_goal, depth_bound, clearance_bound, separated_goal, held_goal,
+    moved_bound, thrust_bound, angle_bound, offset_bound, reduction_offset_bound, reduction_angle_bound,
+    axes_angle_bound, tip_apex_bound, flatness_bound, hole_angle_bound, hole_offset_bound, excess_bound, plunge_bound,
+    air_bound, torque_bound, lateral_force_bound, removed_goal, removed_bound, speed_bound, duration_bound,
+    signal_bound, measure_bound;
 extern const MapShape<Limit> breach_bound;
 extern const text::QuantityNeed angle_of_measure, angle_of_difference, length_of_measure;
 

@@ -86,10 +86,13 @@ void add_clearances(const StepState& state, StepRows& rows) {
                     status_of_limits(state, [&](const documents::Limit& one) { return one.zone == zone; }),
                     "Least distance of the running tool's cutting region to the zone; negative inside.");
     }
+    const auto is_thrust = [](const documents::Limit& limit) { return limit.quantity == "thrust"; };
     for (const auto& limit : state.limits)
-        if (limit.limit->quantity == "thrust" && limit.is_seen)
-            rows.row("thrust", limit.worst, "N", 1.0, limit.broken_at ? "broken" : "ok",
+        if (is_thrust(*limit.limit) && limit.is_seen) {
+            rows.row("thrust", limit.worst, "N", 1.0, status_of_limits(state, is_thrust),
                      "Greatest thrust of the running tool.");
+            break;
+        }
 }
 
 /// Adds the limits on one number of each tick. Several limits on one number had the same values.

@@ -63,7 +63,7 @@ layers=$(awk '/^set\(layers/ { inside = 1 } inside { print } inside && /\)/ { ex
     grep -oE '[a-z_]+(/[a-z_]+)*' | grep -vxE 'set|layers' | grep -vE '/.*/' | paste -s -d ' ')
 mapfile -t rooms < <(tr ' ' '\n' <<<"$layers" | sed 's,/.*,,' | sort -u)
 mapfile -t split < <(tr ' ' '\n' <<<"$layers" | grep / | sed 's,/.*,,' | sort -u)   # rooms of several layers
-is_split() { printf '%s\n' "${split[@]}" | grep -qxF -e "$1"; }
+is_split() { grep -qxF -e "$1" <<<"$(printf '%s\n' "${split[@]}")"; }   # no pipe: grep -q ends before its writer
 mapfile -t wanted < <(folders_in . | while read -r folder; do
     if is_split "$folder"; then folders_in "$folder" | sed "s,^,$folder/,"; else printf '%s\n' "$folder"; fi
 done)
@@ -71,7 +71,7 @@ compare docs/overview.md '' "${wanted[@]}"
 folders=${#rows[@]}
 
 shown=$(printf '%s\n' "${rows[@]}" | while read -r row; do
-    if printf '%s\n' "${rooms[@]}" | grep -qxF -e "${row%%/*}"; then printf '%s\n' "$row"; fi
+    if grep -qxF -e "${row%%/*}" <<<"$(printf '%s\n' "${rooms[@]}")"; then printf '%s\n' "$row"; fi
 done | paste -s -d ' ')
 [[ $shown == "$layers" ]] ||
     complain "docs/overview.md: the rows of the layers are $shown; cmake/check_layers.cmake has the order $layers. Use that order."
