@@ -95,7 +95,7 @@ ExitCode rehearse_file(const std::string& file, const RehearseOptions& options, 
     const int count = static_cast<int>(scene->procedure.rehearsals.size());
     print(file + formatted(": %d of %d rehearsals ended as expected\n", as_expected, count));
     if (options.is_with_coverage)
-        print(file + formatted(": %d goals and limits are not covered\n", coverage.print_gaps(scene->procedure)));
+        print(file + formatted(": %d steps and limits are not covered\n", coverage.print_gaps(scene->procedure)));
     return as_expected == count ? exit_pass : exit_not_passed;
 }
 

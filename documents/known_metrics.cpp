@@ -31,7 +31,7 @@ struct Named {
     const char* quantity = nullptr;  ///< measured only for a goal or limit on it; null: always
 };
 /// Metrics of a step.
-const std::array<Named, 32> of_step{{{"depth", &length},
+const std::array<Named, 28> of_step{{{"depth", &length},
                                      {"offset", &length},
                                      {"moved", &length},
                                      {"time-in-air", &time},
@@ -49,10 +49,6 @@ const std::array<Named, 32> of_step{{{"depth", &length},
                                      {"thread-outside", &length},
                                      {"hole-offset", &length},
                                      {"hole-axis-angle", &angle},
-                                     {"plane-angle", &angle},
-                                     {"plane-offset", &length},
-                                     {"flatness", &length},
-                                     {"removed", &volume},
                                      {"reduction-offset", &length},
                                      {"reduction-angle", &angle},
                                      {"breach", &length, "breach"},
@@ -63,6 +59,10 @@ const std::array<Named, 32> of_step{{{"depth", &length},
                                      {"torque", &torque, "torque"},
                                      {"lateral-force", &force, "lateral_force"},
                                      {"speed", &speed, "speed"}}};
+
+/// Metrics of a step with a plane.
+const std::array<Named, 4> of_plane{
+    {{"plane-angle", &angle}, {"plane-offset", &length}, {"flatness", &length}, {"removed", &volume}}};
 
 bool names(const Step& step, const std::string& quantity) {
     const auto is_on_it = [&](const auto& bounded) { return bounded.quantity == quantity; };
@@ -90,6 +90,8 @@ std::vector<KnownMetric> metrics_of(const Procedure& procedure, const ComponentC
         };
         for (const Named& one : of_step)
             if (one.quantity == nullptr || names(step, one.quantity)) add(one.name, *one.need);
+        if (!step.plane.empty())
+            for (const Named& one : of_plane) add(one.name, *one.need);
         for (const Limit& limit : step.limits) {
             if (!limit.zone.empty()) add("clearance." + limit.zone, length);
             if (limit.quantity == "axes_angle") add("axes-angle." + limit.landmark, angle);

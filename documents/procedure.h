@@ -79,7 +79,7 @@ struct Goal {
     }
 };
 
-/// How bad it is to break a limit: it caps the score of the run.
+/// How bad it is to break a limit: it sets the band of the run's score.
 enum class Severity : std::uint8_t { minor, serious, critical };
 
 struct Limit {
@@ -111,6 +111,10 @@ struct Limit {
     [[nodiscard]] bool is_of_hole() const noexcept {
         return quantity == "hole_angle" || quantity == "entry_offset" || quantity == "narrowest_offset" ||
                quantity == "end_offset" || quantity == "breach" || quantity == "excess_removal";
+    }
+    /// Judged when the step has ended.
+    [[nodiscard]] bool is_of_end() const noexcept {
+        return is_of_wall() || is_of_hole() || is_of_places() || quantity == "measure";
     }
     /// Where parts of the bone and the tool are.
     [[nodiscard]] bool is_of_places() const noexcept {

@@ -131,7 +131,7 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
     if (good == procedure.rehearsals.end()) return cheats;
     const auto add = [&](const char* id, std::string strength, const char* why_not, const auto& spoil) {
         Cheat& cheat = cheats.emplace_back(id, std::move(strength), why_not, *good);
-        cheat.rehearsal.id = std::string("cheat-") + id;
+        cheat.rehearsal.id = std::string("cheat:") + id;
         cheat.rehearsal.title = cheat.strength;
         cheat.rehearsal.expect = "incomplete";
         if (cheat.why_not.empty()) spoil(cheat.rehearsal);
@@ -155,7 +155,8 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
     add("withdrawn", "goes " + text::quantity_text(scratch, "mm") + " deep and withdraws", "", &withdraw_at_once);
     add("backed-out", "turns each implant out again by 60 % of its turns before it is left",
         leaves ? "" : "no waypoint turns and releases an implant", &back_out);
-    add("beside", mm + " beside the plan, towards the midline", knows_sides ? "" : "there is no landmark `midline`", &miss);
+    add("beside", mm + " beside the plan, towards the midline", knows_sides ? "" : "there is no landmark `midline`",
+        &miss);
     return cheats;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "bone/exact/exact_follower.h"
@@ -652,6 +653,7 @@ void Run::mark_missed_implants() {
         summary.reasons.push_back("Step `" + state.step->id + "`: `" + named->implant->id +
                                   "`, whose hole it follows, was not in the scene.");
         if (summary.verdict == session::Verdict::pass) summary.verdict = session::Verdict::incomplete;
+        summary.is_missing = true;
     }
 }
 
@@ -659,16 +661,17 @@ void Run::judge_held_implants() {
     constexpr double enough_left = 0.9;  // of the bone around the thread [assumed]
     const PresentBone& bone = simulation_.present();
     const auto& bodies = simulation_.bodies();
+    std::map<std::string, std::size_t> inserted;
     for (const HeldImplant& held : held_implants_) {
         const std::size_t owner = monitor_.owners().step[held.step];
         const std::optional<Body>& implant = scene_->staying[scene_->tool_of_step[held.step]];
-        bool is_there = bodies[owner]->is_present, was_taken = false;
+        // Screws of one tool have one id. They were inserted in the order of their steps.
+        const std::size_t number = implant ? inserted[implant->id]++ : 0;
+        std::size_t found = 0;
+        bool is_there = bodies[owner]->is_present;
         for (const auto& body : bodies)
-            if (implant && !body->is_cuttable && body->bone->id == implant->id) {
-                was_taken = !body->is_present;
-                if (body->is_present) break;
-            }
-        is_there = is_there && !was_taken;
+            if (implant && !body->is_cuttable && body->bone->id == implant->id && found++ == number)
+                is_there = is_there && body->is_present;
         const double left = is_there ? held.bone.part_left(*bone.piece(owner).bone, bone.cut(owner)) : 0.0;
         left_.push_back(bone_kept_row(scene_->procedure.steps[held.step].id, left));
         if (!is_there)

@@ -218,8 +218,10 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
         for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
             if (state.goal_done[g] || !state.lost_hold.empty()) continue;
             (state.is_done() ? is_broken : is_missing) = true;
-            summary.reasons.push_back("Step `" + state.step->id +
-                                      "`: " + (state.is_done() ? "when the implant was left, " : "") +
+            summary.reasons.push_back("Step `" + state.step->id + "`: " +
+                                      (!state.is_done()   ? ""
+                                       : state.left_depth ? "when the implant was left, "
+                                                          : "when the step had ended, ") +
                                       what_was_missed(state.step->goals[g], state, measures) + ".");
         }
         if (!state.is_done() && !is_missing && !is_broken) {
@@ -247,6 +249,7 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
                                "one that keeps values outside its state.");
     is_missing = is_missing || end == RunEnd::interrupted || end == RunEnd::unrecorded ||
                  end == RunEnd::device_silent || end == RunEnd::fell_behind;
+    summary.is_missing = is_missing;
     const bool is_invalid = end == RunEnd::fault || end == RunEnd::diverged;
     summary.verdict = is_invalid   ? session::Verdict::invalid
                       : is_broken  ? session::Verdict::fail

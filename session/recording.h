@@ -173,8 +173,9 @@ struct RunSummary {
     std::string variant{};  ///< of the procedure; empty for none
     Verdict verdict = Verdict::incomplete;
     std::vector<std::string> reasons;
-    double score = 0.0;   ///< [–] 0 … 100
-    int score_rules = 1;  ///< version of the rules that made it; 1: goals and limits that were met
+    bool is_missing = false;  ///< a goal was missed, a limit not measured, or the run ended early
+    double score = 0.0;       ///< [–] 0 … 100
+    int score_rules = 1;      ///< version of the rules that made it; 1: goals and limits that were met
     std::string score_band{};
     std::vector<DeductionRow> deductions{};  ///< they add up to 100 less the score
     double duration = 0.0;                   ///< [s] simulated

@@ -257,7 +257,7 @@ class EntryFace {
 public:
     /// Searches from outside for the point at which the hole's line meets bone. Without one there is no face.
     EntryFace(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius)
-        : slack_(0.5 * body.grid().spacing) {
+        : slack_(0.5 * body.grid().spacing), extent_(4.0 * radius), into_(hole.direction) {
         const double step = 0.5 * body.grid().spacing, steepness = dot(hole.direction, plan.along);
         const double at = dot(hole.at - plan.entry, plan.along);  // depth of `hole.at`
         const auto on_line = [&](double depth) { return hole.at + (depth - at) / steepness * hole.direction; };
@@ -277,9 +277,10 @@ public:
     [[nodiscard]] bool is_behind(double depth) const noexcept { return !depth_ || depth >= *depth_; }
     /// Returns whether a point of the border belongs to the face. It may curve away from the plane by 0.15 of the
     /// distance from the hole [assumed].
-    [[nodiscard]] bool has(Vec3 border) const noexcept {
+    [[nodiscard]] bool contains(Vec3 border) const noexcept {
         const Vec3 from_point = border - point_;
-        return depth_ && std::abs(dot(from_point, normal_)) <= slack_ + 0.15 * length(from_point);
+        return depth_ && dot(from_point, into_) <= extent_ &&
+               std::abs(dot(from_point, normal_)) <= slack_ + 0.15 * length(from_point);
     }
 
 private:
@@ -314,7 +315,8 @@ private:
         return length(slope) > 1e-12 ? normalized(slope) : Vec3{};
     }
 
-    double slack_;                   ///< [m]
+    double slack_, extent_;          ///< [m] off the plane, and along the hole: two diameters
+    Vec3 into_;                      ///< unit
     std::optional<double> depth_{};  ///< [m] of the hole's line at the face; none: there is no face
     Vec3 point_{}, normal_{};        ///< on the face, and outwards
 };
@@ -350,7 +352,7 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
         for (int k = 0; k < ray_count; ++k) {
             const Vec3 unit = ray(around, k);
             const double border = to_border(body, middle, unit), beyond = radius - border;
-            if (beyond <= 0.0 || face.has(middle + border * unit)) continue;
+            if (beyond <= 0.0 || face.contains(middle + border * unit)) continue;
             if (beyond > breach.worst()) breach.depth = depth;
             double& towards = breach.towards[side_of(unit)];
             towards = std::max(towards, beyond);

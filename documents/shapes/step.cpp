@@ -67,7 +67,7 @@ const MapShape<Limit> limit{
       "{at_most: 1 s}"},
      {optional, "severity", &Limit::severity,
       choice<Severity>({{"minor", Severity::minor}, {"serious", Severity::serious}, {"critical", Severity::critical}}),
-      "How bad it is: it caps the score. Harm that cannot be undone is critical.", "critical", "serious"},
+      "How bad it is: it sets the band of the score. Harm that cannot be undone is critical.", "critical", "serious"},
      {required, "reason", &Limit::reason, text(), "The sentence that a trainee reads when it happens.",
       "The hole is deeper than planned."}}};
 

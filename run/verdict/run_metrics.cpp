@@ -399,8 +399,11 @@ std::vector<session::MetricRow> metrics_of(const StepMonitor& monitor, const Sce
             add_measures(state, scene.procedure, all);
             continue;
         }
-        rows.length("depth", std::max(0.0, state.deepest), rows.half_voxel(), "info",
-                    "Deepest that the tip was while bone resisted it, along the planned axis from its entry.");
+        rows.length("depth", state.left_depth.value_or(std::max(0.0, state.deepest)), rows.half_voxel(), "info",
+                    state.left_depth
+                        ? "Depth of the implant's tip as it was left, along the planned axis from its entry."
+                        : "Deepest that the tip was while bone resisted it, along the planned axis from "
+                          "its entry.");
         if (state.has_cut_bone())  // without a cut, its aim is unknown
             rows.length("offset", state.farthest_offset, rows.half_voxel(), "info",
                         "Largest distance of the tip from the planned axis while it cut bone: how far it wandered.");

@@ -39,11 +39,11 @@ double reached_part(const StepState& state, std::size_t goal) noexcept {
                : 0.0;
 }
 
-/// Returns the first broken limit of a severity, with its step; null if there is none.
 struct BrokenLimit {
     const StepState* state = nullptr;
     const LimitState* limit = nullptr;
 };
+/// Returns the first broken limit of a severity, with its step; null if there is none.
 BrokenLimit first_broken(const StepMonitor& monitor, documents::Severity severity) noexcept {
     BrokenLimit first;
     for (const StepState& state : monitor.steps())
@@ -55,7 +55,7 @@ BrokenLimit first_broken(const StepMonitor& monitor, documents::Severity severit
 }
 
 /// Returns what keeps a run out of the band of those that pass.
-DeductionRow cause_of(const ScoreBand& band, const StepMonitor& monitor) {
+DeductionRow cause_of(const ScoreBand& band, const StepMonitor& monitor, const session::RunSummary& summary) {
     const auto of_limit = [&](documents::Severity severity) {
         const BrokenLimit broken = first_broken(monitor, severity);
         return broken.limit == nullptr ? DeductionRow{.kind = "run"}
@@ -77,17 +77,17 @@ DeductionRow cause_of(const ScoreBand& band, const StepMonitor& monitor) {
                 return {.step = state.step->id,
                         .kind = "goal",
                         .name = state.step->goals[g].name(),
-                        .detail = state.is_done() ? "The implant was not left like that." : "The goal was not reached.",
+                        .detail = state.is_done() ? "The implant was left with less." : "The goal was not reached.",
                         .at = state.end};
         if (!state.is_done()) return {.step = state.step->id, .kind = "step", .detail = "The step did not end."};
     }
-    return {.kind = "run", .detail = "The run is not complete."};
+    return {.kind = "run", .detail = summary.reasons.empty() ? "The run is not complete." : summary.reasons.front()};
 }
 
 /// Returns the value of a metric [SI]; nothing if the run has none.
 std::optional<double> value_of(const std::string& metric, const session::RunSummary& summary) {
     for (const session::MetricRow& row : summary.metrics)
-        if (row.id == metric) return row.value;
+        if (row.id == metric && std::isfinite(row.value)) return row.value;
     return std::nullopt;
 }
 
@@ -141,26 +141,30 @@ std::vector<Part> parts_by_limit(const StepMonitor& monitor) {
     std::vector<Part> parts;
     for (const StepState& state : monitor.steps()) {
         parts.push_back({.row = {.step = state.step->id, .kind = "step"}, .earned = reached_part(state)});
-        for (const LimitState& limit : state.limits)
+        for (const LimitState& limit : state.limits) {
+            const bool is_measured = limit.is_seen || !limit.limit->is_of_end();
             parts.push_back({.row = {.step = state.step->id,
                                      .kind = "limit",
                                      .name = limit.limit->name(),
-                                     .detail = limit.broken_at ? limit.limit->reason : "",
+                                     .detail = limit.broken_at     ? limit.limit->reason
+                                               : state.has_begun() ? "Earned in proportion to the goals of its step."
+                                                                   : "The step did not begin.",
                                      .at = limit.broken_at},
-                             .earned = state.has_begun() && !limit.broken_at ? 1.0 : 0.0});
+                             .earned = limit.broken_at || !is_measured ? 0.0 : reached_part(state)});
+        }
     }
     return parts;
 }
 
 }  // namespace
 
-const ScoreBand& band_of(const StepMonitor& monitor, session::Verdict verdict) noexcept {
+const ScoreBand& band_of(const StepMonitor& monitor, session::Verdict verdict, bool is_missing) noexcept {
     if (verdict == session::Verdict::pass) return passed;
     if (first_broken(monitor, documents::Severity::critical).limit != nullptr) return critical;
     const bool is_whole = std::all_of(monitor.steps().begin(), monitor.steps().end(), [](const StepState& state) {
         return state.is_done() && state.has_reached_all();
     });
-    if (!is_whole || verdict != session::Verdict::fail) return incomplete;
+    if (!is_whole || is_missing || verdict != session::Verdict::fail) return incomplete;
     return first_broken(monitor, documents::Severity::serious).limit != nullptr ? serious : minor;
 }
 
@@ -172,7 +176,7 @@ double reached_part(const StepState& state) noexcept {
 }
 
 void score(const StepMonitor& monitor, const documents::Procedure& procedure, session::RunSummary& summary) {
-    const ScoreBand& band = band_of(monitor, summary.verdict);
+    const ScoreBand& band = band_of(monitor, summary.verdict, summary.is_missing);
     const std::vector<Part> parts =
         procedure.scoring.empty() ? parts_by_limit(monitor) : parts_by_metric(monitor, procedure, summary);
     double weight = 0.0, earned = 0.0;
@@ -184,16 +188,18 @@ void score(const StepMonitor& monitor, const documents::Procedure& procedure, se
     summary.score_band = band.id;
     summary.deductions.clear();
     const double quality = weight > 0.0 ? earned / weight : 0.0;
-    summary.score = quality > 0.0 ? band.lowest + (band.highest - band.lowest) * quality : 0.0;
+    const bool has_begun = std::any_of(monitor.steps().begin(), monitor.steps().end(),
+                                       [](const StepState& state) { return state.has_begun(); });
+    summary.score = has_begun ? band.lowest + (band.highest - band.lowest) * quality : 0.0;
     const auto deduct = [&](DeductionRow row, double loss) {
         if (loss <= 0.0) return;
         row.loss = loss;
         summary.deductions.push_back(std::move(row));
     };
-    if (&band != &passed) deduct(cause_of(band, monitor), passed.highest - band.highest);
+    if (&band != &passed) deduct(cause_of(band, monitor, summary), passed.highest - band.highest);
     for (const Part& part : parts)
         deduct(part.row, (band.highest - band.lowest) * part.weight * (1.0 - part.earned) / weight);
-    if (quality <= 0.0) deduct({.kind = "run", .detail = "Nothing was done."}, band.lowest);
+    if (!has_begun) deduct({.kind = "run", .detail = "Nothing was done."}, band.lowest);
 }
 
 }  // namespace kerf::run

@@ -19,7 +19,8 @@ struct ScoreBand {
 
 /// Returns the band of an outcome. The worst that applies counts: a critical limit broken, a goal missed, a serious
 /// limit broken, a minor one. Otherwise the run has passed.   [any] pure
-[[nodiscard]] const ScoreBand& band_of(const StepMonitor& monitor, session::Verdict verdict) noexcept;
+/// @param is_missing   a limit could not be measured, or a planned implant is not there
+[[nodiscard]] const ScoreBand& band_of(const StepMonitor& monitor, session::Verdict verdict, bool is_missing) noexcept;
 
 /// Returns how much of its goals a step has reached, 0 … 1: the least over its goals, as they are at its end. A goal
 /// that counts up earns in proportion. A step that never began earns nothing.   [any] pure
@@ -27,12 +28,12 @@ struct ScoreBand {
 
 /// Computes band, score and deductions. Pre: verdict and metrics of `summary` are set.   [any] pure
 ///
-///     score = lowest + (highest − lowest) Q,   Q = Σ w e / Σ w;   0 if Q = 0
+///     score = lowest + (highest − lowest) Q,   Q = Σ w e / Σ w;   0 if no step began
 ///
 /// With `scoring:` each of its metrics is a part with its weight w, and earns e = g q: the goals g that its step has
 /// reached, times q = (none − x)/(none − full), limited to 0 … 1. A step without a metric is a part with w = 1 and
-/// e = g. Without `scoring:`, each step is a part, and so is each limit, which is earned if its step began and it was
-/// not broken.
+/// e = g. Without `scoring:`, each step is a part, and so is each limit, with e = g of its step, or 0 if it was
+/// broken or could not be measured.
 void score(const StepMonitor& monitor, const documents::Procedure& procedure, session::RunSummary& summary);
 
 }  // namespace kerf::run

@@ -274,6 +274,14 @@ void StepMonitor::judge_measures(std::size_t step, std::vector<documents::Measur
     news_.clear();
     StepState& state = steps_[step];
     state.measures = std::move(measures);
+    for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
+        const documents::Goal& goal = state.step->goals[g];
+        const documents::MeasureReading* reading =
+            goal.quantity == "measure" ? reading_of(goal.measure, state) : nullptr;
+        if (reading == nullptr || (reading->value && is_within(goal.bound, *reading->value))) continue;
+        state.goal_done[g] = false;
+        news_.emplace_back("goal_lost", state.step->id + ": " + goal.name());
+    }
     for (auto& limit : state.limits) {
         if (limit.limit->quantity != "measure") continue;
         const documents::MeasureReading* reading = reading_of(limit.limit->measure, state);

@@ -424,7 +424,8 @@ TEST(Program, RehearsingSaysWhatWasExpectedAndWhatHappened) {
     const Ended rehearsed =
         kerf("rehearse " + pedicle_screw + " --set rehearsals.stripped=~ --set 'accuracy.spacing=0.5 mm'");
     EXPECT_EQ(rehearsed.exit_code, 0) << rehearsed.err;
-    EXPECT_TRUE(has(rehearsed.out, "expert: ended as expected\n  expected  pass\n  ended     pass, score 100\n")) << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, "expert: ended as expected\n  expected  pass\n  ended     pass, score 100\n"))
+        << rehearsed.out;
     EXPECT_TRUE(has(rehearsed.out, "expected  fail by `canal`, and others may break\n  ended     fail\n      "
                                    "      Step `pilot-hole`: The drill "
                                    "entered"))

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,11 +85,11 @@ TEST(Score, IsZeroForAHandThatDoesNothing) {
 TEST(Score, CountsStepsAndLimitsInEqualPartsWithoutScoring) {
     Operation half;
     half.drill_to(5e-3);
-    // Of 8 parts: half of the first step, and its three limits.
+    // Of 8 parts: half of the first step, and of its three limits.
     const session::RunSummary summary = half.summary();
     EXPECT_EQ(summary.verdict, session::Verdict::incomplete);
     EXPECT_EQ(summary.score_band, "incomplete");
-    EXPECT_NEAR(summary.score, 5.0 + 15.0 * 3.5 / 8.0, 1e-12);
+    EXPECT_NEAR(summary.score, 5.0 + 15.0 * 2.0 / 8.0, 1e-12);
 
     Operation all;
     all.drill_both();
@@ -115,7 +116,7 @@ TEST(Score, OrdersOutcomesByTheirSeverity) {
     // One of 8 parts is lost.
     EXPECT_NEAR(minor.score, 40.0 + 20.0 * 7.0 / 8.0, 1e-12);
     EXPECT_NEAR(serious.score, 20.0 + 20.0 * 7.0 / 8.0, 1e-12);
-    EXPECT_NEAR(halfway.summary().score, 5.0 + 15.0 * 7.99 / 8.0, 1e-9);
+    EXPECT_NEAR(halfway.summary().score, 5.0 + 15.0 * 7.96 / 8.0, 1e-9);
     EXPECT_NEAR(critical.score, 5.0 * 7.0 / 8.0, 1e-12);
     EXPECT_EQ(both.score_band, "critical");
     ASSERT_FALSE(serious.deductions.empty());
@@ -144,6 +145,27 @@ TEST(Score, FallsWithTheMeasuredErrorAndWeighsIt) {
                                    [](const auto& row) { return row.name == "widen.grip"; });
     ASSERT_NE(grip, summary.deductions.end());
     EXPECT_EQ(grip->detail, "not measured; full 200 N, none 100 N");
+}
+
+TEST(Score, OfARunThatPassesIsNeverBelowItsBand) {
+    Operation poor;
+    poor.drill_both();
+    poor.procedure.scoring = {{.metric = "pilot.offset", .step = "pilot", .unit = "mm", .full = 0.0, .none = 1e-3},
+                              {.metric = "widen.offset", .step = "widen", .unit = "mm", .full = 0.0, .none = 1e-3}};
+    poor.add_metric("pilot.offset", 2e-3);
+    poor.add_metric("widen.offset", std::nan(""));
+    EXPECT_EQ(poor.summary().score, 60.0);
+}
+
+TEST(Score, OfARunWithALimitThatCouldNotBeMeasuredIsThatOfAnIncompleteOne) {
+    Operation unmeasured;
+    unmeasured.procedure.steps[1].limits.push_back({.quantity = "hole_angle", .bound = {{}, 0.1}, .reason = "Askew."});
+    unmeasured.drill_both();
+    EXPECT_EQ(unmeasured.summary().score_band, "incomplete");
+    const double whole = unmeasured.summary().score;
+    unmeasured.shown[2].torque = 3.0;
+    EXPECT_EQ(unmeasured.summary().score_band, "incomplete") << "a broken limit raises no score";
+    EXPECT_LT(unmeasured.summary().score, whole);
 }
 
 TEST(Score, OfAMeasureOfTheRunCountsWithAllGoals) {
