@@ -268,6 +268,8 @@ public:
                 depth_ = depth - step * now / (now - before);
                 point_ = on_line(*depth_);
                 normal_ = outward_at(body, point_, hole.direction, radius);
+                // A hole that grazes the bone at less than 12° [assumed] leaves it at that side.
+                if (-dot(normal_, hole.direction) < 0.21) depth_.reset();
                 return;
             }
             before = now;

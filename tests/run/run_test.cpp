@@ -123,7 +123,8 @@ TEST(Run, MeasuresWhatLimitsOfAStepAreOn) {
 TEST(Run, ReachesGoalsOnSignalsAndRemovedBone) {
     const Scene scene = scene_with({"steps.pilot-hole.goals=[{entry: {}}, {signal: {id: drive_power, at_least: 1 W}}, "
                                     "{removed_volume: {at_least: 1 mm3}}, "
-                                    "{signal: {id: spindle_speed, at_least: 2000 rpm}}]"});
+                                    "{signal: {id: spindle_speed, at_least: 2000 rpm}}]",
+                                    "steps.pilot-hole.limits=~"});
     const test::WatchedRun run = test::watched_run(scene, test::plugins(), pushed_hard());
     std::vector<std::string> reached;
     for (const session::EventRow& event : run.events)
