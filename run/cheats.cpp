@@ -129,8 +129,8 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
                                    [](const Rehearsal& one) { return one.expect == "pass" && !one.path.empty(); });
     std::vector<Cheat> cheats;
     if (good == procedure.rehearsals.end()) return cheats;
-    const auto add = [&](const char* id, std::string strength, const char* why_not, const auto& spoil) {
-        Cheat& cheat = cheats.emplace_back(id, std::move(strength), why_not, *good);
+    const auto add = [&](const char* id, const std::string& strength, const char* why_not, const auto& spoil) {
+        Cheat& cheat = cheats.emplace_back(Cheat{id, strength, why_not, *good});
         cheat.rehearsal.id = std::string("cheat:") + id;
         cheat.rehearsal.title = cheat.strength;
         cheat.rehearsal.expect = "incomplete";
