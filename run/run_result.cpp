@@ -172,6 +172,25 @@ std::string what_was_missed(const documents::Goal& goal, const StepState& state,
     return missed_bound("depth ", state.left_depth.value_or(std::max(0.0, state.deepest)), goal.bound, 1, mm_text);
 }
 
+/// Adds why a run ended before its steps were done.
+void add_reason_of(RunEnd end, double time_limit, std::vector<std::string>& reasons) {
+    if (end == RunEnd::time_over)
+        reasons.push_back("The run reached the procedure's `time_limit:` of " + text::quantity_text(time_limit, "s") +
+                          ".");
+    if (end == RunEnd::interrupted) reasons.insert(reasons.begin(), "The run was interrupted.");
+    if (end == RunEnd::unrecorded)
+        reasons.insert(reasons.begin(), "The run ended early: it could not be recorded any more.");
+    if (end == RunEnd::device_silent)
+        reasons.insert(reasons.begin(), "The run ended early: the device was silent for 10 s.");
+    if (end == RunEnd::fell_behind)
+        reasons.insert(reasons.begin(),
+                       "The run ended early: this machine is too slow to record it while it is on the clock.");
+    if (end == RunEnd::diverged)
+        reasons.insert(reasons.begin(),
+                       "The same inputs gave two results: a force law is not a function of its inputs, such as "
+                       "one that keeps values outside its state.");
+}
+
 }  // namespace
 
 void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, session::RunSummary& summary) {
@@ -232,21 +251,7 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
         }
         summary.steps.push_back(std::move(row));
     }
-    if (end == RunEnd::time_over)
-        summary.reasons.push_back("The run reached the procedure's `time_limit:` of " +
-                                  text::quantity_text(time_limit, "s") + ".");
-    if (end == RunEnd::interrupted) summary.reasons.insert(summary.reasons.begin(), "The run was interrupted.");
-    if (end == RunEnd::unrecorded)
-        summary.reasons.insert(summary.reasons.begin(), "The run ended early: it could not be recorded any more.");
-    if (end == RunEnd::device_silent)
-        summary.reasons.insert(summary.reasons.begin(), "The run ended early: the device was silent for 10 s.");
-    if (end == RunEnd::fell_behind)
-        summary.reasons.insert(summary.reasons.begin(),
-                               "The run ended early: this machine is too slow to record it while it is on the clock.");
-    if (end == RunEnd::diverged)
-        summary.reasons.insert(summary.reasons.begin(),
-                               "The same inputs gave two results: a force law is not a function of its inputs, such as "
-                               "one that keeps values outside its state.");
+    add_reason_of(end, time_limit, summary.reasons);
     is_missing = is_missing || end == RunEnd::interrupted || end == RunEnd::unrecorded ||
                  end == RunEnd::device_silent || end == RunEnd::fell_behind;
     summary.is_missing = is_missing;

@@ -820,7 +820,7 @@ TEST(Clearance, IsThatOfTheNearestPointAlongTheOutline) {
 
 /// The goal of the first step is a measure of at most 5 mm.
 struct MeasuringWatch : Watch {
-    MeasuringWatch() : Watch(measuring()) {}
+    MeasuringWatch() : Watch{measuring()} {}
     explicit MeasuringWatch(Case with) : Watch{std::move(with)} {}
 
     static Case measuring() {
