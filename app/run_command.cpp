@@ -93,8 +93,6 @@ void print_summary(const session::RunSummary& s) {
     print_metrics(true);
 }
 
-// ---- run ---------------------------------------------------------------------------------------------------------
-
 /// Returns why options do not fit together, or to the procedure; empty if they do.
 std::string refusal_of(const RunOptions& options, const documents::Procedure& procedure) {
     if (options.is_live && !options.replay.empty()) return "a replay has no clock. Leave out `--live` or `--replay`.";
