@@ -258,22 +258,14 @@ public:
     /// Searches from outside for the point at which the hole's line meets bone. Without one there is no face.
     EntryFace(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius)
         : slack_(0.5 * body.grid().spacing), extent_(4.0 * radius), into_(hole.direction) {
-        const double step = 0.5 * body.grid().spacing, steepness = dot(hole.direction, plan.along);
-        const double at = dot(hole.at - plan.entry, plan.along);  // depth of `hole.at`
-        const auto on_line = [&](double depth) { return hole.at + (depth - at) / steepness * hole.direction; };
-        double before = uncut_at(body, on_line(-4.0 * radius));
-        for (double depth = -4.0 * radius + step; depth <= hole.end_depth; depth += step) {
-            const double now = uncut_at(body, on_line(depth));
-            if (before >= 0.0 && now < 0.0) {
-                depth_ = depth - step * now / (now - before);
-                point_ = on_line(*depth_);
-                normal_ = outward_at(body, point_, hole.direction, radius);
-                // A hole that grazes the bone at less than 12° [assumed] leaves it at that side.
-                if (-dot(normal_, hole.direction) < 0.21) depth_.reset();
-                return;
-            }
-            before = now;
-        }
+        const double steepness = dot(into_, plan.along), first = -4.0 * radius;  // depths along the plan
+        const Vec3 outside = hole.at + (first - dot(hole.at - plan.entry, plan.along)) / steepness * into_;
+        const auto far = entry_on(body, outside, into_, (hole.end_depth - first) / steepness);
+        if (!far) return;
+        point_ = outside + *far * into_;
+        normal_ = outward_at(body, point_, into_, radius);
+        // A hole that grazes the bone at less than 12° [assumed] leaves it at that side.
+        if (-dot(normal_, into_) >= 0.21) depth_ = first + *far * steepness;
     }
     /// Returns whether a section at this depth [m] along the planned axis lies behind the face.
     [[nodiscard]] bool is_behind(double depth) const noexcept { return !depth_ || depth >= *depth_; }
@@ -294,20 +286,22 @@ private:
         Vec3 sum = there;
         for (int k = 0; k < ray_count; ++k) {
             const Vec3 beside = point + 0.5 * radius * ray(plane, k);
-            sum = sum + gradient(body, beside + to_surface(body, beside, -there, 0.5 * radius) * -there);
+            const double reach = 0.5 * radius;
+            const auto far = entry_on(body, beside + reach * there, -there, 2.0 * reach);
+            sum = sum + gradient(body, far ? beside + (reach - *far) * there : beside);
         }
         return length(sum) > 1e-9 ? normalized(sum) : -into;
     }
-    /// Returns how far the surface is from a point along a unit vector, within ± `reach` [m]; 0 if it is not there.
-    static double to_surface(const Body& body, Vec3 from, Vec3 along, double reach) {
+    /// Returns the distance at which a ray from a point first enters bone [m]; nothing within `reach`.
+    static std::optional<double> entry_on(const Body& body, Vec3 from, Vec3 along, double reach) {
         const double step = 0.5 * body.grid().spacing;
-        double before = uncut_at(body, from - reach * along);
-        for (double far = -reach + step; far <= reach; far += step) {
+        double before = uncut_at(body, from);
+        for (double far = step; far <= reach; far += step) {
             const double now = uncut_at(body, from + far * along);
             if (before >= 0.0 && now < 0.0) return far - step * now / (now - before);
             before = now;
         }
-        return 0.0;
+        return {};
     }
     static Vec3 gradient(const Body& body, Vec3 p) {
         const double h = body.grid().spacing;
