@@ -64,15 +64,17 @@ const std::array<Named, 28> of_step{{{"depth", &length},
 const std::array<Named, 4> of_plane{
     {{"plane-angle", &angle}, {"plane-offset", &length}, {"flatness", &length}, {"removed", &volume}}};
 
+/// Returns whether any goal or limit of a step fulfils a condition.
+template <class Condition>
+bool has_bound(const Step& step, const Condition& condition) {
+    return std::any_of(step.goals.begin(), step.goals.end(), condition) ||
+           std::any_of(step.limits.begin(), step.limits.end(), condition);
+}
 bool names(const Step& step, const std::string& quantity) {
-    const auto is_on_it = [&](const auto& bounded) { return bounded.quantity == quantity; };
-    return std::any_of(step.goals.begin(), step.goals.end(), is_on_it) ||
-           std::any_of(step.limits.begin(), step.limits.end(), is_on_it);
+    return has_bound(step, [&](const auto& bounded) { return bounded.quantity == quantity; });
 }
 bool names_signal(const Step& step, const std::string& signal) {
-    const auto is_on_it = [&](const auto& bounded) { return bounded.signal.id == signal; };
-    return std::any_of(step.goals.begin(), step.goals.end(), is_on_it) ||
-           std::any_of(step.limits.begin(), step.limits.end(), is_on_it);
+    return has_bound(step, [&](const auto& bounded) { return bounded.signal.id == signal; });
 }
 
 std::string with_hyphens(std::string name) {
