@@ -3,23 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "session/report/report_data.h"
-#include "text/plain_numbers.h"
 
 namespace kerf::session {
 
 namespace {
-
-/// Returns a number with one decimal.
-std::string with_one_decimal(double value) {
-    const text::PlainNumbers point;
-    char text[40];
-    std::snprintf(text, sizeof text, "%.1f", value);
-    return text;
-}
 
 std::string subject_of(const DeductionRow& row) {
     const std::string name = row.name.empty() ? "" : " <code>" + html_escaped(row.name) + "</code>";
@@ -44,8 +34,8 @@ std::string score_html(const RunSummary& summary) {
         html += "<tr><th scope=\"row\">" + subject_of(row) +
                 (row.detail.empty() ? "" : "<p class=\"soft small\">" + html_escaped(row.detail) + "</p>") +
                 "</th><td>" + html_escaped(row.step) + "</td><td>" +
-                (row.at ? with_one_decimal(*row.at) + " s" : std::string()) + "</td><td>−" +
-                with_one_decimal(row.loss) + "</td></tr>";
+                (row.at ? sensible_number(*row.at) + " s" : std::string()) + "</td><td>−" + sensible_number(row.loss) +
+                "</td></tr>";
     }
     return html + "</tbody></table></div><p class=\"soft small\">Band: " + html_escaped(summary.score_band) +
            ". Rules " + std::to_string(summary.score_rules) + ".</p></section>\n";
