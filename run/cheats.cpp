@@ -139,13 +139,14 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
     const bool turns = any(*good, [](const Waypoint& at) { return at.turn > 0.0; });
     const bool leaves = turns && any(*good, &releases);
     const bool knows_sides = documents::contains(procedure.needs_landmarks, "midline");
-    const std::string mm = text::quantity_text(beside, "mm");
     add("idle", "stays at its first waypoint", "", &stay);
     add("outside",
         "stays " + text::quantity_text(-above_bone, "mm") + " outside the bone, otherwise like `" + good->id + "`", "",
         &stay_outside);
-    add("hasty", "5 times the feed, turns and push, at most " + text::quantity_text(documents::hardest_push, "N"), "",
-        &hurry);
+    add("hasty",
+        text::quantity_text(times_faster, "") + " times the feed, turns and push, at most " +
+            text::quantity_text(documents::hardest_push, "N"),
+        "", &hurry);
     add("hammered", "pushes with " + text::quantity_text(documents::hardest_push, "N") + " and does not turn",
         turns ? "" : "no waypoint turns a tool", &hammer);
     Rehearsal off = *good;
@@ -153,10 +154,12 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
     add("drive-off", "its motors are switched off", has_motor ? "" : "no tool has a drive",
         [&](Rehearsal& hand) { hand.path = off.path; });
     add("withdrawn", "goes " + text::quantity_text(scratch, "mm") + " deep and withdraws", "", &withdraw_at_once);
-    add("backed-out", "turns each implant out again by 60 % of its turns before it is left",
+    add("backed-out",
+        "turns each implant out again by " + text::quantity_text(part_turned_out, "%") +
+            " of its turns before it is left",
         leaves ? "" : "no waypoint turns and releases an implant", &back_out);
-    add("beside", mm + " beside the plan, towards the midline", knows_sides ? "" : "there is no landmark `midline`",
-        &miss);
+    add("beside", text::quantity_text(beside, "mm") + " beside the plan, towards the midline",
+        knows_sides ? "" : "there is no landmark `midline`", &miss);
     return cheats;
 }
 

@@ -270,21 +270,18 @@ bool ended_as_expected(const documents::Rehearsal& rehearsal, const StepMonitor&
     if (verdict != session::Verdict::fail) return false;
     bool is_named = false;
     for (const auto& state : monitor.steps()) {
-        for (const auto& limit : state.limits) {
-            if (!limit.broken_at) continue;
-            const bool is_the_one = rehearsal.expect_limit == limit.limit->name() &&
-                                    (rehearsal.expect_step.empty() || rehearsal.expect_step == state.step->id);
-            if (!is_the_one && !rehearsal.expects_others) return false;
+        const bool is_step = rehearsal.expect_step.empty() || rehearsal.expect_step == state.step->id;
+        // Returns whether the rehearsal allows what went wrong.
+        const auto allows = [&](const std::string& name) {
+            const bool is_the_one = is_step && rehearsal.expect_limit == name;
             is_named = is_named || is_the_one;
-        }
-        // "Because of that limit alone": all other goals were reached.
-        for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
-            if (state.goal_done[g]) continue;
-            const bool is_the_one = state.is_done() && rehearsal.expect_limit == state.step->goals[g].name() &&
-                                    (rehearsal.expect_step.empty() || rehearsal.expect_step == state.step->id);
-            if (!is_the_one && !rehearsal.expects_others) return false;
-            is_named = is_named || is_the_one;
-        }
+            return is_the_one || rehearsal.expects_others;
+        };
+        for (const auto& limit : state.limits)
+            if (limit.broken_at && !allows(limit.limit->name())) return false;
+        // "Because of that alone": all other goals were reached. One of a step that did not end is not the one.
+        for (std::size_t g = 0; g < state.goal_done.size(); ++g)
+            if (!state.goal_done[g] && !allows(state.is_done() ? state.step->goals[g].name() : "")) return false;
     }
     return is_named;
 }

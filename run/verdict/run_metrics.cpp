@@ -86,13 +86,6 @@ void add_clearances(const StepState& state, StepRows& rows) {
                     status_of_limits(state, [&](const documents::Limit& one) { return one.zone == zone; }),
                     "Least distance of the running tool's cutting region to the zone; negative inside.");
     }
-    const auto is_thrust = [](const documents::Limit& limit) { return limit.quantity == "thrust"; };
-    for (const auto& limit : state.limits)
-        if (is_thrust(*limit.limit) && limit.is_seen) {
-            rows.row("thrust", limit.worst, "N", 1.0, status_of_limits(state, is_thrust),
-                     "Greatest thrust of the running tool.");
-            break;
-        }
 }
 
 /// Adds the limits on one number of each tick. Several limits on one number had the same values.
@@ -103,6 +96,7 @@ void add_loads(const StepState& state, StepRows& rows) {
         const char* help;
     };
     constexpr Load loads[] = {
+        {"thrust", "thrust", "N", 1.0, "Greatest thrust of the running tool."},
         {"torque", "torque", "N m", 1.0, "Greatest torque of the bone on the tool about its shaft, either way."},
         {"lateral_force", "lateral-force", "N", 1.0, "Greatest force of the bone on the tool across its shaft."},
         {"speed", "speed", "mm/s", 1e-3, "Greatest speed of the tip while the tool ran in bone, averaged over 20 ms."},

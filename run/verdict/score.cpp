@@ -140,7 +140,8 @@ std::vector<Part> parts_by_metric(const StepMonitor& monitor, const documents::P
 std::vector<Part> parts_by_limit(const StepMonitor& monitor) {
     std::vector<Part> parts;
     for (const StepState& state : monitor.steps()) {
-        parts.push_back({.row = {.step = state.step->id, .kind = "step"}, .earned = reached_part(state)});
+        const double reached = reached_part(state);
+        parts.push_back({.row = {.step = state.step->id, .kind = "step"}, .earned = reached});
         for (const LimitState& limit : state.limits) {
             const bool is_measured = limit.is_seen || !limit.limit->is_of_end();
             parts.push_back({.row = {.step = state.step->id,
@@ -150,7 +151,7 @@ std::vector<Part> parts_by_limit(const StepMonitor& monitor) {
                                                : state.has_begun() ? "Earned in proportion to the goals of its step."
                                                                    : "The step did not begin.",
                                      .at = limit.broken_at},
-                             .earned = limit.broken_at || !is_measured ? 0.0 : reached_part(state)});
+                             .earned = limit.broken_at || !is_measured ? 0.0 : reached});
         }
     }
     return parts;

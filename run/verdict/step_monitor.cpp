@@ -227,10 +227,14 @@ void StepMonitor::judge_left(StepState& state, double time) {
         const documents::Goal& goal = state.step->goals[g];
         const std::optional<double> value = state.value_of_goal(g);
         if (!value || (goal.quantity != "depth" && goal.quantity != "signal")) continue;
-        state.goal_done[g] = is_within(goal.bound, *value);
-        if (!state.goal_done[g]) news_.emplace_back("goal_lost", state.step->id + ": " + goal.name());
+        if (!is_within(goal.bound, *value)) lose_goal(state, g);
     }
     hold_state(state, time);
+}
+
+void StepMonitor::lose_goal(StepState& state, std::size_t goal) {
+    state.goal_done[goal] = false;
+    news_.emplace_back("goal_lost", state.step->id + ": " + state.step->goals[goal].name());
 }
 
 void StepMonitor::hold_state(StepState& state, double time) {
@@ -279,8 +283,7 @@ void StepMonitor::judge_measures(std::size_t step, std::vector<documents::Measur
         const documents::MeasureReading* reading =
             goal.quantity == "measure" ? reading_of(goal.measure, state) : nullptr;
         if (reading == nullptr || (reading->value && is_within(goal.bound, *reading->value))) continue;
-        state.goal_done[g] = false;
-        news_.emplace_back("goal_lost", state.step->id + ": " + goal.name());
+        lose_goal(state, g);
     }
     for (auto& limit : state.limits) {
         if (limit.limit->quantity != "measure") continue;

@@ -225,6 +225,7 @@ private:
     void update_need_of_measures(const StepState& state, std::size_t next_goal, bool is_in_bone, bool is_out, int held);
     /// Judges an implant as the hand leaves it: goals that it no longer reaches are lost.
     void judge_left(StepState& state, double time);
+    void lose_goal(StepState& state, std::size_t goal);
     /// Judges the limits of an implant that read it as it is now.
     void hold_state(StepState& state, double time);
     static void follow(const Observation& now, double depth, double hand, double dt, StepState& state);
