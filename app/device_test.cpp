@@ -203,6 +203,10 @@ void print_channels(const Reports& reports, const Sense& sense) {
         print("    " + std::string(sense.axes[i]) + " " + bar(low, high, sense.scale) +
               formatted("  %.*f to %.*f\n", sense.digits, printed(low), sense.digits, printed(high)));
     }
+    if (&sense == &position)
+        print(formatted("  for the station: workspace: {from: %.0f %.0f %.0f mm, to: %.0f %.0f %.0f mm}\n",
+                        printed(reports.all.low[0]), printed(reports.all.low[1]), printed(reports.all.low[2]),
+                        printed(reports.all.high[0]), printed(reports.all.high[1]), printed(reports.all.high[2])));
     if (!std::isfinite(reports.calmest_width)) return;
     if (&sense == &position)
         print(formatted("  at rest it stays within %.3f mm\n", printed(reports.calmest_width)));

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/own_device.h"
 
+#include <chrono>
+#include <cstdint>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "app/standard_streams.h"
 #include "app/station_file.h"
+#include "core/haptics/loop/device_report.h"
+#include "run/device/workspace_fit.h"
+#include "run/run_procedure.h"
 
 namespace kerf::app {
 
@@ -26,6 +32,29 @@ ExitCode open_device(const documents::DeviceStation& station, const PluginRegist
     opened = run::OpenedDevice::open(
         plugins, station, [&] { return interruption.has_come(); }, error);
     return opened != nullptr ? exit_pass : complain(error, exit_bad_input);
+}
+
+/// Returns the position of the handle [m], or else the middle of the workspace.
+Vec3 handle_of(run::OpenedDevice& device, const Box& workspace) {
+    constexpr auto period = std::chrono::milliseconds(10);
+    for (int tries = 0; tries < 100; ++tries) {
+        const kerf_device_state state = device.read();
+        if ((state.flags & KERF_DEVICE_VALID) != 0 && is_usable(state.device_from_handle))
+            return state.device_from_handle.position;
+        std::this_thread::sleep_for(period);
+    }
+    return 0.5 * (workspace.low + workspace.high);
+}
+
+/// Returns the directions in which the handle would leave its workspace, with their distances.
+std::string ends_of(const run::WorkspaceFit& fit) {
+    const std::pair<const char*, double> ends[] = {
+        {"to the left", fit.below.x}, {"to the right", fit.above.x},       {"down", fit.below.y},
+        {"up", fit.above.y},          {"away from the user", fit.below.z}, {"to the user", fit.above.z}};
+    std::string text;
+    for (const auto& [direction, distance] : ends)
+        if (distance > 0.0) text += (text.empty() ? "" : ", ") + formatted("%.0f mm %s", 1e3 * distance, direction);
+    return text;
 }
 
 }  // namespace
@@ -56,6 +85,26 @@ ExitCode open_leading_device(const std::string& id, const PluginRegistry& plugin
     device.station.append_buttons(of_pedal, device.opened->facts().button_count);
     const std::string refusal = device.opened->add_pedal(std::move(pedal));
     return refusal.empty() ? exit_pass : complain(refusal, exit_bad_input);
+}
+
+void fit_to_workspace(const run::Scene& scene, const std::string& rehearsal, OwnDevice& device) {
+    documents::DeviceStation& station = device.station;
+    if (!station.workspace) return;
+    if ((device.opened->facts().abilities & KERF_DEVICE_POSITION) == 0) {
+        print_error("kerf: the device `" + station.device +
+                    "` senses no position, so its `workspace` counts for nothing\n");
+        return;
+    }
+    const Box motion = run::motion_of(run::rehearsal_of(scene.procedure, rehearsal), scene, station);
+    const run::WorkspaceFit fit =
+        run::fit_into(*station.workspace, handle_of(*device.opened, *station.workspace), motion);
+    station.scale = fit.scale;
+    print_error(formatted("kerf: the tool moves by %.2f of the handle's motion, so that the operation fits into the "
+                          "workspace\n",
+                          fit.scale));
+    if (fit.fits()) return;
+    print_error("kerf: the handle would have to move " + ends_of(fit) +
+                " beyond its workspace. Begin farther from there, or use the button `clutch`\n");
 }
 
 }  // namespace kerf::app

@@ -9,6 +9,7 @@
 #include "core/plugin/loader.h"
 #include "documents/station.h"
 #include "run/device/opened_device.h"
+#include "run/scene.h"
 
 namespace kerf::app {
 
@@ -25,5 +26,10 @@ struct OwnDevice {
 /// The same for the device that leads the tool of a run, with its pedal.   [main] may wait for the devices
 [[nodiscard]] ExitCode open_leading_device(const std::string& id, const PluginRegistry& plugins,
                                            const Interruption& interruption, OwnDevice& device);
+
+/// Computes the scale of a device whose station states a workspace, from where its handle now is. Prints the scale, and
+/// where the operation does not fit.   [main] waits up to a second for a pose
+/// @param rehearsal  id of the one whose way the hand follows; empty: the first
+void fit_to_workspace(const run::Scene& scene, const std::string& rehearsal, OwnDevice& device);
 
 }  // namespace kerf::app

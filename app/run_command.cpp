@@ -220,6 +220,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (!options.replay.empty() && std::filesystem::equivalent(options.replay, request.out + "/session.db", ignored))
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
 
+    if (of_run.own.opened != nullptr) fit_to_workspace(*scene, rehearsal, of_run.own);
     const run::RunOutcome outcome = of_run.own.opened != nullptr ? run::run_live(*scene, with.plugins, request,
                                                                                  *of_run.own.opened, of_run.own.station)
                                     : options.is_live            ? run::run_live(*scene, with.plugins, request)

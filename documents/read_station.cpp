@@ -16,12 +16,6 @@
 namespace kerf::documents {
 namespace {
 
-constexpr std::pair<const char*, ButtonAction> actions[] = {{"none", ButtonAction::none},
-                                                            {"drive", ButtonAction::drive},
-                                                            {"next", ButtonAction::next},
-                                                            {"clutch", ButtonAction::clutch},
-                                                            {"undo", ButtonAction::undo}};
-
 void read_buttons(const Node& node, const std::string& name, DeviceStation& station, Report& report) {
     const std::vector<Node>& items = read_list(node, name, report);
     if (items.size() > max_buttons)
@@ -32,14 +26,14 @@ void read_buttons(const Node& node, const std::string& name, DeviceStation& stat
     for (std::size_t i = 0; i < std::min(items.size(), max_buttons); ++i) {
         const std::optional<std::string> word = read_text(items[i], name, report);
         if (!word) continue;
-        const auto* const found =
-            std::find_if(std::begin(actions), std::end(actions), [&](const auto& one) { return *word == one.first; });
-        if (found != std::end(actions)) {
+        const auto* const found = std::find_if(std::begin(button_actions), std::end(button_actions),
+                                               [&](const auto& one) { return *word == one.first; });
+        if (found != std::end(button_actions)) {
             station.buttons[i] = found->second;
             continue;
         }
         std::vector<std::string> known;
-        for (const auto& [action, ignored] : actions) known.emplace_back(action);
+        for (const auto& [action, ignored] : button_actions) known.emplace_back(action);
         refuse_unknown({.code = text::Code::unknown_word,
                         .span = items[i].span,
                         .subject = "The action `" + text::excerpt(*word, 40) + "` of a button",
@@ -47,6 +41,22 @@ void read_buttons(const Node& node, const std::string& name, DeviceStation& stat
                         .known = std::move(known)},
                        report);
     }
+}
+
+/// A box that is thinner is a slip of the pen: no operation fits into it.
+void check_workspace(const Node& node, bool has_scale, const DeviceStation& station, Report& report) {
+    constexpr double thinnest = 10e-3;  // [m]
+    if (!station.workspace) return;
+    if (has_scale)
+        report.error(
+            text::Code::contradiction, node.span,
+            "`workspace` and `scale` contradict each other: with a workspace, the scale is computed. Remove one "
+            "of them.");
+    const Vec3 size = station.workspace->high - station.workspace->low;
+    if (std::min({size.x, size.y, size.z}) >= thinnest) return;
+    report.error(text::Code::degenerate, node.span,
+                 "The workspace is too thin: each coordinate of `to` must exceed that of `from` by 10 mm or more. "
+                 "`kerf devices test ID` prints the range of each axis.");
 }
 
 DeviceStation read_device(const Node& node, Report& report) {
@@ -60,6 +70,8 @@ DeviceStation read_device(const Node& node, Report& report) {
         report.error(text::Code::degenerate, axes->span,
                      "`right` and `up` lead along one line. Write two perpendicular directions, as in "
                      "`{right: right, up: superior}`.");
+    if (const Node* workspace = map.find("workspace"))
+        check_workspace(*workspace, map.find("scale") != nullptr, station, report);
     map.finish();
     return station;
 }

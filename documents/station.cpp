@@ -2,14 +2,53 @@
 #include "documents/station.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <iterator>
 
 namespace kerf::documents {
+
+namespace {
+
+std::string name_of_side(Vec3 direction) {
+    const auto* const found =
+        std::find_if(std::begin(sides), std::end(sides), [&](const auto& one) { return one.second == direction; });
+    return found != std::end(sides) ? found->first : "none";
+}
+
+std::string shown(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string in_mm(Vec3 p) {
+    return shown("%.4g ", 1e3 * p.x) + shown("%.4g ", 1e3 * p.y) + shown("%.4g mm", 1e3 * p.z);
+}
+
+}  // namespace
 
 Quat DeviceStation::world_from_device() const noexcept {
     const Quat to_right = quat_between({1, 0, 0}, right);
     const Vec3 turned = rotate(to_right, {0, 1, 0});
     const Quat to_up = dot(turned, up) < -0.5 ? Quat{0.0, right.x, right.y, right.z} : quat_between(turned, up);
     return normalized(to_up * to_right);
+}
+
+std::string DeviceStation::text() const {
+    std::string actions;
+    std::size_t count = max_buttons;
+    while (count > 0 && buttons[count - 1] == ButtonAction::none) --count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto* const action = std::find_if(std::begin(button_actions), std::end(button_actions),
+                                                [&](const auto& one) { return one.second == buttons[i]; });
+        actions += (actions.empty() ? "" : ", ") + std::string(action->first);
+    }
+    return "axes: {right: " + name_of_side(right) + ", up: " + name_of_side(up) + "}; scale: " + shown("%.3g", scale) +
+           (workspace ? "; workspace: {from: " + in_mm(workspace->low) + ", to: " + in_mm(workspace->high) + "}" : "") +
+           "; speed: " + shown("%.4g mm/s", 1e3 * speed) +
+           "; turn_speed: " + shown("%.3g deg/s", turn_speed * 180.0 / std::numbers::pi) +
+           "; dead_zone: " + shown("%.3g", dead_zone) + "; buttons: [" + actions + "]" +
+           (pedal.empty() ? "" : "; pedal: " + pedal);
 }
 
 void DeviceStation::append_buttons(const DeviceStation& of_pedal, std::size_t own_count) noexcept {

@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/field/grid/box.h"
 #include "kerf/device.h"
 #include "kerf/math.hpp"
 
@@ -18,7 +20,20 @@ namespace kerf::documents {
 /// of the step. `clutch` keeps the tool where it is while the hand moves the handle elsewhere.
 enum class ButtonAction : std::uint8_t { none, drive, next, clutch, undo };
 
+inline constexpr std::pair<const char*, ButtonAction> button_actions[] = {{"none", ButtonAction::none},
+                                                                          {"drive", ButtonAction::drive},
+                                                                          {"next", ButtonAction::next},
+                                                                          {"clutch", ButtonAction::clutch},
+                                                                          {"undo", ButtonAction::undo}};
+
 inline constexpr std::size_t max_buttons = KERF_DEVICE_MAX_BUTTONS;
+
+/// Directions of the patient, LPS.
+inline constexpr std::pair<const char*, Vec3> sides[] = {{"left", {1, 0, 0}},      {"right", {-1, 0, 0}},
+                                                         {"posterior", {0, 1, 0}}, {"anterior", {0, -1, 0}},
+                                                         {"superior", {0, 0, 1}},  {"inferior", {0, 0, -1}}};
+
+inline constexpr double min_scale = 0.05;  ///< [–] motion of the tool per motion of the handle
 
 /// The setup of a device on its table, and its use by a hand.
 struct DeviceStation {
@@ -26,7 +41,8 @@ struct DeviceStation {
     /// Directions of the patient (LPS) in which the device's axes +x (right) and +y (up) lead. The default is the view
     /// from behind a standing patient.
     Vec3 right{-1, 0, 0}, up{0, 0, 1};
-    double scale = 1.0;  ///< [–] motion of the tool per motion of the handle
+    double scale = 1.0;  ///< [–] motion of the tool per motion of the handle; with a workspace it is computed
+    std::optional<Box> workspace{};  ///< [m] that the handle reaches, frame of the device
     /// Of a device without position, at full deflection: speed of the aim [m/s], of its turn [rad/s], each times
     /// `scale`. [assumed]
     double speed = 20e-3, turn_speed = std::numbers::pi / 6.0;
@@ -38,6 +54,8 @@ struct DeviceStation {
 
     /// Returns the rotation from the device's axes to the patient's. Pre: `right` and `up` are perpendicular.   [any]
     [[nodiscard]] Quat world_from_device() const noexcept;
+    /// Returns the setup as one line for a record. It contains no path, address or key.   [any]
+    [[nodiscard]] std::string text() const;
     /// Appends the actions of a pedal's buttons to those of this device, which has `own_count` buttons.   [any]
     void append_buttons(const DeviceStation& of_pedal, std::size_t own_count) noexcept;
 };

@@ -73,6 +73,7 @@ template <class RunWith>
 RunOutcome with_device(const Scene& scene, const PluginRegistry& plugins, RunRequest request, OpenedDevice& device,
                        const documents::DeviceStation& station, const RunWith& run) {
     request.leader = device.name();
+    request.leader_setup = station.text();
     RunOutcome outcome;
     const auto followed = FollowedRun::create(scene, plugins, request, outcome);
     if (followed == nullptr) return outcome;

@@ -65,6 +65,7 @@ session::RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins
     summary.rehearsal = rehearsal.id;
     summary.hand = !request.replay.empty() ? "replay" : request.leader.empty() ? "simulated" : "device";
     summary.leader = request.leader;
+    summary.leader_setup = request.leader_setup;
     summary.device = scene.device->id;
     summary.force_scale = scene.gains.force_scale;
     summary.coupling_stiffness = scene.procedure.is_direct ? 0.0 : scene.gains.stiffness;
@@ -87,16 +88,14 @@ std::unique_ptr<Run> Run::create(const Scene& scene, const PluginRegistry& plugi
         refusal.is_bad_input = true;
         return nullptr;
     }
-    const auto rehearsal = std::find_if(
-        scene.procedure.rehearsals.begin(), scene.procedure.rehearsals.end(),
-        [&](const documents::Rehearsal& r) { return request.rehearsal.empty() || r.id == request.rehearsal; });
-    session::RunSummary summary = summary_of(scene, plugins, request, *rehearsal, SignalTable(scene.tools));
+    const documents::Rehearsal& rehearsal = rehearsal_of(scene.procedure, request.rehearsal);
+    session::RunSummary summary = summary_of(scene, plugins, request, rehearsal, SignalTable(scene.tools));
     std::unique_ptr<SessionFiles> files;
     if (!request.out.empty()) {
         files = SessionFiles::create(scene, request, summary, refusal);
         if (files == nullptr) return nullptr;
     }
-    return std::unique_ptr<Run>(new Run(scene, request, *rehearsal, std::move(summary), std::move(files)));
+    return std::unique_ptr<Run>(new Run(scene, request, rehearsal, std::move(summary), std::move(files)));
 }
 
 Run::Run(const Scene& scene, const RunRequest& request, const documents::Rehearsal& rehearsal,

@@ -16,6 +16,11 @@ std::string refusal_of_rehearsal(const documents::Procedure& procedure, const st
                          : "there is no rehearsal `" + id + "`. Write " + documents::listed(known) + ".";
 }
 
+const documents::Rehearsal& rehearsal_of(const documents::Procedure& procedure, const std::string& id) {
+    return *std::find_if(procedure.rehearsals.begin(), procedure.rehearsals.end(),
+                         [&](const documents::Rehearsal& r) { return id.empty() || r.id == id; });
+}
+
 RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request) {
     RunOutcome outcome;
     const auto run = Run::create(scene, plugins, request, outcome);

@@ -32,7 +32,7 @@ struct RunRequest {
         lost;  ///< of that run: ticks at which its device was lost (true) or back, in order
     /// Name of the device that leads the tool; the rehearsal then only gives the start and the actions of its steps.
     /// Empty: the rehearsal's hand leads it.
-    std::string leader;
+    std::string leader, leader_setup;             ///< the latter as in RunSummary
     std::vector<RunObserver*> observers;          ///< they must outlive the run
     const ExactStrategies* strategies = nullptr;  ///< of the procedure's instruments, started; null: no exact surface
 };
@@ -49,6 +49,10 @@ struct RunOutcome {
 /// Returns why a procedure does not have this rehearsal, with a suggestion; empty if it does. An empty `id` means the
 /// first one.   [any] pure.
 [[nodiscard]] std::string refusal_of_rehearsal(const documents::Procedure& procedure, const std::string& id);
+
+/// Returns this rehearsal of a procedure. An empty `id` means the first one.   [any] pure.
+/// Pre: the procedure has it.
+[[nodiscard]] const documents::Rehearsal& rehearsal_of(const documents::Procedure& procedure, const std::string& id);
 
 /// Runs a rehearsal of the scene's procedure. Memory does not grow with the ticks: the record is in the session, and
 /// the page is made from it.   [main]

@@ -57,7 +57,7 @@ struct SessionConditions {
 /// The data of a session that are known before the first tick.
 struct SessionHeader {
     std::string procedure, procedure_version, anatomy, rehearsal, hand;  ///< as in RunSummary
-    std::string leader{};                                                ///< as in RunSummary
+    std::string leader{}, leader_setup{};                                ///< as in RunSummary
     std::string variant_title{};  ///< not part of a variant's text; empty for none
     std::string procedure_text;
     std::uint64_t anatomy_hash = 0;          ///< of the anatomy's text and data files

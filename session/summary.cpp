@@ -159,6 +159,7 @@ std::string summary_json(const RunSummary& summary) {
                   {"hand", summary.hand},
                   {"device", summary.device}};
     if (!summary.leader.empty()) document["leader"] = summary.leader;
+    if (!summary.leader_setup.empty()) document["leader_setup"] = summary.leader_setup;
     if (summary.exact) document["exact_surface"] = exact_summary(*summary.exact);
     if (summary.clock) document["clock"] = to_json(*summary.clock);
     return text::printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";

@@ -143,8 +143,7 @@ Box shown_box(const run::Scene& scene) {
                 const Vec3 low = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
                 const Vec3 high =
                     grid.sample_position((i + 1) * brick_edge, (j + 1) * brick_edge, (k + 1) * brick_edge);
-                box.low = {std::min(box.low.x, low.x), std::min(box.low.y, low.y), std::min(box.low.z, low.z)};
-                box.high = {std::max(box.high.x, high.x), std::max(box.high.y, high.y), std::max(box.high.z, high.z)};
+                box = joined(box, {low, high});
             }
     return box;
 }

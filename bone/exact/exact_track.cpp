@@ -25,9 +25,7 @@ Box swept_by(const std::vector<CutRecord>& records, const std::vector<const Tool
     Box all = swept_box(*solids[records.front().solid], {records.front().from, records.front().to, 0});
     for (const CutRecord& record : records) {
         const Box box = swept_box(*solids[record.solid], {record.from, record.to, 0});
-        all.low = {std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y), std::min(all.low.z, box.low.z)};
-        all.high = {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y),
-                    std::max(all.high.z, box.high.z)};
+        all = joined(all, box);
     }
     return all;
 }

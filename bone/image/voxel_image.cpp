@@ -48,14 +48,13 @@ VoxelImage VoxelImage::cropped(const VoxelRange& range) const {
 }
 
 Box VoxelGrid::box() const noexcept {
-    Box all{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    Box all = empty_box;
     for (int corner = 0; corner < 8; ++corner) {
         const auto end = [&](std::size_t axis) {
             return corner >> axis & 1 ? static_cast<double>(size[axis] - 1) : 0.0;
         };
         const Vec3 p = lps({end(0), end(1), end(2)});
-        all.low = {std::min(all.low.x, p.x), std::min(all.low.y, p.y), std::min(all.low.z, p.z)};
-        all.high = {std::max(all.high.x, p.x), std::max(all.high.y, p.y), std::max(all.high.z, p.z)};
+        all = joined(all, p);
     }
     return all;
 }

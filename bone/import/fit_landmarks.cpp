@@ -235,11 +235,7 @@ private:
 };
 
 /// Returns `all`, extended by a ball around `at`.
-Box with_ball(const Box& all, Vec3 at, double radius) {
-    const Box ball = grown({at, at}, radius);
-    return {{std::min(all.low.x, ball.low.x), std::min(all.low.y, ball.low.y), std::min(all.low.z, ball.low.z)},
-            {std::max(all.high.x, ball.high.x), std::max(all.high.y, ball.high.y), std::max(all.high.z, ball.high.z)}};
-}
+Box with_ball(const Box& all, Vec3 at, double radius) { return joined(all, grown({at, at}, radius)); }
 
 }  // namespace
 

@@ -38,14 +38,11 @@ text::Reason bone_in(const documents::Anatomy& anatomy) {
 }
 
 Box phantom_bounds(const documents::PhantomSource& phantom) {
-    Box bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    Box bounds = empty_box;
     for (const auto& part : phantom.parts) {
         if (part.subtract) continue;
         const Box box = bounds_of(part.solid);
-        bounds.low = {std::min(bounds.low.x, box.low.x), std::min(bounds.low.y, box.low.y),
-                      std::min(bounds.low.z, box.low.z)};
-        bounds.high = {std::max(bounds.high.x, box.high.x), std::max(bounds.high.y, box.high.y),
-                       std::max(bounds.high.z, box.high.z)};
+        bounds = joined(bounds, box);
     }
     return bounds;
 }

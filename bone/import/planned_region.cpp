@@ -12,12 +12,9 @@ constexpr double around_axes = 15e-3;  // [m] of bone around the axes on every s
 }  // namespace
 
 Box planned_region(const std::vector<documents::LandmarkAxis>& axes, const Box& available) {
-    Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    Box box = empty_box;
     for (const auto& axis : axes)
-        for (const Vec3 end : {axis.from, axis.to}) {
-            box.low = {std::min(box.low.x, end.x), std::min(box.low.y, end.y), std::min(box.low.z, end.z)};
-            box.high = {std::max(box.high.x, end.x), std::max(box.high.y, end.y), std::max(box.high.z, end.z)};
-        }
+        for (const Vec3 end : {axis.from, axis.to}) box = joined(box, end);
     const auto [low, high] = grown(box, around_axes);
     return {
         {std::max(low.x, available.low.x), std::max(low.y, available.low.y), std::max(low.z, available.low.z)},
@@ -27,11 +24,6 @@ Box planned_region(const std::vector<documents::LandmarkAxis>& axes, const Box& 
 bool is_empty(const Box& box) noexcept {
     const Vec3 extent = box.high - box.low;
     return !(extent.x > 0.0 && extent.y > 0.0 && extent.z > 0.0);
-}
-
-Box grown(const Box& box, double margin) noexcept {
-    const Vec3 around{margin, margin, margin};
-    return {box.low - around, box.high + around};
 }
 
 }  // namespace kerf::bone

@@ -14,7 +14,4 @@ namespace kerf::bone {
 
 [[nodiscard]] bool is_empty(const Box& box) noexcept;
 
-/// Returns the box grown by `margin` [m] on every side.
-[[nodiscard]] Box grown(const Box& box, double margin) noexcept;
-
 }  // namespace kerf::bone

@@ -93,8 +93,7 @@ Opening opening_of(const SurfaceMesh& mesh, const BorderLoop& loop) {
         const Vec3 p = mesh.vertices[border[i]];
         if (loop.is_closed || i + 1 < border.size())
             opening.length += length(mesh.vertices[border[(i + 1) % border.size()]] - p);
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+        box = joined(box, p);
     }
     opening.at = 0.5 * (box.low + box.high);
     opening.width = length(box.high - box.low);

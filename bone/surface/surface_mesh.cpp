@@ -7,12 +7,9 @@
 namespace kerf::bone {
 
 Box bounds_of(const SurfaceMesh& mesh) noexcept {
-    Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    Box box = empty_box;
     for (const Triangle& t : mesh.triangles)
-        for (const Vec3 p : mesh.corners(t)) {
-            box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-            box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-        }
+        for (const Vec3 p : mesh.corners(t)) box = joined(box, p);
     return box;
 }
 

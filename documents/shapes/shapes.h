@@ -80,6 +80,7 @@ extern const Shape anatomy;
 
 // station.cpp
 extern const MapShape<DeviceStation> device_axes, station_device;
+extern const MapShape<Box> workspace;
 extern const Shape station;
 
 }  // namespace kerf::documents::shapes

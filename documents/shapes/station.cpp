@@ -5,15 +5,7 @@
 namespace kerf::documents::shapes {
 namespace {
 
-/// A direction of the patient, in LPS.
-ChoiceOf<Vec3> side() {
-    return choice<Vec3>({{"left", {1, 0, 0}},
-                         {"right", {-1, 0, 0}},
-                         {"posterior", {0, 1, 0}},
-                         {"anterior", {0, -1, 0}},
-                         {"superior", {0, 0, 1}},
-                         {"inferior", {0, 0, -1}}});
-}
+ChoiceOf<Vec3> side() { return choice<Vec3>(sides); }
 
 }  // namespace
 
@@ -23,6 +15,12 @@ const MapShape<DeviceStation> device_axes{
     {{required, "right", &DeviceStation::right, side(), "The device's +x, to the user's right.", "right"},
      {required, "up", &DeviceStation::up, side(), "The device's +y.", "superior"}}};
 
+const MapShape<Box> workspace{
+    "workspace",
+    "The box that the handle reaches, in the frame of the device.",
+    {{required, "from", &Box::low, position(), "Its corner with the smallest coordinates.", "-80 -60 -40 mm"},
+     {required, "to", &Box::high, position(), "Its corner with the largest coordinates.", "80 60 40 mm"}}};
+
 const MapShape<DeviceStation> station_device{
     "station_device",
     "The setup of one device.",
@@ -30,9 +28,12 @@ const MapShape<DeviceStation> station_device{
       "udp"},
      {optional, "axes", part_of(device_axes), "The axes of the device as directions of the patient.",
       "{right: right, up: superior}"},
-     {optional, "scale", &DeviceStation::scale, number(0.05, 1.0),
+     {optional, "scale", &DeviceStation::scale, number(min_scale, 1.0),
       "Motion of the tool per motion of the handle. A larger one would make the device stiffer than it can be.", "1",
       "1"},
+     {optional, "workspace", &DeviceStation::workspace, map(workspace),
+      "The box that the handle reaches. The scale is then computed, so that the operation fits into it.",
+      "{from: -80 -60 -40 mm, to: 80 60 40 mm}"},
      {optional, "speed", &DeviceStation::speed, quantity(dimension::speed, "mm/s", 1.0_mm_per_s, 200.0_mm_per_s),
       "Speed of the aim at full deflection, times `scale`. Only of a device without position.", "20 mm/s", "20 mm/s"},
      {optional, "turn_speed", &DeviceStation::turn_speed, turn_speed(),

@@ -29,8 +29,8 @@ inline ValueOf<std::string> word(std::vector<std::string> words) {
 inline ValueShape word_or(std::vector<std::string> words, const Shape& shape) {
     return {.kind = Kind::word, .words = std::move(words), .shape = &shape};
 }
-template <class V>
-ChoiceOf<V> choice(std::initializer_list<std::pair<const char*, V>> words) {
+template <class V, class Words = std::initializer_list<std::pair<const char*, V>>>
+ChoiceOf<V> choice(const Words& words) {
     ChoiceOf<V> shape{{.kind = Kind::word}, {}};
     for (const auto& [word, meaning] : words) {
         shape.words.push_back(word);

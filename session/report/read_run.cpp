@@ -130,6 +130,7 @@ void Reading::read_keys() {
     summary.rehearsal = key("run.rehearsal");
     summary.hand = key("run.hand");
     if (keys_.contains("run.leader")) summary.leader = key("run.leader");
+    if (keys_.contains("run.leader_setup")) summary.leader_setup = key("run.leader_setup");
     summary.device = key("condition.device");
     summary.variant = key("condition.variant");
     run_.procedure = recorded_procedure(key("procedure_text"), summary.rehearsal);

@@ -137,6 +137,7 @@ std::string facts_html(const RunSummary& summary) {
     for (const auto& [tissue, volume] : summary.removed_by_tissue)
         facts.add("of it " + tissue, sensible_number(volume * 1e9) + " mm³");
     facts.add("Hand", html_escaped(summary.leader.empty() ? summary.hand : summary.leader));
+    if (!summary.leader_setup.empty()) facts.add("Its setup", html_escaped(summary.leader_setup));
     facts.add("Device", html_escaped(summary.device));
     facts.add("Force scale", force_scale_text(summary.force_scale) + " device newton per bone newton");
     return "<section><h2>The run</h2>" + facts.html() + "</section>\n";

@@ -55,6 +55,38 @@ TEST(Station, ReadsHowADeviceStands) {
     EXPECT_EQ(station.of("udp/port-5000").scale, 0.5) << "its own entry precedes that of its driver";
 }
 
+TEST(Station, ReadsTheWorkspaceOfAHandle) {
+    const DeviceStation station =
+        read("  - {device: udp, workspace: {from: -80 -60 -40 mm, to: 8 6 4 cm}}\n").of("udp");
+    ASSERT_TRUE(station.workspace);
+    EXPECT_EQ(station.workspace->low.y, -0.06);
+    EXPECT_EQ(station.workspace->high.x, 0.08);
+    EXPECT_FALSE(DeviceStation{}.workspace);
+}
+
+TEST(Station, RefusesAWorkspaceWithoutRoom) {
+    const std::string error = error_of("  - {device: udp, workspace: {from: 80 -60 -40 mm, to: -80 60 40 mm}}\n");
+    EXPECT_NE(error.find("too thin"), std::string::npos) << error;
+}
+
+TEST(Station, RefusesAScaleBesideAWorkspace) {
+    const std::string error =
+        error_of("  - {device: udp, scale: 0.5, workspace: {from: -80 -60 -40 mm, to: 80 60 40 mm}}\n");
+    EXPECT_NE(error.find("Remove one"), std::string::npos) << error;
+}
+
+TEST(Station, WritesItsSetupWithoutPathsAndAddresses) {
+    const std::string text =
+        read("  - {device: udp, axes: {right: anterior, up: superior}, scale: 0.25, buttons: [next, none, drive], "
+             "peer: 192.168.1.7, key_file: /etc/kerf.key, motion: a.csv}\n")
+            .of("udp")
+            .text();
+    EXPECT_EQ(
+        text,
+        "axes: {right: anterior, up: superior}; scale: 0.25; speed: 20 mm/s; turn_speed: 30 deg/s; dead_zone: 0.1; "
+        "buttons: [next, none, drive]");
+}
+
 TEST(Station, ReadsTheSpeedsAndThePedalOfACap) {
     const DeviceStation cap =
         read("  - {device: spacemouse, speed: 5 mm/s, turn_speed: 10 deg/s, dead_zone: 0.2, pedal: pedal/A1}\n")

@@ -167,10 +167,12 @@ TEST(DeflectionRun, CapAndPedalOpenAPedicleAndReplayToTheBit) {
         << (led.summary.reasons.empty() ? "" : led.summary.reasons.front());
     EXPECT_EQ(led.summary.hand, "device");
     EXPECT_EQ(led.summary.leader, "double");
+    EXPECT_NE(led.summary.leader_setup.find("drive, next, clutch]"), std::string::npos) << led.summary.leader_setup;
     std::string error;
     const auto recorded = session::read_run(folder.path() + "/led/session.db", error);
     ASSERT_TRUE(recorded) << error;
     EXPECT_EQ(recorded->summary.leader, "double");
+    EXPECT_EQ(recorded->summary.leader_setup, led.summary.leader_setup);
     EXPECT_EQ(led.summary.device, scene->procedure.device) << "coupling and force scale are those of the procedure";
     const session::RecordedInputs inputs = inputs_in(folder.path() + "/led");
     EXPECT_TRUE(inputs.device_values.empty()) << "a modelled device needs no record";
