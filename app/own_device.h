@@ -29,7 +29,7 @@ struct OwnDevice {
 
 /// Computes the scale of a device whose station states a workspace, from where its handle now is. Prints the scale, and
 /// where the operation does not fit.   [main] waits up to a second for a pose
-/// @param rehearsal  id of the one whose way the hand follows; empty: the first
+/// @param rehearsal  id of the one whose path the hand follows; empty: the first
 void fit_to_workspace(const run::Scene& scene, const std::string& rehearsal, OwnDevice& device);
 
 }  // namespace kerf::app

@@ -192,8 +192,8 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
 
     if (front < groove.tapped_to) return;  // the thread ahead keeps its axis
     const double stiffness = static_cast<double>(notes.left) * notes.stiffness,
-                 spread = static_cast<double>(notes.spread),
-                 middle = static_cast<double>(notes.middle), across = static_cast<double>(notes.across);
+                 spread = static_cast<double>(notes.spread), middle = static_cast<double>(notes.middle),
+                 across = static_cast<double>(notes.across);
     const Vec3 offset = track.offset(middle), inclination = track.inclination();
     Vec3 held = offset, turned = inclination;
     static_cast<void>(yield_plastically(held.x, stiffness, across));

@@ -28,7 +28,8 @@ struct ScrewInsertion : ScrewParameters {
     };
     /// Events that fire once, until the thread has left bone.
     struct Reported {
-        bool is_in = false, has_seated = false, has_yielded = false, has_slipped = false, is_stripped = false, is_backing_out = false;
+        bool is_in = false, has_seated = false, has_yielded = false, has_slipped = false, is_stripped = false,
+             is_backing_out = false;
         bool is_crossed = false, is_cut = false;  ///< by another thread; the bone around its crests is cut
     };
     struct State {
@@ -72,7 +73,8 @@ struct ScrewInsertion : ScrewParameters {
                    {.id = "turned", .help = "Angle turned since the thread met bone.", .unit = unit::deg}),
             signal(&Signals::engaged, {.id = "engaged", .help = "Length of thread in bone.", .unit = unit::mm}),
             signal(&Signals::clamp, {.id = "clamp", .help = "Force under the head.", .unit = unit::N}),
-            signal(&Signals::slip, {.id = "slip", .help = "Slip that the bone around the thread has suffered.", .unit = unit::mm}),
+            signal(&Signals::slip,
+                   {.id = "slip", .help = "Slip that the bone around the thread has suffered.", .unit = unit::mm}),
             signal(&Signals::pull_out,
                    {.id = "pull_out", .help = "Estimate of the force that pulls the screw out.", .unit = unit::N}),
             event(Happened::going_in, {.id = "implant.going_in", .help = "The thread is in bone."}),

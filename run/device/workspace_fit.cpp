@@ -8,7 +8,7 @@ namespace kerf::run {
 
 namespace {
 
-constexpr double room = 20e-3;  // [m] on all sides of a planned way [assumed]
+constexpr double room = 20e-3;  // [m] on all sides of a planned path [assumed]
 
 /// One side of a workspace: what the motion needs there, and the distance to its end [m].
 struct Side {

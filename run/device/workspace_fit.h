@@ -26,8 +26,8 @@ struct WorkspaceFit {
 /// @param motion     of the tool from the start, device axes [m]; contains 0
 [[nodiscard]] WorkspaceFit fit_into(const Box& workspace, Vec3 handle, const Box& motion) noexcept;
 
-/// Returns the box of the way of the hand's grip in a rehearsal, from its start, in the axes of a device, with 20 mm of
-/// room on all sides [assumed].   [any] pure
+/// Returns the box of the path of the hand's grip in a rehearsal, from its start, in the axes of a device, with 20 mm
+/// of room on all sides [assumed].   [any] pure
 [[nodiscard]] Box motion_of(const documents::Rehearsal& rehearsal, const Scene& scene,
                             const documents::DeviceStation& station);
 

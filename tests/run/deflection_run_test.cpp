@@ -167,7 +167,8 @@ TEST(DeflectionRun, CapAndPedalOpenAPedicleAndReplayToTheBit) {
         << (led.summary.reasons.empty() ? "" : led.summary.reasons.front());
     EXPECT_EQ(led.summary.hand, "device");
     EXPECT_EQ(led.summary.leader, "double");
-    EXPECT_NE(led.summary.leader_setup.find("drive, next, clutch, undo]"), std::string::npos) << led.summary.leader_setup;
+    EXPECT_NE(led.summary.leader_setup.find("drive, next, clutch, undo]"), std::string::npos)
+        << led.summary.leader_setup;
     std::string error;
     const auto recorded = session::read_run(folder.path() + "/led/session.db", error);
     ASSERT_TRUE(recorded) << error;

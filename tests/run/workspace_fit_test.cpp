@@ -40,12 +40,12 @@ TEST(WorkspaceFit, CountsFromAHandleOutsideOfTheWorkspace) {
     EXPECT_EQ(fit.below.z, 0.0);
 }
 
-TEST(WorkspaceFit, MagnifiesAtMostTwentyTimes) {
+TEST(WorkspaceFit, MagnifiesUpToTwentyTimes) {
     EXPECT_EQ(fit_into(workspace, {}, {{-1e-4, 0, 0}, {0, 0, 0}}).scale, documents::min_scale);
     EXPECT_EQ(fit_into(workspace, {}, {}).scale, documents::min_scale);
 }
 
-TEST(WorkspaceFit, CoversTheHandleOfAPlannedWay) {
+TEST(WorkspaceFit, CoversTheHandleOnAPlannedPath) {
     const Scene& scene = test::short_scene();
     const documents::Rehearsal& rehearsal = scene.procedure.rehearsals.front();
     documents::DeviceStation station{.right = {0, 0, 1}, .up = {0, -1, 0}};
@@ -57,14 +57,15 @@ TEST(WorkspaceFit, CoversTheHandleOfAPlannedWay) {
     const Vec3 grip{0, 0, scene.tool(0).outline.handling.grip_z};
     HandleFrame frame(station, true);
     frame.join({{0.01, 0, 0}, plan.start.rotation}, plan.start, grip);
-    Box way = empty_box;
-    for (const simulated_hand::Leg& leg : plan.intent.legs) way = joined(way, frame.to_device(leg.target) * grip);
-    EXPECT_GE(way.low.x, wide.low.x);
-    EXPECT_GE(way.low.y, wide.low.y);
-    EXPECT_GE(way.low.z, wide.low.z);
-    EXPECT_LE(way.high.x, wide.high.x);
-    EXPECT_LE(way.high.y, wide.high.y);
-    EXPECT_LE(way.high.z, wide.high.z);
+    Box visited = empty_box;
+    for (const simulated_hand::Leg& leg : plan.intent.legs)
+        visited = joined(visited, frame.to_device(leg.target) * grip);
+    EXPECT_GE(visited.low.x, wide.low.x);
+    EXPECT_GE(visited.low.y, wide.low.y);
+    EXPECT_GE(visited.low.z, wide.low.z);
+    EXPECT_LE(visited.high.x, wide.high.x);
+    EXPECT_LE(visited.high.y, wide.high.y);
+    EXPECT_LE(visited.high.z, wide.high.z);
 }
 
 }  // namespace
