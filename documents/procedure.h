@@ -174,6 +174,7 @@ struct Waypoint {
     double medial_angle = 0.0;        ///< [rad] the whole way, from the axis towards `midline`, about the planned entry
     double cranial_angle = 0.0;       ///< [rad] the same, from the axis towards the patient's head
     double aside = 0.0;               ///< [m] sideways in the step's plane, along the tool's x
+    double off_plan = 0.0;            ///< [m] to a side that the step's frame chooses; only of a bad hand
     double tilt = 0.0;                ///< [rad] about the axis, out of the step's plane
     bool is_displaced = false;        ///< where the fracture has moved it to
     std::size_t step = 0;             ///< whose frame

@@ -102,9 +102,8 @@ void back_out(Rehearsal& hand) {
     hand.path = std::move(path);
 }
 
-/// Moves all waypoints towards the midline.
 void miss(Rehearsal& hand) {
-    for (Waypoint& at : hand.path) at.medial += beside;
+    for (Waypoint& at : hand.path) at.off_plan = beside;
 }
 
 /// Switches the motor off at each waypoint. Returns whether any tool has one.
@@ -138,7 +137,6 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
     };
     const bool turns = any(*good, [](const Waypoint& at) { return at.turn > 0.0; });
     const bool leaves = turns && any(*good, &releases);
-    const bool knows_sides = documents::contains(procedure.needs_landmarks, "midline");
     add("idle", "stays at its first waypoint", "", &stay);
     add("outside",
         "stays " + text::quantity_text(-above_bone, "mm") + " outside the bone, otherwise like `" + good->id + "`", "",
@@ -158,8 +156,9 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
         "turns each implant out again by " + text::quantity_text(part_turned_out, "%") +
             " of its turns before it is left",
         leaves ? "" : "no waypoint turns and releases an implant", &back_out);
-    add("beside", text::quantity_text(beside, "mm") + " beside the plan, towards the midline",
-        knows_sides ? "" : "there is no landmark `midline`", &miss);
+    add("beside",
+        text::quantity_text(beside, "mm") + " beside the plan: off its plane, or towards the midline if it has none",
+        "", &miss);
     return cheats;
 }
 

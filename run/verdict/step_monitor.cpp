@@ -18,9 +18,14 @@ Vec3 unit_or_none(Vec3 v) noexcept { return dot(v, v) > 1e-12 ? normalized(v) : 
 
 }  // namespace
 
+Vec3 AxisFrame::off_plan() const noexcept {
+    if (across != Vec3{}) return across;
+    return medial != Vec3{} ? medial : rotate(quat_between({0, 0, 1}, along), {1, 0, 0});
+}
+
 Pose AxisFrame::pose_at(const documents::Waypoint& w) const noexcept {
     const Vec3 into_bone = w.is_across_surface && inwards != Vec3{} ? inwards : along;
-    Vec3 from_entry = w.depth * into_bone + w.medial * medial + w.aside * aside();
+    Vec3 from_entry = w.depth * into_bone + w.medial * medial + w.aside * aside() + w.off_plan * off_plan();
     Quat rotation = quat_between({0, 0, 1}, into_bone);
     if (across != Vec3{})
         rotation = documents::turn_about(into_bone, rotate(rotation, {0, 1, 0}),

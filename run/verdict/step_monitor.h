@@ -33,6 +33,8 @@ struct AxisFrame {
     [[nodiscard]] double depth_of(Vec3 point) const noexcept { return dot(point - entry, along); }
     /// Returns the direction in the plane perpendicular to the axis: the tool's x axis.
     [[nodiscard]] Vec3 aside() const noexcept { return cross(across, along); }
+    /// Returns the side to which a hand misses the plan: off the step's plane, or towards the midline, or any.
+    [[nodiscard]] Vec3 off_plan() const noexcept;
     /// Returns the tool pose at a waypoint: tip there, +z along the axis and, with a plane, y along its normal.
     [[nodiscard]] Pose pose_at(const documents::Waypoint& waypoint) const noexcept;
 };

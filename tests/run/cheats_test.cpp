@@ -42,7 +42,7 @@ TEST(Cheats, AreMadeOfTheFirstHandThatPasses) {
     EXPECT_EQ(cheat(cheats, "hasty").rehearsal.push, 5.0 * expert.push);
     for (const auto& at : cheat(cheats, "hammered").rehearsal.path) EXPECT_EQ(at.turn, 0.0);
     for (std::size_t i = 0; i < expert.path.size(); ++i)
-        EXPECT_EQ(cheat(cheats, "beside").rehearsal.path[i].medial, expert.path[i].medial + 5.0_mm);
+        EXPECT_EQ(cheat(cheats, "beside").rehearsal.path[i].off_plan, 5.0_mm);
     EXPECT_EQ(cheat(cheats, "drive-off").rehearsal.path.front().inputs.front().id, "spindle_speed");
     EXPECT_EQ(cheat(cheats, "drive-off").rehearsal.path.front().inputs.front().value, 0.0);
 }
@@ -62,7 +62,7 @@ TEST(Cheats, BackAnImplantOutBeforeItIsLeft) {
 TEST(Cheats, SayWhyTheyDoNotApply) {
     const std::vector<Cheat> cheats = cheats_of(shipped("amputation.yaml"), test::plugins().catalog());
     EXPECT_EQ(cheat(cheats, "backed-out").why_not, "no waypoint turns and releases an implant");
-    EXPECT_EQ(cheat(cheats, "beside").why_not, "there is no landmark `midline`");
+    EXPECT_EQ(cheat(cheats, "beside").why_not, "") << "off the plane of its cuts";
     documents::Procedure without = shipped("pedicle-awl.yaml");
     without.rehearsals.clear();
     EXPECT_TRUE(cheats_of(without, test::plugins().catalog()).empty());
