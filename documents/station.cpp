@@ -2,8 +2,9 @@
 #include "documents/station.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
+
+#include "text/quantity.h"
 
 namespace kerf::documents {
 
@@ -15,14 +16,8 @@ std::string name_of_side(Vec3 direction) {
     return found != std::end(sides) ? found->first : "none";
 }
 
-std::string shown(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
 std::string in_mm(Vec3 p) {
-    return shown("%.4g ", 1e3 * p.x) + shown("%.4g ", 1e3 * p.y) + shown("%.4g mm", 1e3 * p.z);
+    return text::quantity_text(p.x, "mm") + " " + text::quantity_text(p.y, "mm") + " " + text::quantity_text(p.z, "mm");
 }
 
 }  // namespace
@@ -43,11 +38,12 @@ std::string DeviceStation::text() const {
                                                 [&](const auto& one) { return one.second == buttons[i]; });
         actions += (actions.empty() ? "" : ", ") + std::string(action->first);
     }
-    return "axes: {right: " + name_of_side(right) + ", up: " + name_of_side(up) + "}; scale: " + shown("%.3g", scale) +
+    return "axes: {right: " + name_of_side(right) + ", up: " + name_of_side(up) +
+           "}; scale: " + text::quantity_text(scale, "") +
            (workspace ? "; workspace: {from: " + in_mm(workspace->low) + ", to: " + in_mm(workspace->high) + "}" : "") +
-           "; speed: " + shown("%.4g mm/s", 1e3 * speed) +
-           "; turn_speed: " + shown("%.3g deg/s", turn_speed * 180.0 / std::numbers::pi) +
-           "; dead_zone: " + shown("%.3g", dead_zone) + "; buttons: [" + actions + "]" +
+           "; speed: " + text::quantity_text(speed, "mm/s") +
+           "; turn_speed: " + text::quantity_text(turn_speed, "deg/s") +
+           "; dead_zone: " + text::quantity_text(dead_zone, "") + "; buttons: [" + actions + "]" +
            (pedal.empty() ? "" : "; pedal: " + pedal);
 }
 
