@@ -22,6 +22,7 @@
 #include "run/staying_implant_body.h"
 #include "run/thread_checks.h"
 #include "run/verdict/measure_bone.h"
+#include "text/quantity.h"
 
 namespace kerf::run {
 
@@ -181,17 +182,24 @@ bone::AxisInBone add_frame_of_hole(Scene& scene, const StepHole& hole, text::Dia
     const Pose& planned = *scene.planned[hole.implant];
     const documents::Step& step = scene.procedure.steps[hole.step];
     const bone::AxisInBone found = bone::axis_in_bone(scene.body, documents::axis_of(hole.hole, planned, step.axis));
-    if (found.entry < 0.0) {
+    const auto refuse = [&](text::Code code, const std::string& message) {
         const auto document = documents::document_of(scene.procedure);
         const documents::Node* node = &document->root;
         for (const std::string& key : {std::string("implants"), implant.id, std::string("holes"), hole.hole.id})
             node = node != nullptr ? node->find(key) : nullptr;
         documents::Report(*document, diagnostics)
-            .error(text::Code::plate_off_bone, node != nullptr ? node->key_span : documents::TextSpan{},
-                   "The hole `" + step.axis +
-                       "` leads past the bone: at the planned pose its axis meets none between "
-                       "`from` and `to`. Move the hole, write a `to:` farther in, or turn the implant with `up:`.");
-    }
+            .error(code, node != nullptr ? node->key_span : documents::TextSpan{},
+                   "The hole `" + step.axis + "` " + message);
+    };
+    if (found.entry < 0.0)
+        refuse(text::Code::plate_off_bone,
+               "leads past the bone: at the planned pose its axis meets none between `from` and `to`. Move the hole, "
+               "write a `to:` farther in, or turn the implant with `up:`.");
+    else if (found.begins_inside())
+        refuse(text::Code::axis_begins_in_bone,
+               "leads out of the bone: at the planned pose `from` lies " +
+                   text::quantity_text(std::round(1e4 * found.inside) * 1e-4, "mm") +
+                   " inside it. Exchange `from` and `to`: z of a plate points into the bone.");
     scene.frames.push_back(
         frame_of(hole, planned, BoneAround(scene.body), scene.anatomy, plane_of(step, scene.anatomy)));
     return found;

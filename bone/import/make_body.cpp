@@ -21,6 +21,7 @@
 #include "bone/surface/diagnose.h"
 #include "documents/read_anatomy.h"
 #include "documents/solids.h"
+#include "text/distinguishing_digits.h"
 
 namespace kerf::bone {
 
@@ -411,19 +412,24 @@ text::Result<Body> make_body(const documents::Anatomy& written, double spacing, 
 }
 
 AxisInBone axis_in_bone(const Body& body, const documents::LandmarkAxis& axis) {
+    constexpr int max_steps_back = 10000;
     const double step = 0.1 * body.grid().spacing;
     const Vec3 along = normalized(axis.to - axis.from);
     const int steps = static_cast<int>(length(axis.to - axis.from) / step);
+    const auto is_bone_at = [&](int i) {
+        return uncut_distance(body, locate(body.grid(), axis.from + i * step * along)) < 0.0;
+    };
     AxisInBone found{-1.0, 0.0};
     int inside = 0, behind = 0;
     for (int i = 0; i <= steps; ++i) {
-        const bool is_bone = uncut_distance(body, locate(body.grid(), axis.from + i * step * along)) < 0.0;
+        const bool is_bone = is_bone_at(i);
         if (found.entry < 0.0 && is_bone) found.entry = i * step;
         if (found.entry < 0.0) continue;
         ++behind;
         inside += is_bone;
     }
     if (behind > 0) found.share = static_cast<double>(inside) / behind;
+    for (int i = 0; i > -max_steps_back && is_bone_at(i); --i) found.inside = (1 - i) * step;
     return found;
 }
 
@@ -454,11 +460,21 @@ void check_axis(const documents::Anatomy& anatomy, const documents::LandmarkAxis
             text::error_at(at(), "E0610",
                            "the axis `" + axis.id +
                                "` meets no bone. Check its points: LPS, millimetres, from outside into the bone."));
-    else if (found.share < min_fraction_in_bone)
+    else if (found.begins_inside())
+        diagnostics.push_back(text::error_at(
+            at(), "E0607",
+            "the axis `" + axis.id + "` begins " + rounded(found.inside * 1e3, 1) +
+                " mm inside the bone, so depths do not count from its surface. Move `from` back along the axis, in front "
+                "of the bone."));
+    else if (found.share < min_fraction_in_bone) {
+        const double share = 100.0 * found.share, need = 100.0 * min_fraction_in_bone;
+        const int digits = text::distinguishing_digits(share, need, 0, 6, [](double x, int n) { return rounded(x, n); });
         diagnostics.push_back(text::error_at(
             at(), "E0611",
-            "the axis `" + axis.id + "` lies in bone for only " + rounded(100.0 * found.share, 0) +
-                " % of its length behind the entry, need 80 %. Check its points, or the tissues of the anatomy."));
+            "the axis `" + axis.id + "` lies in bone for only " + rounded(share, digits) +
+                " % of its length behind the entry, need " + rounded(need, digits) +
+                " %. Check its points, or the tissues of the anatomy."));
+    }
 }
 
 }  // namespace kerf::bone
