@@ -72,7 +72,7 @@ bool is_measure(const session::MetricRow& m) {
 std::string text_of_uncertainty(const session::MetricRow& m) {
     const double uncertainty = m.uncertainty / m.per_unit;
     if (!is_measure(m) || !(uncertainty >= 5e-7)) return "";
-    return formatted(uncertainty < 10.0 ? " ± %.2g" : " ± %.0f", uncertainty);
+    return formatted(uncertainty < 9.95 ? " ± %#.2g" : " ± %.0f", uncertainty);
 }
 
 /// Two decimals, or two significant digits.
