@@ -64,13 +64,24 @@ std::string text_of(const session::ClockRow& clock) {
     return text;
 }
 
+bool is_measure(const session::MetricRow& m) {
+    return m.id.starts_with("measure.") || m.id.find(".measure.") != std::string::npos;
+}
+
+/// Returns " ± 1.1" for the uncertainty of a measure, with two significant digits.
+std::string text_of_uncertainty(const session::MetricRow& m) {
+    const double uncertainty = m.uncertainty / m.per_unit;
+    if (!is_measure(m) || !(uncertainty >= 5e-7)) return "";
+    return formatted(uncertainty < 9.95 ? " ± %#.2g" : " ± %.0f", uncertainty);
+}
+
 /// Two decimals, or two significant digits.
 std::string text_of(const session::MetricRow& m) {
     double value = m.value / m.per_unit;
     if (std::abs(value) < 5e-7) value = 0.0;
     const bool is_small = value != 0.0 && std::abs(value) < 0.1;
     return formatted(is_small ? "  %-34s %8.2g" : "  %-34s %8.2f", m.id.c_str(), value) +
-           (m.unit.empty() ? "" : " " + m.unit) + (m.status.starts_with("grade") ? "  " + m.status : "") + "\n";
+           text_of_uncertainty(m) + (m.unit.empty() ? "" : " " + m.unit) + (m.status.starts_with("grade") ? "  " + m.status : "") + "\n";
 }
 
 void print_summary(const session::RunSummary& s) {

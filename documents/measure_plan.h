@@ -67,6 +67,10 @@ struct Measure {
 
     bool is_of_angles = false;  ///< of a difference
     [[nodiscard]] bool is_angle() const noexcept { return kind == Kind::angle || is_of_angles; }
+    /// Whether a value below 0 exists.
+    [[nodiscard]] bool is_signed() const noexcept {
+        return kind == Kind::surface_distance || kind == Kind::difference;
+    }
     /// For people.
     [[nodiscard]] const char* unit() const noexcept { return is_angle() ? "deg" : "mm"; }
 };
@@ -74,7 +78,7 @@ struct Measure {
 /// What a measure read, or why it could not.
 struct MeasureReading {
     std::optional<double> value{};  ///< [rad] or [m]
-    double uncertainty = 0.0;       ///< the same unit; one standard deviation
+    double uncertainty = 0.0;       ///< the same unit; standard uncertainty: root mean square about the value
     std::string why_not{};          ///< part of a sentence, without a stop; empty with a value
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/plugin/unit.h"
+#include "run/verdict/within_bound.h"
 #include "text/distinguishing_digits.h"
 #include "text/quantity.h"
 
@@ -172,6 +173,37 @@ std::string what_was_missed(const documents::Goal& goal, const StepState& state,
     return missed_bound("depth ", state.left_depth.value_or(std::max(0.0, state.deepest)), goal.bound, 1, mm_text);
 }
 
+/// Returns "1.0 ± 0.5 deg", with two digits of the uncertainty.
+std::string with_uncertainty(double value, double uncertainty, const std::string& unit) {
+    const double per_unit = parse_unit(unit).value_or(Unit{}).factor;
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(uncertainty / per_unit))), 0, max_digits);
+    return with_decimals(value / per_unit, decimals) + " ± " + with_decimals(uncertainty / per_unit, decimals) + " " +
+           unit;
+}
+
+/// Adds goals and limits on measures whose uncertainty reaches beyond a bound. The value alone decides the verdict.
+void add_undecided(const StepState& state, const std::vector<documents::Measure>& measures,
+                   std::vector<std::string>& reasons) {
+    const auto add = [&](const std::string& id, const documents::Bound& bound) {
+        for (std::size_t m = 0; m < measures.size() && m < state.measures.size(); ++m) {
+            const documents::Measure& measure = measures[m];
+            const documents::MeasureReading& reading = state.measures[m];
+            if (measure.id != id || !reading.value ||
+                is_decided(bound, *reading.value, reading.uncertainty, measure.is_signed()))
+                continue;
+            reasons.push_back("Step `" + state.step->id + "`: undecided, as the bound lies within the uncertainty: `" +
+                              id + "` " + with_uncertainty(*reading.value, reading.uncertainty, measure.unit()) +
+                              bounds_text(bound,
+                                          [&](double end) { return with_decimals_and_unit(end, measure.unit(), 4); }) +
+                              ".");
+        }
+    };
+    for (const documents::Goal& goal : state.step->goals)
+        if (goal.quantity == "measure") add(goal.measure, goal.bound);
+    for (const documents::Limit& limit : state.step->limits)
+        if (limit.quantity == "measure") add(limit.measure, limit.bound);
+}
+
 /// Adds why a run ended before its steps were done.
 void add_reason_of(RunEnd end, double time_limit, std::vector<std::string>& reasons) {
     if (end == RunEnd::time_over)
@@ -249,6 +281,7 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
                 "Step `" + state.step->id + "`: the " +
                 (state.is_released_at_end ? "implant was not released." : "tool was not withdrawn."));
         }
+        add_undecided(state, measures, summary.reasons);
         summary.steps.push_back(std::move(row));
     }
     add_reason_of(end, time_limit, summary.reasons);

@@ -46,10 +46,23 @@ public:
             return reading;
         }
         has_inputs_ = true;
-        const auto measured = propagate(uncertainties_, [&](std::span<const double> shifts) {
-            shifts_ = shifts;
-            return value();
-        });
+        // A query of the surface takes longer than geometry does.
+        constexpr std::size_t few = 64, many = 512;
+        const auto measured = propagate(
+            uncertainties_,
+            [&](std::span<const double> shifts) -> std::optional<TracedValue> {
+                shifts_ = shifts;
+                operands_.assign(operands_.size(), 0.0);
+                const auto at = value();
+                if (!at) return std::nullopt;
+                return TracedValue{*at, operands_};
+            },
+            [&](std::span<const double> drawn) {
+                shifts_ = {};
+                drawn_ = drawn;
+                return value();
+            },
+            is_of_surface_ ? few : many);
         if (measured && std::isfinite(measured->value) && std::isfinite(measured->uncertainty)) {
             reading.value = measured->value;
             reading.uncertainty = measured->uncertainty;
@@ -82,6 +95,43 @@ private:
     std::nullopt_t fail(std::string why) {
         if (why_not_.empty()) why_not_ = std::move(why);
         return std::nullopt;
+    }
+
+    // ---- operands of the last function of the measure
+
+    /// Returns where the numbers of an operand begin. The first pass lists all operands.
+    std::size_t operand_at(const std::string& what, std::size_t count) {
+        const auto [found, is_new] = operand_begins_.emplace(what, operands_.size());
+        if (is_new) operands_.resize(operands_.size() + count);
+        return found->second;
+    }
+    [[nodiscard]] bool is_drawn() const noexcept { return !drawn_.empty(); }
+
+    /// Returns a landmark or construction that the measure is computed from last, as drawn if it is drawn.
+    MaybeEntity operand(const std::string& id) {
+        const std::size_t at = operand_at(id, 6);
+        if (is_drawn()) {
+            Entity drawn{sorts_.at(id), {drawn_[at], drawn_[at + 1], drawn_[at + 2]}, {}};
+            if (drawn.sort != documents::Sort::point)
+                drawn.direction = normalized(Vec3{drawn_[at + 3], drawn_[at + 4], drawn_[at + 5]});
+            return drawn;
+        }
+        const MaybeEntity found = entity(id);
+        if (!found) return std::nullopt;
+        sorts_.emplace(id, found->sort);
+        const Vec3 p = found->at, d = found->direction;
+        const std::array<double, 6> numbers{p.x, p.y, p.z, d.x, d.y, d.z};
+        std::copy(numbers.begin(), numbers.end(), operands_.begin() + static_cast<std::ptrdiff_t>(at));
+        return found;
+    }
+    /// Returns a length that the measure `id` is computed from, as drawn if it is drawn.
+    template <class Compute>
+    std::optional<double> operand_of(const std::string& id, Compute compute) {
+        const std::size_t at = operand_at("of " + id, 1);  // no name of a thing has a space
+        if (is_drawn()) return drawn_[at];
+        const std::optional<double> computed = compute();
+        if (computed) operands_[at] = *computed;
+        return computed;
     }
 
     // ---- landmarks and constructions
@@ -306,10 +356,10 @@ private:
     }
 
     std::optional<double> angle(const documents::Measure& measure) {
-        MaybeEntity one = entity(measure.of), other = entity(measure.to);
+        MaybeEntity one = operand(measure.of), other = operand(measure.to);
         if (!one || !other) return std::nullopt;
         if (!measure.in.empty()) {
-            const MaybeEntity view = entity(measure.in);
+            const MaybeEntity view = operand(measure.in);
             if (!view) return std::nullopt;
             one = projected(*one, view->plane(), measure.in);
             other = projected(*other, view->plane(), measure.in);
@@ -323,7 +373,7 @@ private:
     }
 
     std::optional<double> distance(const documents::Measure& measure) {
-        MaybeEntity one = entity(measure.of), other = entity(measure.to);
+        MaybeEntity one = operand(measure.of), other = operand(measure.to);
         if (!one || !other) return std::nullopt;
         if (other->sort == documents::Sort::point) std::swap(one, other);
         if (one->sort != documents::Sort::point) return distance_between(one->line(), other->line());
@@ -333,6 +383,9 @@ private:
     }
 
     std::optional<double> thickness(const documents::Measure& measure) {
+        return operand_of(measure.id, [&] { return computed_thickness(measure); });
+    }
+    std::optional<double> computed_thickness(const documents::Measure& measure) {
         const MaybeEntity at = entity(measure.of), along = entity(measure.to);
         if (!at || !along) return std::nullopt;
         const auto stretch = stretch_at(*scene_->surface, {at->at, along->direction});
@@ -346,14 +399,20 @@ private:
     }
 
     std::optional<double> surface_distance(const documents::Measure& measure) {
-        const MaybeEntity at = entity(measure.of);
-        if (!at) return std::nullopt;
+        const MaybeEntity at = operand(measure.of);
+        const auto wall =
+            operand_of(measure.id, [&]() -> std::optional<double> { return wall_shift(measure.id, 0, 1.0); });
+        if (!at || !wall) return std::nullopt;
+        is_of_surface_ = true;
         const auto distance = scene_->surface->distance_to(at->at);
         if (!distance) return fail(quoted_id(measure.of) + " lies beyond what was read of the bone");
-        return *distance + wall_shift(measure.id, 0, 1.0);
+        return *distance + *wall;
     }
 
     std::optional<double> roughness(const documents::Measure& measure) {
+        return operand_of(measure.id, [&] { return computed_roughness(measure); });
+    }
+    std::optional<double> computed_roughness(const documents::Measure& measure) {
         const auto& all = scene_->constructions;
         const auto made =
             std::find_if(all.begin(), all.end(), [&](const documents::Construction& c) { return c.id == measure.of; });
@@ -389,6 +448,11 @@ private:
     std::vector<double> uncertainties_;
     std::span<const double> shifts_;
     bool has_inputs_ = false;
+    std::vector<double> operands_;
+    std::map<std::string, std::size_t> operand_begins_;
+    std::map<std::string, documents::Sort> sorts_;  ///< of the operands
+    std::span<const double> drawn_;                 ///< operands; empty while they are computed
+    bool is_of_surface_ = false;                    ///< the last function queries the surface
     std::map<std::string, MaybeEntity> things_;
     std::map<std::string, std::optional<double>> values_;  ///< measures that differences use
     std::map<std::string, std::vector<Vec3>> surfaces_;    ///< points of each tangent

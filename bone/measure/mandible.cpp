@@ -38,6 +38,10 @@ Vec3 shifted(const KnownPoint& point, std::span<const double> shifts) {
     return point.at + Vec3{shifts[0], shifts[1], shifts[2]};
 }
 
+Vec3 direction(std::span<const double, 3> components) {
+    return normalized(Vec3{components[0], components[1], components[2]});
+}
+
 std::array<double, inputs> uncertainties(const MeasuredSurface& surface, const MandibleSide& side) {
     std::array<double, inputs> all{};
     const std::array<const KnownPoint*, 3> points{&side.condylion, &side.gonion, &side.menton};
@@ -57,15 +61,21 @@ std::optional<Measured> gonial_angle(const MeasuredSurface& surface, const Mandi
     const double margin = margin_for(side);
     const Border ramus(surface, side.gonion.at, side.condylion.at, side.within, margin),
         body(surface, side.gonion.at, side.menton.at, side.within, margin);
-    return propagate(uncertainties(surface, side), [&](std::span<const double> shifts) -> std::optional<double> {
+    const auto traced_at = [&](std::span<const double> shifts) -> std::optional<TracedValue> {
         const Vec3 gonion = shifted(side.gonion, shifts.subspan(3, 3));
         const auto back = ramus.tangent(gonion, shifted(side.condylion, shifts.subspan(0, 3)),
                                         {view.normal, view.posterior}, shifts.subspan<coordinates, 2>());
         const auto lower = body.tangent(gonion, shifted(side.menton, shifts.subspan(6, 3)),
                                         {view.normal, view.inferior}, shifts.subspan<coordinates + 2, 2>());
         if (!back || !lower) return std::nullopt;
-        return angle_between(back->line, lower->line);
-    });
+        const Vec3 u = back->line.direction, v = lower->line.direction;
+        return TracedValue{angle_between(back->line, lower->line), {u.x, u.y, u.z, v.x, v.y, v.z}};
+    };
+    return propagate(uncertainties(surface, side), traced_at,
+                     [](std::span<const double> operands) -> std::optional<double> {
+                         return angle_between(Line{{}, direction(operands.subspan<0, 3>())},
+                                              Line{{}, direction(operands.subspan<3, 3>())});
+                     });
 }
 
 std::optional<Measured> mandibular_plane_angle(const MeasuredSurface& surface, const MandibleSide& side,
@@ -73,14 +83,20 @@ std::optional<Measured> mandibular_plane_angle(const MeasuredSurface& surface, c
     const auto trace = projected_onto(Plane{side.gonion.at, view.normal}, reference);
     if (!trace) return std::nullopt;
     const Border body(surface, side.gonion.at, side.menton.at, side.within, margin_for(side));
-    return propagate(uncertainties(surface, side), [&](std::span<const double> shifts) -> std::optional<double> {
+    // A trace has no direction, so it counts as the plane perpendicular to the view.
+    const Plane across{trace->point, normalized(cross(view.normal, trace->direction))};
+    const auto traced_at = [&](std::span<const double> shifts) -> std::optional<TracedValue> {
         const auto lower =
             body.tangent(shifted(side.gonion, shifts.subspan(3, 3)), shifted(side.menton, shifts.subspan(6, 3)),
                          {view.normal, view.inferior}, shifts.subspan<coordinates + 2, 2>());
         if (!lower) return std::nullopt;
-        // A trace has no direction, so it counts as the plane perpendicular to the view.
-        return angle_between(lower->line, Plane{trace->point, normalized(cross(view.normal, trace->direction))});
-    });
+        const Vec3 v = lower->line.direction;
+        return TracedValue{angle_between(lower->line, across), {v.x, v.y, v.z}};
+    };
+    return propagate(uncertainties(surface, side), traced_at,
+                     [&](std::span<const double> operands) -> std::optional<double> {
+                         return angle_between(Line{{}, direction(operands.subspan<0, 3>())}, across);
+                     });
 }
 
 }  // namespace kerf::bone

@@ -57,6 +57,18 @@ TEST(MandibularAngle, BeginsAtTheAnglesOfThePaper) {  // 04-13: 115 and 20 deg
     }
 }
 
+TEST(MandibularAngle, KnowsHowSurelyBothSidesAreAlike) {
+    // The sides are mirror images, so the angles between their borders are at a fold.
+    const session::RunSummary& summary = outcome_of("expert").summary;
+    for (const std::string border : {"posterior", "lower"}) {
+        const session::MetricRow &asymmetry = metric_row(summary, "measure.asymmetry_" + border + ".before"),
+                                 &gonial = metric_row(summary, "measure.gonial_angle_right.before");
+        EXPECT_LT(asymmetry.value, 0.1_deg) << border;
+        EXPECT_GT(asymmetry.uncertainty, 0.5 * gonial.uncertainty) << border << ": both are of two tangents";
+        EXPECT_LT(asymmetry.uncertainty, 2.0 * gonial.uncertainty) << border;
+    }
+}
+
 // 04-14: a scripted cut is within 1 deg; residents are off by 5.2 to 5.6 deg and by 1.6 to 1.9 deg.
 TEST(MandibularAngle, TheExpertComesNearThePlan) {
     const test::WatchedRun& run = outcome_of("expert");

@@ -152,6 +152,19 @@ TEST(Measures, AreReachedAsAGoalWhenTheToolIsOut) {
     EXPECT_NE(deeper.reasons().find("must be at most 4 mm"), std::string::npos) << deeper.reasons();
 }
 
+TEST(Measures, SpreadAtAFoldAndLeaveANarrowLimitUndecided) {
+    // The border and the level plane are parallel.
+    const MeasuredRun hole("{depth: {at_least: 5 mm}}",
+                           "{measure: {of: tilt, at_most: 0.1 deg}, reason: The border is tilted.}");
+    const session::MetricRow& tilt = *hole.metric("drill.measure.tilt");
+    // Each of two contacts is known to half a voxel / √3, about 20 mm apart.
+    EXPECT_GT(tilt.uncertainty, 0.3_deg);
+    EXPECT_LT(tilt.uncertainty, 1.5_deg);
+    EXPECT_EQ(hole.run.summary.verdict, session::Verdict::pass) << hole.reasons();
+    EXPECT_NE(hole.reasons().find("undecided, as the bound lies within the uncertainty: `tilt` "), std::string::npos)
+        << hole.reasons();
+}
+
 TEST(Measures, GiveTheSameBitsAgain) {
     const MeasuredRun one("{depth: {at_least: 5 mm}}"), other("{depth: {at_least: 5 mm}}");
     EXPECT_EQ(one.run.summary.hash, other.run.summary.hash);

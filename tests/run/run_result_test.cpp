@@ -7,8 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "kerf/units.hpp"
+
 namespace kerf::run {
 namespace {
+
+using namespace literals;
 
 /// A procedure of one step with these goals and limits, judged after what was shown.
 struct Judged {
@@ -106,6 +110,54 @@ TEST(RunResult, PassesWithinEveryLimit) {
         judged.procedure.steps[0].limits.push_back({.quantity = quantity, .bound = {{}, at_most}});
     judged.shown = {now, in_air()};
     EXPECT_EQ(judged.summary().verdict, session::Verdict::pass);
+}
+
+/// Judges one measure of a step at its end.
+session::RunSummary judged(documents::Measure::Kind kind, const documents::Bound& bound,
+                           const documents::MeasureReading& reading) {
+    Judged judged({entry}, {{.quantity = "measure", .bound = bound, .reason = "Not so.", .measure = "m"}});
+    judged.procedure.measures = {{.id = "m", .kind = kind, .is_of_angles = true}};
+    judged.shown = {in_bone(1e-3), in_air()};
+    StepMonitor monitor = judged.monitor();
+    monitor.judge_measures(0, {reading}, 1.0);
+    session::RunSummary summary;
+    judge(monitor, RunEnd::steps_done, 1.0, 120.0, summary);
+    return summary;
+}
+
+TEST(RunResult, StatesThatParallelIsUndecidedWithinTheUncertainty) {
+    constexpr auto angle = documents::Measure::Kind::angle;
+    const documents::MeasureReading parallel{.value = 0.0, .uncertainty = 1.14_deg};
+    const session::RunSummary narrow = judged(angle, {{}, 1.0_deg}, parallel);
+    EXPECT_EQ(narrow.verdict, session::Verdict::pass) << "the value alone decides";
+    EXPECT_EQ(only_reason(narrow),
+              "Step `insert`: undecided, as the bound lies within the uncertainty: `m` 0.0 ± 1.1 deg, must be at most 1 "
+              "deg.");
+    EXPECT_TRUE(judged(angle, {{}, 2.0_deg}, parallel).reasons.empty()) << "twice the uncertainty is enough";
+    EXPECT_TRUE(judged(angle, {0.0_deg, 2.0_deg}, parallel).reasons.empty()) << "no angle is negative";
+    EXPECT_TRUE(judged(angle, {{}, 1.0_deg}, {.value = 0.0}).reasons.empty()) << "known exactly";
+}
+
+TEST(RunResult, StatesThatABrokenBoundIsUndecided) {
+    constexpr auto angle = documents::Measure::Kind::angle;
+    // Parallel lines read about so where each landmark is known to 0.1 mm.
+    const documents::MeasureReading biased{.value = 1.04_deg, .uncertainty = 0.7_deg};
+    const session::RunSummary broken = judged(angle, {{}, 1.0_deg}, biased);
+    EXPECT_EQ(broken.verdict, session::Verdict::fail);
+    ASSERT_EQ(broken.reasons.size(), 2U);
+    EXPECT_EQ(broken.reasons[1],
+              "Step `insert`: undecided, as the bound lies within the uncertainty: `m` 1.04 ± 0.70 deg, must be at most "
+              "1 deg.");
+    EXPECT_EQ(judged(angle, {{}, 0.3_deg}, biased).reasons.size(), 1U) << "clearly beyond";
+}
+
+TEST(RunResult, StatesThatASignedDifferenceIsUndecided) {
+    constexpr auto difference = documents::Measure::Kind::difference;
+    const documents::Bound symmetric{-1.0_deg, 1.0_deg};
+    EXPECT_TRUE(judged(difference, symmetric, {.value = 0.0, .uncertainty = 0.9_deg}).reasons.empty());
+    EXPECT_EQ(judged(difference, symmetric, {.value = -0.5_deg, .uncertainty = 0.9_deg}).reasons.size(), 1U);
+    EXPECT_EQ(judged(difference, symmetric, {.value = 3.0_deg, .uncertainty = 5.0_deg}).reasons.size(), 2U)
+        << "both ends of a narrow bound lie within the uncertainty";
 }
 
 TEST(RunResult, NamesASignalByItsId) {

@@ -9,6 +9,19 @@
 namespace kerf::bone {
 namespace {
 
+/// Propagates through a function without a fold before it.
+template <class ValueAt>
+std::optional<Measured> propagate(std::span<const double> uncertainties, ValueAt value_at) {
+    return bone::propagate(
+        uncertainties,
+        [&](std::span<const double> shifts) -> std::optional<TracedValue> {
+            const std::optional<double> value = value_at(shifts);
+            if (!value) return std::nullopt;
+            return TracedValue{*value, {*value}};
+        },
+        [](std::span<const double> operands) { return std::optional(operands[0]); });
+}
+
 TEST(Propagate, AddsIndependentInputsInQuadrature) {
     constexpr std::array<double, 2> u{3.0, 4.0};
     const auto sum = propagate(u, [](std::span<const double> x) { return std::optional(7.0 + x[0] - x[1]); });
