@@ -80,8 +80,8 @@ std::string text_of(const session::MetricRow& m) {
     double value = m.value / m.per_unit;
     if (std::abs(value) < 5e-7) value = 0.0;
     const bool is_small = value != 0.0 && std::abs(value) < 0.1;
-    return formatted(is_small ? "  %-34s %8.2g" : "  %-34s %8.2f", m.id.c_str(), value) +
-           text_of_uncertainty(m) + (m.unit.empty() ? "" : " " + m.unit) + (m.status.starts_with("grade") ? "  " + m.status : "") + "\n";
+    return formatted(is_small ? "  %-34s %8.2g" : "  %-34s %8.2f", m.id.c_str(), value) + text_of_uncertainty(m) +
+           (m.unit.empty() ? "" : " " + m.unit) + (m.status.starts_with("grade") ? "  " + m.status : "") + "\n";
 }
 
 void print_summary(const session::RunSummary& s) {

@@ -68,9 +68,7 @@ struct Measure {
     bool is_of_angles = false;  ///< of a difference
     [[nodiscard]] bool is_angle() const noexcept { return kind == Kind::angle || is_of_angles; }
     /// Whether a value below 0 exists.
-    [[nodiscard]] bool is_signed() const noexcept {
-        return kind == Kind::surface_distance || kind == Kind::difference;
-    }
+    [[nodiscard]] bool is_signed() const noexcept { return kind == Kind::surface_distance || kind == Kind::difference; }
     /// For people.
     [[nodiscard]] const char* unit() const noexcept { return is_angle() ? "deg" : "mm"; }
 };

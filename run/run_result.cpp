@@ -176,7 +176,8 @@ std::string what_was_missed(const documents::Goal& goal, const StepState& state,
 /// Returns "1.0 ± 0.5 deg", with two digits of the uncertainty.
 std::string with_uncertainty(double value, double uncertainty, const std::string& unit) {
     const double per_unit = parse_unit(unit).value_or(Unit{}).factor;
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(uncertainty / per_unit))), 0, max_digits);
+    const int decimals =
+        std::clamp(1 - static_cast<int>(std::floor(std::log10(uncertainty / per_unit))), 0, max_digits);
     return with_decimals(value / per_unit, decimals) + " ± " + with_decimals(uncertainty / per_unit, decimals) + " " +
            unit;
 }
@@ -191,11 +192,10 @@ void add_undecided(const StepState& state, const std::vector<documents::Measure>
             if (measure.id != id || !reading.value ||
                 is_decided(bound, *reading.value, reading.uncertainty, measure.is_signed()))
                 continue;
-            reasons.push_back("Step `" + state.step->id + "`: undecided, as the bound lies within the uncertainty: `" +
-                              id + "` " + with_uncertainty(*reading.value, reading.uncertainty, measure.unit()) +
-                              bounds_text(bound,
-                                          [&](double end) { return with_decimals_and_unit(end, measure.unit(), 4); }) +
-                              ".");
+            reasons.push_back(
+                "Step `" + state.step->id + "`: undecided, as the bound lies within the uncertainty: `" + id + "` " +
+                with_uncertainty(*reading.value, reading.uncertainty, measure.unit()) +
+                bounds_text(bound, [&](double end) { return with_decimals_and_unit(end, measure.unit(), 4); }) + ".");
         }
     };
     for (const documents::Goal& goal : state.step->goals)

@@ -24,8 +24,8 @@ enum class RunEnd {
 
 /// Computes step rows, verdict and reasons. Pass: every goal reached and no limit broken. Fail: a limit broken, or an
 /// implant left otherwise than its goals say. Incomplete: goals missing, or interrupted before a limit broke. Invalid:
-/// a fault. A measure whose uncertainty reaches beyond a bound of a goal or limit adds a reason, and leaves the verdict as
-/// its value decides it.   [any] pure.
+/// a fault. A measure whose uncertainty reaches beyond a bound of a goal or limit adds a reason, and leaves the verdict
+/// as its value decides it.   [any] pure.
 /// @param time_limit   [s] of the procedure
 void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, session::RunSummary& summary);
 

@@ -29,8 +29,8 @@ struct TracedValue {
 ///
 ///     u²(f) = Σ ((f(x_i + u_i) − f(x_i − u_i)) / 2)²
 ///
-/// with u_i the standard uncertainty of input i, in its own unit. If the value exists on one side of an input only, that
-/// side counts in full.
+/// with u_i the standard uncertainty of input i, in its own unit. If the value exists on one side of an input only,
+/// that side counts in full.
 ///
 /// At a fold the derivative is zero, but the value spreads: an angle or a distance of 0 only becomes larger. There the
 /// last function f is evaluated for drawn operands:
@@ -38,9 +38,9 @@ struct TracedValue {
 ///     u²(f) = mean of (f(y + Σ z_i c_i) − f(y))²
 ///
 /// with y the operands, c_i half their change between x_i − u_i and x_i + u_i, and z_i even between ±√3 [–]. So u is
-/// the root mean square about the value, not about the mean. It counts where it differs from the first order by more than
-/// 5 %, on the same draws, and at least half of the draws have a value. The draws are fixed, each with its opposite. Leaves
-/// out folds before the operands.
+/// the root mean square about the value, not about the mean. It counts where it differs from the first order by more
+/// than 5 %, on the same draws, and at least half of the draws have a value. The draws are fixed, each with its
+/// opposite. Leaves out folds before the operands.
 ///
 /// Nothing if the value does not exist at the inputs themselves, or on neither side of one.
 /// @param uncertainties  #N of the inputs, each ≥ 0

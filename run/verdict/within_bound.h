@@ -17,10 +17,10 @@ namespace kerf::run {
 /// values count only if the quantity is signed: an angle of 0 ± 1° lies between 0 and 1°.   [any] pure
 [[nodiscard]] inline bool is_decided(const documents::Bound& bound, double value, double uncertainty,
                                      bool is_signed) noexcept {
-    const double least = is_signed ? value - uncertainty : std::max(0.0, value - uncertainty),
-                 most = value + uncertainty;
-    const bool is_inside = is_within(bound, least) && is_within(bound, most);
-    return is_inside || most < bound.at_least.value_or(-HUGE_VAL) || least > bound.at_most.value_or(HUGE_VAL);
+    const double low = is_signed ? value - uncertainty : std::max(0.0, value - uncertainty);
+    const double high = value + uncertainty;
+    const bool is_inside = is_within(bound, low) && is_within(bound, high);
+    return is_inside || high < bound.at_least.value_or(-HUGE_VAL) || low > bound.at_most.value_or(HUGE_VAL);
 }
 
 }  // namespace kerf::run

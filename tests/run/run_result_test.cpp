@@ -130,9 +130,10 @@ TEST(RunResult, StatesThatParallelIsUndecidedWithinTheUncertainty) {
     const documents::MeasureReading parallel{.value = 0.0, .uncertainty = 1.14_deg};
     const session::RunSummary narrow = judged(angle, {{}, 1.0_deg}, parallel);
     EXPECT_EQ(narrow.verdict, session::Verdict::pass) << "the value alone decides";
-    EXPECT_EQ(only_reason(narrow),
-              "Step `insert`: undecided, as the bound lies within the uncertainty: `m` 0.0 ± 1.1 deg, must be at most 1 "
-              "deg.");
+    EXPECT_EQ(
+        only_reason(narrow),
+        "Step `insert`: undecided, as the bound lies within the uncertainty: `m` 0.0 ± 1.1 deg, must be at most 1 "
+        "deg.");
     EXPECT_TRUE(judged(angle, {{}, 2.0_deg}, parallel).reasons.empty()) << "twice the uncertainty is enough";
     EXPECT_TRUE(judged(angle, {0.0_deg, 2.0_deg}, parallel).reasons.empty()) << "no angle is negative";
     EXPECT_TRUE(judged(angle, {{}, 1.0_deg}, {.value = 0.0}).reasons.empty()) << "known exactly";
@@ -145,9 +146,10 @@ TEST(RunResult, StatesThatABrokenBoundIsUndecided) {
     const session::RunSummary broken = judged(angle, {{}, 1.0_deg}, biased);
     EXPECT_EQ(broken.verdict, session::Verdict::fail);
     ASSERT_EQ(broken.reasons.size(), 2U);
-    EXPECT_EQ(broken.reasons[1],
-              "Step `insert`: undecided, as the bound lies within the uncertainty: `m` 1.04 ± 0.70 deg, must be at most "
-              "1 deg.");
+    EXPECT_EQ(
+        broken.reasons[1],
+        "Step `insert`: undecided, as the bound lies within the uncertainty: `m` 1.04 ± 0.70 deg, must be at most "
+        "1 deg.");
     EXPECT_EQ(judged(angle, {{}, 0.3_deg}, biased).reasons.size(), 1U) << "clearly beyond";
 }
 

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
+#include <optional>
+#include <ostream>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bone/measure/evaluate.h"
@@ -139,18 +142,17 @@ Points triangle_and(std::initializer_list<Vec3> more) {
     all.insert(all.end(), more);
     return all;
 }
-const Points over_borders{{beside, 0, 9.0_mm},
-                          {beside, 30.0_mm, 9.0_mm},
-                          {-beside, 0, 9.0_mm},
-                          {-beside, 30.0_mm, 9.0_mm}};
+const Points over_borders{
+    {beside, 0, 9.0_mm}, {beside, 30.0_mm, 9.0_mm}, {-beside, 0, 9.0_mm}, {-beside, 30.0_mm, 9.0_mm}};
 Points sides(double off) {
-    return {{30.0_mm, 0, 0}, {-30.0_mm, 0, 0},       {20.0_mm, 40.0_mm, 0}, {-20.0_mm, 40.0_mm, 0}, {5.0_mm + off, 60.0_mm, 0},
-            {-5.0_mm + off, 60.0_mm, 0}};
+    return {{30.0_mm, 0, 0},        {-30.0_mm, 0, 0},           {20.0_mm, 40.0_mm, 0},
+            {-20.0_mm, 40.0_mm, 0}, {5.0_mm + off, 60.0_mm, 0}, {-5.0_mm + off, 60.0_mm, 0}};
 }
 
-std::vector<Fold> folds() {
-    const double u = 0.5_mm / std::sqrt(3.0);  // of a coordinate
-    std::vector<Fold> all{
+constexpr double u = 0.5_mm / 1.7320508075688772;  // of a coordinate that is known to 0.5 mm
+
+std::vector<Fold> angles_at_folds() {
+    return {
         {"LinesFromOnePoint", 0.1_mm, {{0, 0, 0}, {10.0_mm, 0, 0}, {5.0_mm, 0, 0}}, fan, angle("one", "two"), of_fan},
         {"LinesReversed",
          0.1_mm,
@@ -170,7 +172,9 @@ std::vector<Fold> folds() {
          {{0, 0, 0}, {10.0_mm, 0, 0}},
          {line("one", {"p0", "p1"})},
          angle("one", "front"),
-         [](const Points& p) { return angle_to_plane(p[1] - p[0], {0, 1, 0}); }},
+         [](const Points& p) {
+             return angle_to_plane(p[1] - p[0], {0, 1, 0});
+         }},
         {"LineInAPlane", 0.5_mm, triangle_and({{0, 0, 0}, {12.0_mm, 0, 0}}), planes, angle("up", "one"),
          of_line_and_plane},
         {"LineAcrossAPlane", 0.5_mm, triangle_and({{0, 0, 0}, {0, 0, 12.0_mm}}), planes, angle("up", "one"),
@@ -179,22 +183,43 @@ std::vector<Fold> folds() {
          planes, angle("one", "two"), of_planes},
         {"PlanesAcross", 0.5_mm, triangle_and({{8.0_mm, 0, 0}, {-8.0_mm, 0, 0}, {0, 0, 8.0_mm}}), planes,
          angle("one", "two"), of_planes},
+    };
+}
+
+std::vector<Fold> distances_at_folds() {
+    return {
         {"PointsCoincide", 0.5_mm, {{0, 0, 0}, {0, 0, 0}}, {}, distance("p0", "p1"), of_points},
         {"PointsOneSigmaApart", 0.5_mm, {{0, 0, 0}, {u, u, 0}}, {}, distance("p0", "p1"), of_points},
-        {"PointOnALine", 0.5_mm, {{0, 0, 0}, {16.0_mm, 0, 0}, {4.0_mm, 0, 0}}, pair, distance("p2", "one"),
+        {"PointOnALine",
+         0.5_mm,
+         {{0, 0, 0}, {16.0_mm, 0, 0}, {4.0_mm, 0, 0}},
+         pair,
+         distance("p2", "one"),
          of_point_and_line},
-        {"PointNearALine", 0.5_mm, {{0, 0, 0}, {16.0_mm, 0, 0}, {4.0_mm, u, 0}}, pair, distance("p2", "one"),
+        {"PointNearALine",
+         0.5_mm,
+         {{0, 0, 0}, {16.0_mm, 0, 0}, {4.0_mm, u, 0}},
+         pair,
+         distance("p2", "one"),
          of_point_and_line},
         {"PointOnAPlane", 0.5_mm, triangle_and({{0, 0, 0}}), planes, distance("p3", "one"), of_point_and_plane},
-        {"PointNearAPlane", 0.5_mm, triangle_and({{0, 0, 0.8 * u}}), planes, distance("p3", "one"),
-         of_point_and_plane},
+        {"PointNearAPlane", 0.5_mm, triangle_and({{0, 0, 0.8 * u}}), planes, distance("p3", "one"), of_point_and_plane},
         {"PointNearerAPlane", 0.5_mm, triangle_and({{0, 0, 1.6 * u}}), planes, distance("p3", "one"),
          of_point_and_plane},
-        {"LinesThatMeet", 0.5_mm, {{-8.0_mm, 0, 0}, {8.0_mm, 0, 0}, {0, -8.0_mm, 0}, {0, 8.0_mm, 0}}, pair,
-         distance("one", "two"), of_lines},
+        {"LinesThatMeet",
+         0.5_mm,
+         {{-8.0_mm, 0, 0}, {8.0_mm, 0, 0}, {0, -8.0_mm, 0}, {0, 8.0_mm, 0}},
+         pair,
+         distance("one", "two"),
+         of_lines},
         {"DistanceOfParallels", 0.5_mm, pair_of(0), pair, distance("one", "two"), of_lines},
         {"MiddleOnAMirror", 1.0_mm, sides(0), mirror, distance("nose", "mid"), of_nose},
         {"MiddleNearAMirror", 1.0_mm, sides(0.5_mm), mirror, distance("nose", "mid"), of_nose},
+    };
+}
+
+std::vector<Fold> others_at_folds() {
+    return {
         {"PointInTheMiddleOfAPlate",
          0.5_mm,
          {{0, 0, 0}},
@@ -228,7 +253,9 @@ std::vector<Fold> folds() {
          {{0, 0, 0}, {10.0_mm, 0, 0}, {5.0_mm, 0, 0}},
          fan,
          {.id = "m", .kind = Kind::difference, .of = "between", .to = "flat"},
-         [](const Points& p) { return of_fan(p) - angle_to_plane(p[1] - p[0], {0, 1, 0}); },
+         [](const Points& p) {
+             return of_fan(p) - angle_to_plane(p[1] - p[0], {0, 1, 0});
+         },
          {{.id = "between", .kind = Kind::angle, .of = "one", .to = "two"},
           {.id = "flat", .kind = Kind::angle, .of = "one", .to = "front"}}},
         {"DifferenceOfOneAtAFold",
@@ -243,24 +270,40 @@ std::vector<Fold> folds() {
          {{.id = "off", .kind = Kind::distance, .of = "p3", .to = "one"},
           {.id = "away", .kind = Kind::distance, .of = "p4", .to = "one"}}},
     };
+}
+
+std::vector<Fold> folds() {
+    std::vector<Fold> all = angles_at_folds();
+    for (const auto& more : {distances_at_folds(), others_at_folds()}) all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 
 /// Measures that are far from their folds, for their uncertainty.
 std::vector<Fold> smooth() {
     return {
-        {"LinesAtThirtyDegrees", 0.1_mm, {{0, 0, 0}, {10.0_mm, 0, 0}, {8.660_mm, 0, 5.0_mm}}, fan, angle("one", "two"),
+        {"LinesAtThirtyDegrees",
+         0.1_mm,
+         {{0, 0, 0}, {10.0_mm, 0, 0}, {8.660_mm, 0, 5.0_mm}},
+         fan,
+         angle("one", "two"),
          of_fan},
         {"LinesFiveSigmaOff", 0.1_mm, pair_of(0.6_mm), pair, angle("one", "two"), of_pair},
-        {"LinesSeenAtThirtyDegrees", 0.1_mm, {{0, 0, 0}, {10.0_mm, 0, 0}, {8.660_mm, 0, 5.0_mm}}, fan,
-         angle("one", "two", "front"), of_fan_seen},
+        {"LinesSeenAtThirtyDegrees",
+         0.1_mm,
+         {{0, 0, 0}, {10.0_mm, 0, 0}, {8.660_mm, 0, 5.0_mm}},
+         fan,
+         angle("one", "two", "front"),
+         of_fan_seen},
         {"LineAndPlaneAtFortyDegrees", 0.1_mm, triangle_and({{0, 0, 0}, {0, 8.391_mm, 7.041_mm}}), planes,
          angle("up", "one"), of_line_and_plane},
         {"PointsApart", 0.5_mm, {{0, 0, 0}, {12.0_mm, 9.0_mm, 0}}, {}, distance("p0", "p1"), of_points},
-        {"PointBesideALine", 0.5_mm, {{0, 0, 0}, {16.0_mm, 0, 0}, {4.0_mm, 8.0_mm, 0}}, pair, distance("p2", "one"),
+        {"PointBesideALine",
+         0.5_mm,
+         {{0, 0, 0}, {16.0_mm, 0, 0}, {4.0_mm, 8.0_mm, 0}},
+         pair,
+         distance("p2", "one"),
          of_point_and_line},
-        {"PointAboveAPlane", 0.5_mm, triangle_and({{0, 0, 8.0_mm}}), planes, distance("p3", "one"),
-         of_point_and_plane},
+        {"PointAboveAPlane", 0.5_mm, triangle_and({{0, 0, 8.0_mm}}), planes, distance("p3", "one"), of_point_and_plane},
         {"PointUnderTheFaceOfAPlate",
          0.5_mm,
          {{0, 0, 1.8_mm}},
@@ -292,9 +335,9 @@ documents::MeasureReading read(const Fold& fold) {
 Points shifted(const Fold& fold, const std::function<double(std::size_t)>& shift) {
     Points at = fold.at;
     std::size_t next = 0;
-    const double u = fold.tolerance / std::sqrt(3.0);
+    const double of_coordinate = fold.tolerance / std::sqrt(3.0);
     for (Vec3& p : at)
-        for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) p.*axis += u * shift(next++);
+        for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) p.*axis += of_coordinate * shift(next++);
     for (std::size_t i = 0; i < fold.shifts; ++i) at.push_back({fold.shift_uncertainty * shift(next++), 0, 0});
     return at;
 }
@@ -355,7 +398,6 @@ TEST_P(AwayFromFolds, UncertaintyIsOfTheFirstOrder) {
 
 TEST(Fold, SpreadShrinksToTheFirstOrderWithTheDistance) {
     // The first order is the same everywhere; about a fold the spread is less, at it the same again.
-    const double u = 0.5_mm / std::sqrt(3.0);
     const auto at = [&](double height) {
         return read({"", 0.5_mm, triangle_and({{0, 0, height}}), planes, distance("p3", "one"), of_point_and_plane})
             .uncertainty;

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 
 namespace kerf::bone {
 namespace {
@@ -53,6 +56,37 @@ TEST(Propagate, TakesTheSideThatExists) {
     EXPECT_NEAR(one->uncertainty, 2.0, 1e-12);
     EXPECT_FALSE(
         propagate(u, [](std::span<const double> x) { return x[0] != 0.0 ? std::nullopt : std::optional(1.0); }));
+}
+
+/// Propagates one operand, the sum of the inputs and `at`, through `last`.
+template <class Last>
+std::optional<Measured> propagate_sum(std::span<const double> uncertainties, double at, Last last) {
+    return bone::propagate(
+        uncertainties,
+        [&](std::span<const double> shifts) -> std::optional<TracedValue> {
+            double sum = at;
+            for (const double shift : shifts) sum += shift;
+            return TracedValue{last(sum).value_or(0.0), {sum}};
+        },
+        [&](std::span<const double> operands) { return last(operands[0]); });
+}
+
+TEST(Propagate, SpreadsAtAFold) {
+    constexpr std::array<double, 2> u{3.0, 4.0};
+    const auto absolute = [](double x) { return std::optional(std::abs(x)); };
+    EXPECT_NEAR(propagate_sum(u, 0.0, absolute)->uncertainty, 5.0, 0.25 /* of 1024 draws */);
+    EXPECT_EQ(propagate_sum(u, 100.0, absolute)->uncertainty, 5.0) << "no draw crosses the fold";
+    EXPECT_NEAR(propagate_sum(u, 0.0, [](double x) { return std::optional(std::min(x, -x)); })->uncertainty, 5.0, 0.25);
+}
+
+TEST(Propagate, KeepsTheFirstOrderWhereFewDrawsHaveAValue) {
+    constexpr std::array<double, 1> u{1.0};
+    const auto rarely = [](double x) {
+        return std::abs(x) < 1.1 && std::abs(x) > 0.9 ? std::optional(x) : std::nullopt;
+    };
+    const auto found = propagate_sum(u, 0.0, rarely);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->uncertainty, 1.0, 1e-12);
 }
 
 TEST(Propagate, ToleranceIsAnEvenlySpreadInterval) {
