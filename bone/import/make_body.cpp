@@ -461,19 +461,20 @@ void check_axis(const documents::Anatomy& anatomy, const documents::LandmarkAxis
                            "the axis `" + axis.id +
                                "` meets no bone. Check its points: LPS, millimetres, from outside into the bone."));
     else if (found.begins_inside())
-        diagnostics.push_back(text::error_at(
-            at(), "E0607",
-            "the axis `" + axis.id + "` begins " + rounded(found.inside * 1e3, 1) +
-                " mm inside the bone, so depths do not count from its surface. Move `from` back along the axis, in front "
-                "of the bone."));
+        diagnostics.push_back(text::error_at(at(), "E0607",
+                                             "the axis `" + axis.id + "` begins " + rounded(found.inside * 1e3, 1) +
+                                                 " mm inside the bone, so depths do not count from its surface. Move "
+                                                 "`from` back along the axis, in front "
+                                                 "of the bone."));
     else if (found.share < min_fraction_in_bone) {
-        const double share = 100.0 * found.share, need = 100.0 * min_fraction_in_bone;
-        const int digits = text::distinguishing_digits(share, need, 0, 6, [](double x, int n) { return rounded(x, n); });
-        diagnostics.push_back(text::error_at(
-            at(), "E0611",
-            "the axis `" + axis.id + "` lies in bone for only " + rounded(share, digits) +
-                " % of its length behind the entry, need " + rounded(need, digits) +
-                " %. Check its points, or the tissues of the anatomy."));
+        const double fraction = 100.0 * found.share, need = 100.0 * min_fraction_in_bone;
+        const int digits =
+            text::distinguishing_digits(fraction, need, 0, 6, [](double x, int n) { return rounded(x, n); });
+        diagnostics.push_back(text::error_at(at(), "E0611",
+                                             "the axis `" + axis.id + "` lies in bone for only " +
+                                                 rounded(fraction, digits) +
+                                                 " % of its length behind the entry, need " + rounded(need, digits) +
+                                                 " %. Check its points, or the tissues of the anatomy."));
     }
 }
 
