@@ -204,6 +204,20 @@ void add_undecided(const StepState& state, const std::vector<documents::Measure>
         if (limit.quantity == "measure") add(limit.measure, limit.bound);
 }
 
+/// Returns whether the hand never came to a step. The first one is where a run begins, so it always did.
+bool is_unreached(const StepState& state, bool is_first) {
+    return !is_first && !state.is_done() && !state.has_begun() && !state.has_met_bone_still && state.lost_hold.empty();
+}
+
+/// Returns "Steps `a`, `b` and `c` were not reached."; empty for none.
+std::string unreached_text(const std::vector<std::string>& steps) {
+    if (steps.empty()) return {};
+    std::string text = steps.size() == 1 ? "Step `" : "Steps `";
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == steps.size() ? "` and `" : "`, `") + steps[i];
+    return text + (steps.size() == 1 ? "` was not reached." : "` were not reached.");
+}
+
 /// Adds why a run ended before its steps were done.
 void add_reason_of(RunEnd end, double time_limit, std::vector<std::string>& reasons) {
     if (end == RunEnd::time_over)
@@ -228,6 +242,7 @@ void add_reason_of(RunEnd end, double time_limit, std::vector<std::string>& reas
 void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, session::RunSummary& summary) {
     const std::vector<documents::Measure>& measures = monitor.measures();
     bool is_broken = false, is_missing = false;
+    std::vector<std::string> unreached;
     for (const auto& state : monitor.steps()) {
         session::StepRow row{state.step->id,
                              state.step->title,
@@ -266,7 +281,12 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
             is_broken = true;
             summary.reasons.push_back("Step `" + state.step->id + "`: at the end of the run, " + state.lost_hold + ".");
         }
-        for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
+        const bool is_left_out = is_unreached(state, &state == monitor.steps().data());
+        if (is_left_out) {
+            is_missing = true;
+            unreached.push_back(state.step->id);
+        }
+        for (std::size_t g = 0; g < state.goal_done.size() && !is_left_out; ++g) {
             if (state.goal_done[g] || !state.lost_hold.empty()) continue;
             (state.is_done() ? is_broken : is_missing) = true;
             summary.reasons.push_back("Step `" + state.step->id + "`: " +
@@ -284,6 +304,7 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
         add_undecided(state, measures, summary.reasons);
         summary.steps.push_back(std::move(row));
     }
+    if (!unreached.empty()) summary.reasons.push_back(unreached_text(unreached));
     add_reason_of(end, time_limit, summary.reasons);
     is_missing = is_missing || end == RunEnd::interrupted || end == RunEnd::unrecorded ||
                  end == RunEnd::device_silent || end == RunEnd::fell_behind;

@@ -220,6 +220,22 @@ TEST(RunResult, TellsAValueFromItsBound) {
     EXPECT_EQ(broken("torque", 3.0, now), "Step `insert`: Careful. Torque: 3.00004 N m.");
 }
 
+TEST(RunResult, NamesStepsNotReachedInOneReason) {
+    Judged judged({entry, {"depth", {5e-3, {}}, {}}}, {});
+    for (const char* id : {"second", "third"}) {
+        judged.procedure.steps.push_back(judged.procedure.steps[0]);
+        judged.procedure.steps.back().id = id;
+    }
+    judged.shown = {in_bone(6e-3), in_air(), in_air()};
+    const session::RunSummary summary = judged.summary();
+    EXPECT_EQ(only_reason(summary), "Steps `second` and `third` were not reached.");
+    EXPECT_EQ(summary.verdict, session::Verdict::incomplete);
+    EXPECT_TRUE(summary.is_missing);
+
+    judged.shown = {in_air()};
+    EXPECT_EQ(judged.summary().reasons.front(), "Step `insert`: the tool never met bone.") << "a run begins in it";
+}
+
 // ---- what a rehearsal expects
 
 TEST(RunResult, IncompleteIsExpectedOnlyWhereGoalsAreMissed) {
