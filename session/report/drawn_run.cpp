@@ -69,14 +69,15 @@ std::vector<TickRow> Thinning::rows() const {
 
 // ---- a run -------------------------------------------------------------------------------------------------------
 
-void DrawnRun::expect(std::uint64_t total) {
-    plotted_ = Thinning(total, max_plotted);
-    pictured_ = Thinning(total, max_pictured);
-}
+void DrawnRun::expect(std::uint64_t total) { plotted_ = Thinning(total, max_plotted); }
 
 void DrawnRun::add(const TickRow& row) {
     plotted_.add(row);
-    pictured_.add(row);
+    if (constexpr std::int32_t max_steps = 10'000; row.step >= 0 && row.step < max_steps) {
+        const auto step = static_cast<std::size_t>(row.step);
+        if (met_.size() <= step) met_.resize(step + 1, false);
+        met_[step] = met_[step] || length(linear(row.modelled)) > 0.0;
+    }
     ++ticks_;
     last_ = row;
     if (!deepest_ || deepest_->depth < row.depth) deepest_ = row;

@@ -47,10 +47,10 @@ private:
 /// The part of a run that its page shows.
 class DrawnRun {
 public:
-    static constexpr std::size_t max_plotted = 20'000, max_pictured = 1'500, max_events = 2'000;
+    static constexpr std::size_t max_plotted = 20'000, max_events = 2'000;
 
     /// @param total   number of ticks that will be added
-    explicit DrawnRun(std::uint64_t total = 0) : plotted_(total, max_plotted), pictured_(total, max_pictured) {}
+    explicit DrawnRun(std::uint64_t total = 0) : plotted_(total, max_plotted) {}
 
     /// Sets the number of ticks that will be added. Pre: no tick was added.
     void expect(std::uint64_t total);
@@ -63,14 +63,15 @@ public:
     /// The first one, if several.
     [[nodiscard]] const std::optional<TickRow>& deepest() const noexcept { return deepest_; }
     [[nodiscard]] std::vector<TickRow> plotted() const { return plotted_.rows(); }
-    /// Returns the rows of the picture for readers without scripts.
-    [[nodiscard]] std::vector<TickRow> pictured() const { return pictured_.rows(); }
+    /// Returns whether bone acted on the tool in a step, or metal.
+    [[nodiscard]] bool has_met_bone(std::size_t step) const noexcept { return step < met_.size() && met_[step]; }
     [[nodiscard]] const std::vector<EventRow>& events() const noexcept { return events_; }  ///< the first max_events
     [[nodiscard]] std::uint64_t event_count() const noexcept { return event_count_; }
     [[nodiscard]] const DrawnSurface& bone() const noexcept { return bone_; }
 
 private:
-    Thinning plotted_, pictured_;
+    Thinning plotted_;
+    std::vector<bool> met_;  ///< by step
     std::uint64_t ticks_ = 0, event_count_ = 0;
     std::optional<TickRow> last_, deepest_;
     std::vector<EventRow> events_;

@@ -27,7 +27,7 @@ namespace {
 
 /// Returns whether a page needs a column of `ticks`. The other columns stay compressed.
 bool is_drawn(std::string_view column) {
-    constexpr std::array names{"tick", "time", "thrust", "torque", "depth", "tissue", "removed"};
+    constexpr std::array names{"tick", "time", "step", "thrust", "torque", "depth", "tissue", "removed"};
     constexpr std::array starts{"device_from_handle_", "world_from_tool_", "modelled_f", "commanded_m", "signal_"};
     return std::ranges::find(names, column) != names.end() ||
            std::ranges::any_of(starts, [&](std::string_view start) { return column.starts_with(start); });
@@ -233,6 +233,7 @@ void Reading::read_ticks() {
         const std::int64_t tick = integer();
         row.tick = static_cast<std::uint64_t>(tick);
         row.time = next();
+        row.step = small(integer());
         row.device_from_handle = pose();
         row.world_from_tool = pose();
         for (std::size_t i = 0; i < 3; ++i) row.modelled[i] = next();

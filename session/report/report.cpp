@@ -13,11 +13,13 @@
 #include "kerf/assert.hpp"
 #include "session/content_hash.h"
 #include "session/recorder.h"
+#include "session/report/force_charts.h"
 #include "session/report/report_data.h"
 #include "session/report/report_overview.h"
 #include "session/report/report_page.h"
 #include "session/report/report_score.h"
 #include "session/report/report_steps.h"
+#include "session/report/timeline.h"
 #include "text/plain_numbers.h"
 
 namespace kerf::session {
@@ -168,18 +170,25 @@ std::string peaks_html(const std::vector<TickRow>& rows) {
            "scale.</p>";
 }
 
-std::string plots_html(const RunSummary& summary, const DrawnRun& run) {
+std::string plots_html(const RunSummary& summary, const DrawnRun& run, const RecordedProcedure& procedure) {
     std::string html = "<section class=\"plots\"><h2>Forces</h2>";
     if (run.ticks() == 0) return html + "<p>No ticks were recorded.</p></section>\n";
 
     html += peaks_html(run.plotted());
-    html += "<noscript><figure>" + thrust_over_depth_svg(run.pictured()) +
-            "<figcaption class=\"soft small\">Scripts are off: the other plots and the bone in 3D are not "
-            "shown.</figcaption></figure></noscript>";
-    html += "<div class=\"script\"><p class=\"soft small hint\">Drag to zoom, double-click to see everything again.</p>"
-            "<div class=\"readout\" id=\"readout\" aria-live=\"off\"></div>"
-            "<canvas class=\"plot tall\" id=\"plot-depth\" role=\"img\" aria-label=\"Thrust over depth\"></canvas>";
+    html += "<noscript><p class=\"soft small\">Scripts are off: the plots over time and the bone in 3D are not "
+            "shown.</p></noscript>";
+    html += "<p class=\"soft small\">Each step over the depth along its own axis. A number is a deduction at its "
+            "moment.</p>";
+    html += force_charts_html(summary, run, procedure, moments_of(summary));
     html += legend_html(summary, "Tissue first met at each depth");
+    html += "<div class=\"script\"><h3>One step, to zoom in</h3><div class=\"controls\"><label>Step <select "
+            "id=\"depth-step\"></select></label><label>load <select id=\"depth-load\"><option "
+            "value=\"thrust\">thrust</option><option value=\"torque\">torque about the shaft</option><option "
+            "value=\"lateral\">force across the shaft</option></select></label></div>"
+            "<p class=\"soft small hint\">Drag to zoom, double-click to see everything again.</p>"
+            "<div class=\"readout\" id=\"readout\" aria-live=\"off\"></div>"
+            "<canvas class=\"plot tall\" id=\"plot-depth\" role=\"img\" aria-label=\"A load of one step over "
+            "depth\"></canvas><div class=\"legend\" id=\"depth-legend\"></div>";
     html += "<h3>Over time</h3>";
     constexpr std::array<const char*, 4> names{"Thrust over time", "Torque over time", "Lateral force over time",
                                                "Depth over time"};
@@ -255,9 +264,9 @@ std::string report_html(const RunSummary& summary, const DrawnRun& run, const Re
     return filled(report_skeleton,
                   {{"title", html_escaped(heading(summary, procedure)) + ": " + to_text(summary.verdict)},
                    {"style", std::string(report_style)},
-                   {"header", header_html(summary, procedure) + score_html(summary)},
+                   {"header", header_html(summary, procedure) + score_html(summary, run)},
                    {"bone-legend", legend_html(summary, "Tissue")},
-                   {"forces", plots_html(summary, run)},
+                   {"forces", plots_html(summary, run, procedure)},
                    {"holes", holes_html(summary)},
                    {"measures", measures_html(summary)},
                    {"steps", steps_html(summary, run, procedure)},
@@ -266,7 +275,7 @@ std::string report_html(const RunSummary& summary, const DrawnRun& run, const Re
                    {"events", events_html(run)},
                    {"notice", notice_line},
                    {"versions", versions_html(summary)},
-                   {"data", report_data_json(summary, run)},
+                   {"data", report_data_json(summary, run, procedure)},
                    {"script", std::string(report_script)}});
 }
 

@@ -12,6 +12,9 @@
 #include <ranges>
 #include <utility>
 
+#include "session/report/force_charts.h"
+#include "session/report/step_series.h"
+#include "session/report/timeline.h"
 #include "text/distinguishing_digits.h"
 #include "text/plain_numbers.h"
 #include "text/printable_lines.h"
@@ -63,6 +66,42 @@ Json signals_json(const std::vector<SignalColumn>& signals, const std::vector<Ti
              {"unit", unit_for_people(signals[s].unit)},
              {"values", packed_floats(drawn, [&](const TickRow& row) { return row.signals[s] / per_unit; })}});
     }
+    return list;
+}
+
+Json lines_json(const std::vector<BoundLine>& lines) {
+    Json list = Json::array();
+    for (const BoundLine& line : lines)
+        list.push_back({{"value", line.value}, {"text", line.text}, {"isGoal", line.is_goal}});
+    return list;
+}
+
+/// Returns the steps that were reached: their rows, strokes, goals and limits.
+Json steps_json(const RunSummary& summary, const DrawnRun& run, const RecordedProcedure& procedure,
+                const std::vector<TickRow>& drawn) {
+    Json list = Json::array();
+    for (const StepSeries& series : series_by_step(drawn)) {
+        if (series.step >= summary.steps.size() || !run.has_met_bone(series.step)) continue;
+        const StepRow& step = summary.steps[series.step];
+        const RecordedStep& demands = demands_of(procedure, step.id);
+        Json strokes = Json::array(), limits = Json::object();
+        for (const Stroke& stroke : series.strokes)
+            strokes.push_back({series.first + stroke.begin, series.first + stroke.end, stroke.is_inward});
+        for (const ChartedLoad& load : charted_loads(demands))
+            limits[load.quantity] = lines_json(load_lines(demands, load));
+        list.push_back({{"title", step.title.empty() ? step.id : step.title},
+                        {"begin", series.first},
+                        {"end", series.first + series.rows.size()},
+                        {"strokes", std::move(strokes)},
+                        {"limits", std::move(limits)},
+                        {"depths", lines_json(depth_lines(demands))}});
+    }
+    return list;
+}
+
+Json moments_json(const RunSummary& summary) {
+    Json list = Json::array();
+    for (const Moment& moment : moments_of(summary)) list.push_back({{"number", moment.number}, {"time", moment.time}});
     return list;
 }
 
@@ -212,7 +251,7 @@ std::string_view tissue_colour(std::size_t tissue) noexcept {
     return colours[tissue % colours.size()];
 }
 
-std::string report_data_json(const RunSummary& summary, const DrawnRun& run) {
+std::string report_data_json(const RunSummary& summary, const DrawnRun& run, const RecordedProcedure& procedure) {
     Json tissues = Json::array();
     for (std::size_t i = 0; i < summary.tissues.size(); ++i)
         tissues.push_back({{"name", summary.tissues[i]}, {"colour", tissue_colour(i)}});
@@ -220,6 +259,8 @@ std::string report_data_json(const RunSummary& summary, const DrawnRun& run) {
 
     const Json data{{"tissues", std::move(tissues)},
                     {"rows", rows_json(drawn)},
+                    {"steps", steps_json(summary, run, procedure, drawn)},
+                    {"moments", moments_json(summary)},
                     {"signals", signals_json(summary.signals, drawn)},
                     {"events", events_json(run.events())},
                     {"mesh", mesh_json(run.bone(), direction_of_view(run.deepest()))}};
@@ -234,58 +275,6 @@ std::string report_data_json(const RunSummary& summary, const DrawnRun& run) {
         else
             safe += c;
     return safe;
-}
-
-std::string thrust_over_depth_svg(const std::vector<TickRow>& drawn) {
-    constexpr double width = 720, height = 280, left = 56, right = 16, top = 28, bottom = 36;
-
-    // Ranges in mm and N. Most of the travel through air is left out, as in the plot on the screen.
-    double shallow = 0.0, deep = 0.001, low = 0.0, high = 1.0;
-    for (const TickRow& row : drawn) {
-        const double depth = row.depth * 1e3, thrust = row.thrust;
-        if (!std::isfinite(depth) || !std::isfinite(thrust)) continue;
-        shallow = std::min(shallow, depth);
-        deep = std::max(deep, depth);
-        low = std::min(low, thrust);
-        high = std::max(high, thrust);
-    }
-    shallow = std::max(shallow, -0.15 * std::max(deep, 1.0));
-    high += 0.06 * (high - low);
-    const auto x = [&](double depth) { return left + (depth - shallow) / (deep - shallow) * (width - left - right); };
-    const auto y = [&](double thrust) {
-        return height - bottom - (thrust - low) / (high - low) * (height - top - bottom);
-    };
-
-    std::string svg;
-    const auto add = [&svg](const char* format, auto... values) {
-        char text[256];
-        const text::PlainNumbers point;
-        std::snprintf(text, sizeof text, format, values...);
-        svg += text;
-    };
-    add("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" role=\"img\" "
-        "font-family=\"sans-serif\" font-size=\"12\" fill=\"#444\"><title>Thrust over depth</title>",
-        width, height, width, height);
-    add("<rect width=\"%g\" height=\"%g\" fill=\"#fff\"/><text x=\"%g\" y=\"16\">thrust in N</text>", width, height,
-        left);
-    add("<text x=\"%g\" y=\"%g\" text-anchor=\"end\">depth in mm</text>", width - right, height - 4);
-    const double x_step = round_step(deep - shallow), y_step = round_step(high - low);
-    for (double tick = std::ceil(shallow / x_step) * x_step; tick <= deep; tick += x_step) {
-        add("<path d=\"M%.1f %g V%g\" stroke=\"#ddd\"/>", x(tick), top, height - bottom);
-        add("<text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\">%s</text>", x(tick), height - bottom + 15,
-            sensible_number(std::abs(tick) < 1e-9 ? 0.0 : tick).c_str());
-    }
-    for (double tick = std::ceil(low / y_step) * y_step; tick <= high; tick += y_step) {
-        add("<path d=\"M%g %.1f H%g\" stroke=\"#ddd\"/>", left, y(tick), width - right);
-        add("<text x=\"%g\" y=\"%.1f\" text-anchor=\"end\">%s</text>", left - 6, y(tick) + 4,
-            sensible_number(std::abs(tick) < 1e-9 ? 0.0 : tick).c_str());
-    }
-    svg += "<polyline fill=\"none\" stroke=\"#1f6f9f\" stroke-width=\"1.5\" stroke-linejoin=\"round\" points=\"";
-    for (const TickRow& row : drawn) {
-        const double depth = row.depth * 1e3, thrust = row.thrust;
-        if (std::isfinite(depth) && std::isfinite(thrust) && depth >= shallow) add("%.1f,%.1f ", x(depth), y(thrust));
-    }
-    return svg + "\"/></svg>";
 }
 
 }  // namespace kerf::session

@@ -10,6 +10,7 @@
 
 #include "session/recording.h"
 #include "session/report/drawn_run.h"
+#include "session/report/recorded_procedure.h"
 
 /// Formats numbers and text for report.html.
 namespace kerf::session {
@@ -38,9 +39,8 @@ namespace kerf::session {
 [[nodiscard]] std::string_view tissue_colour(std::size_t tissue) noexcept;
 
 /// Returns the data for the page's script, as JSON that is safe inside <script>.   [any]
-[[nodiscard]] std::string report_data_json(const RunSummary& summary, const DrawnRun& run);
-
-/// Returns thrust over depth as a picture that needs no script.   [any]
-[[nodiscard]] std::string thrust_over_depth_svg(const std::vector<TickRow>& drawn);
+/// @param procedure   bounds of the plots; without it they have none
+[[nodiscard]] std::string report_data_json(const RunSummary& summary, const DrawnRun& run,
+                                           const RecordedProcedure& procedure = {});
 
 }  // namespace kerf::session

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "session/report/report_data.h"
+#include "session/report/step_series.h"
+#include "session/report/timeline.h"
 
 namespace kerf::session {
 
@@ -19,24 +22,46 @@ std::string subject_of(const DeductionRow& row) {
     return row.kind == "step" ? "Goals of the step" : "The run";
 }
 
+/// Returns the time of a deduction, with its number as a link to the timeline.
+std::string moment_html(const DeductionRow& row, std::size_t number) {
+    if (!row.at || !std::isfinite(*row.at)) return {};
+    return "<a class=\"key number\" href=\"#moments\" data-time=\"" + number_as_written(*row.at) + "\">" +
+           std::to_string(number) + "</a> " + sensible_number(*row.at) + "\u00a0s";
+}
+
 }  // namespace
 
-std::string score_html(const RunSummary& summary) {
-    if (summary.deductions.empty()) return {};
-    std::vector<DeductionRow> rows = summary.deductions;
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const DeductionRow& a, const DeductionRow& b) { return a.loss > b.loss; });
-    std::string html = "<section><h2>Where the score lost points</h2><div class=\"wide\"><table><thead><tr>"
+std::string score_html(const RunSummary& summary, const DrawnRun& run) {
+    const std::string timeline = timeline_html(summary, moments_of(summary));
+    const std::vector<DeductionRow> rows = listed_deductions(summary);
+    if (rows.empty())
+        return timeline.empty() ? timeline : "<section><h2>The run over time</h2>" + timeline + "</section>\n";
+
+    std::string html = "<section><h2>Where the score lost points</h2>" + timeline +
+                       "<div class=\"wide\"><table class=\"stack score\"><thead><tr>"
                        "<th scope=\"col\">What</th><th scope=\"col\">Step</th><th scope=\"col\">At</th>"
                        "<th scope=\"col\">Points</th></tr></thead><tbody>";
+    double unreached = 0.0;
+    std::size_t number = 0;
     for (const DeductionRow& row : rows) {
-        if (!std::isfinite(row.loss) || row.loss < 0.05) continue;
+        const auto step = std::find_if(summary.steps.begin(), summary.steps.end(),
+                                       [&](const StepRow& one) { return one.id == row.step; });
+        if (!row.at && step != summary.steps.end() &&
+            !was_reached(summary, run, static_cast<std::size_t>(step - summary.steps.begin()))) {
+            unreached += row.loss;
+            continue;
+        }
+        number += row.at && std::isfinite(*row.at) ? 1 : 0;
         html += "<tr><th scope=\"row\">" + subject_of(row) +
                 (row.detail.empty() ? "" : "<p class=\"soft small\">" + html_escaped(row.detail) + "</p>") +
-                "</th><td>" + html_escaped(row.step) + "</td><td>" +
-                (row.at ? sensible_number(*row.at) + " s" : std::string()) + "</td><td>−" + sensible_number(row.loss) +
+                "</th><td data-label=\"Step\">" + html_escaped(row.step) + "</td><td data-label=\"At\">" +
+                moment_html(row, number) + "</td><td data-label=\"Points\">−" + sensible_number(row.loss) +
                 "</td></tr>";
     }
+    if (unreached > 0.0)
+        html += "<tr><th scope=\"row\">Steps that were not reached<p class=\"soft small\">" +
+                html_escaped(unreached_steps(summary, run)) + "</p></th><td></td><td></td><td data-label=\"Points\">−" +
+                sensible_number(unreached) + "</td></tr>";
     return html + "</tbody></table></div><p class=\"soft small\">Band: " + html_escaped(summary.score_band) +
            ". Rules " + std::to_string(summary.score_rules) + ".</p></section>\n";
 }

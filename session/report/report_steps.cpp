@@ -12,6 +12,7 @@
 #include "core/plugin/unit.h"
 #include "session/report/metric_cells.h"
 #include "session/report/report_data.h"
+#include "session/report/step_series.h"
 
 namespace kerf::session {
 namespace {
@@ -214,20 +215,15 @@ std::string step_html(std::size_t index, const RunSummary& summary, const DrawnR
     static const RecordedStep none;
     const auto demands = std::find_if(procedure.steps.begin(), procedure.steps.end(),
                                       [&](const RecordedStep& one) { return one.id == step.id; });
-    // A step that never began has no times; only the first one begins at 0.
-    const bool was_begun = step.done || (step.end > step.start && (index == 0 || step.start > 0.0));
     std::string html = "<h3>" + html_escaped(step.title.empty() ? step.id : step.title) + " <code>" +
                        html_escaped(step.id) + "</code></h3><p class=\"small\">";
-    html += step.done   ? "<span class=\"ok\">✓ done</span>"
-            : was_begun ? "<span class=\"broken\">✗ not done</span>"
-                        : "<span class=\"broken\">✗ not begun</span>";
+    html += step.done ? "<span class=\"ok\">✓ done</span>" : "<span class=\"broken\">✗ not done</span>";
     if (const std::size_t limits = step.broken_limits.size(); limits > 0)
         html += " <span class=\"broken\">✗ " + std::to_string(limits) + (limits == 1 ? " limit" : " limits") +
                 " broken</span>";
-    if (was_begun)
+    if (step.end > step.start)
         html += " <span class=\"soft\">· " + time_text(step.start) + " to " + time_text(step.end) + "</span>";
     html += "</p>\n";
-    if (!was_begun) return html;
     return html + StepTable(step, demands != procedure.steps.end() ? *demands : none, summary, run).html();
 }
 
@@ -235,7 +231,10 @@ std::string step_html(std::size_t index, const RunSummary& summary, const DrawnR
 
 std::string steps_html(const RunSummary& summary, const DrawnRun& run, const RecordedProcedure& procedure) {
     std::string html;
-    for (std::size_t step = 0; step < summary.steps.size(); ++step) html += step_html(step, summary, run, procedure);
+    for (std::size_t step = 0; step < summary.steps.size(); ++step)
+        if (was_reached(summary, run, step)) html += step_html(step, summary, run, procedure);
+    if (const std::string titles = unreached_steps(summary, run); !titles.empty())
+        html += "<h3>Not reached</h3><p><span class=\"broken\">✗</span> " + html_escaped(titles) + "</p>\n";
     std::string of_run;
     for (const MetricRow& metric : summary.metrics) {
         const bool is_of_step = std::any_of(summary.steps.begin(), summary.steps.end(),

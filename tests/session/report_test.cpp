@@ -344,11 +344,14 @@ TEST(Report, ListsAnEventThatBrokeAStep) {
     EXPECT_TRUE(holds(row, "✗ broken")) << row;
 }
 
-TEST(Report, AStepThatNeverBeganHasNoTimes) {
-    const std::string html = drilled_report(31.5e-3);
-    const std::string step = html.substr(html.find("<h3>Withdraw"), 200);
-    EXPECT_TRUE(holds(step, "✗ not begun")) << step;
-    EXPECT_FALSE(holds(step, " s to ")) << step;
+TEST(Report, StepsThatWereNotReachedAreOneLine) {
+    RunSummary summary = drilled(31.5e-3);
+    summary.steps.push_back({"insert", "Insert", false, 0.0, 14.0, {}});
+    const std::string html = report_html(summary, DrawnRun());
+    const std::string line = html.substr(html.find("<h3>Not reached"), 200);
+    EXPECT_TRUE(holds(line, "</span> Withdraw, Insert</p>")) << line;
+    EXPECT_FALSE(holds(html, "<h3>Withdraw"));
+    EXPECT_FALSE(holds(html, "<h3>Insert"));
 }
 
 TEST(Report, HasOneRowForEachHoleAndScrew) {
@@ -389,7 +392,7 @@ TEST(Report, HasEachPartOfThePageOnce) {
     EXPECT_FALSE(holds(html, "{{"));
     for (const char* part : {"<h1>", "<style>", "id=\"bone\"", "id=\"plot-depth\"", "id=\"run-data\"", "<footer>"})
         EXPECT_EQ(count_of(html, part), 1u) << part;
-    const std::vector<std::string> order{"class=\"reasons", "id=\"bone\"", "<h2>Forces", "<h2>Steps", "<h2>The run"};
+    const std::vector<std::string> order{"class=\"reasons", "id=\"bone\"", "<h2>Forces", "<h2>Steps", "<h2>The run<"};
     EXPECT_TRUE(std::ranges::is_sorted(order, {}, [&](const std::string& part) { return html.find(part); }));
 }
 
@@ -483,11 +486,11 @@ TEST(Report, TheNumbersOnAnAxisAreShortHoweverSmallOrLarge) {
               "[\"0\",\"12.3\",\"−0.0200\",\"1.23\u00a0·\u00a010⁻⁹\"]\n");
 }
 
-TEST(Report, ThrustOverDepthIsDrawnForThoseWithoutScripts) {
+TEST(Report, LoadsOverDepthNeedNoScript) {
     const std::string html = synthetic_report();
-    const std::size_t from = html.find("<noscript>"), to = html.find("</noscript>");
-    ASSERT_LT(from, to);
-    EXPECT_TRUE(holds(html.substr(from, to - from), "<polyline"));
+    const std::size_t script = html.find("<div class=\"script\">"), chart = html.find("<svg class=\"chart\"");
+    EXPECT_LT(html.find("<polyline class=\"inwards\"", chart), script);
+    EXPECT_LT(html.find("<polyline class=\"outwards\"", chart), script);
 }
 
 }  // namespace

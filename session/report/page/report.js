@@ -97,7 +97,8 @@ class Plot {
   nearest(px, py) {
     if (this.isTime) return indexAt(this.xAt(px));
     let best = -1, least = Infinity;
-    for (let i = 0; i < count; ++i) {
+    const [from, to] = this.shown ? [this.shown.begin, this.shown.end] : [0, count];
+    for (let i = from; i < to; ++i) {
       const d = (this.px(this.x[i]) - px) ** 2 + 0.05 * (this.py(this.y[i]) - py) ** 2;
       if (d < least) { least = d; best = i; }
     }
@@ -113,23 +114,26 @@ class Plot {
     g.font = "12px system-ui, 'Noto Sans', 'DejaVu Sans', sans-serif";
     if (this.isStrip) { this.drawTissues(3, 12); return; }
 
-    const [from, to] = this.isTime ? this.visible() : [0, count];
+    const [from, to] = this.isTime ? this.visible() : this.shown ? [this.shown.begin, this.shown.end] : [0, count];
     const [low, high] = rangeOf(this.y, from, to, i => this.x[i] >= this.axis.view[0] && this.x[i] <= this.axis.view[1]);
-    const bottom = Math.min(0, low), top = Math.max(0, high), room = (top - bottom || 1) * 0.06;
+    const reach = high;
+    const limits = (this.limits || []).filter(line => line.value <= 3 * Math.max(reach, 1e-9));
+    const bottom = Math.min(0, low), top = Math.max(0, high, ...limits.map(line => line.value)), room = (top - bottom || 1) * 0.06;
     this.yView = [bottom - (bottom < 0 ? room : 0), top + (top > 0 ? room : 1)];
 
     this.drawFrame();
     if (this.isTime) this.drawEvents();
     g.save();
     g.beginPath(); g.rect(margin.left, this.top, this.width - margin.left - margin.right, this.height - this.top - margin.bottom); g.clip();
-    if (this.hasBands) this.drawBands();
-    this.drawLine(from, to);
+    if (this.shown) { this.drawBands(from, to); this.drawStrokes(); this.drawBounds(limits); }
+    else this.drawLine(from, to);
     this.drawCursor();
     if (this.selection) {
       g.fillStyle = inkOf("wash");
       g.fillRect(Math.min(...this.selection), 0, Math.abs(this.selection[1] - this.selection[0]), this.height);
     }
     g.restore();
+    if (this.isTime && this.namesEvents) this.drawMoments();
   }
 
   visible() { return [Math.max(0, indexAt(this.axis.view[0]) - 1), Math.min(count, indexAt(this.axis.view[1]) + 2)]; }
@@ -167,6 +171,53 @@ class Plot {
     g.stroke();
   }
 
+  /// Draws the strokes of one step along its axis: inwards over outwards.
+  drawStrokes() {
+    const g = this.g;
+    g.lineJoin = "round";
+    for (const isInward of [false, true]) {
+      g.strokeStyle = inkOf(isInward ? "accent" : "accent-2"); g.lineWidth = isInward ? 1.7 : 1.1;
+      for (const [begin, end, isIn] of this.shown.strokes) {
+        if (isIn !== isInward) continue;
+        g.beginPath();
+        for (let i = begin; i <= end; ++i) g.lineTo(this.px(this.x[i]), this.py(this.y[i]));
+        g.stroke();
+      }
+    }
+  }
+
+  /// Draws goals and limits as lines with their names.
+  drawBounds(limits) {
+    const g = this.g, right = this.width - margin.right, base = this.height - margin.bottom;
+    g.setLineDash([5, 4]); g.lineWidth = 1.3; g.textBaseline = "bottom";
+    for (const line of limits) {
+      const py = this.py(line.value);
+      g.strokeStyle = g.fillStyle = inkOf("bad"); g.textAlign = "left";
+      g.beginPath(); g.moveTo(margin.left, py); g.lineTo(right, py); g.stroke();
+      g.fillText(line.text, margin.left + 6, py - 2);
+    }
+    for (const line of this.shown.depths) {
+      const px = this.px(line.value);
+      g.strokeStyle = inkOf(line.isGoal ? "good" : "bad");
+      g.beginPath(); g.moveTo(px, this.top); g.lineTo(px, base); g.stroke();
+    }
+    g.setLineDash([]);
+  }
+
+  /// Draws the numbers of deductions at their moments; crowded ones go down.
+  drawMoments() {
+    const g = this.g, taken = [];
+    for (const moment of data.moments) {
+      const px = this.px(moment.time);
+      if (px < margin.left || px > this.width - margin.right) continue;
+      let py = this.top + 11;
+      while (taken.some(([x, y]) => Math.abs(x - px) < 20 && Math.abs(y - py) < 20)) py += 20;
+      taken.push([px, py]);
+      g.fillStyle = inkOf("bad"); g.beginPath(); g.arc(px, py, 9, 0, 7); g.fill();
+      g.fillStyle = inkOf("card"); g.textAlign = "center"; g.textBaseline = "middle"; g.fillText(moment.number, px, py + 0.5);
+    }
+  }
+
   drawEvents() {
     const g = this.g;
     let freeFrom = -Infinity;
@@ -188,7 +239,7 @@ class Plot {
   }
 
   /// Draws the tissue first met at each depth, behind thrust over depth.
-  drawBands() {
+  drawBands(from, to) {
     const g = this.g;
     let deepest = -Infinity, begin = 0, tissue = -1;
     const fill = () => {
@@ -196,9 +247,9 @@ class Plot {
       if (colour && end > start) { g.fillStyle = colour; g.fillRect(start, this.top, end - start, this.height); }
     };
     g.globalAlpha = 0.24;
-    for (let i = 0; i < count; ++i) {
+    for (let i = from; i < to; ++i) {
       if (rows.depth[i] <= deepest) continue;
-      if (rows.tissue[i] !== tissue) { fill(); begin = Math.max(deepest, rows.depth[0]); tissue = rows.tissue[i]; }
+      if (rows.tissue[i] !== tissue) { fill(); begin = Math.max(deepest, rows.depth[from]); tissue = rows.tissue[i]; }
       deepest = rows.depth[i];
     }
     fill();
@@ -257,12 +308,36 @@ let isWaiting = false;
 function later(draw) { if (!isWaiting) { isWaiting = true; requestAnimationFrame(() => { isWaiting = false; draw(); }); } }
 function drawAll() { for (const plot of plots) plot.draw(); drawReadout(); }
 
+/// The plot of one step over the depth along its own axis.
+function showOneStep() {
+  const choice = byId("depth-step"), load = byId("depth-load"), steps = data.steps;
+  for (const [i, step] of steps.entries()) choice.add(new Option(step.title, i));
+  if (!steps.length) return;
+  const loads = { thrust: [rows.thrust, "thrust", "N", "thrust"], torque: [rows.torque.map(Math.abs), "torque about the shaft", "N·mm", "torque"], lateral: [rows.lateral, "force across the shaft", "N", "lateral_force"] };
+  const plot = new Plot("plot-depth", new Axis(0, 1), { x: rows.depth, xName: "depth", xUnit: "mm" });
+  const key = (css, text) => {
+    const item = document.createElement("span"), mark = document.createElement("i");
+    mark.className = "key " + css; item.append(mark, text);
+    return item;
+  };
+  const choose = () => {
+    const step = steps[choice.value], [y, name, unit, quantity] = loads[load.value];
+    const [shallow, deep] = rangeOf(rows.depth, step.begin, step.end, () => true);
+    const end = Math.max(deep, ...step.depths.map(line => line.value));
+    Object.assign(plot, { shown: step, y, name, unit, limits: step.limits[quantity] || [] });
+    plot.axis = new Axis(Math.max(shallow, -0.15 * Math.max(deep, 1)), Math.max(end * 1.03, shallow + 1e-3));
+    byId("depth-legend").replaceChildren(key("inwards", "moving in"), key("outwards", "moving out"),
+      ...plot.limits.concat(step.depths).map(line => key(line.isGoal ? "goal" : "limit", line.text)));
+    later(drawAll);
+  };
+  for (const select of [choice, load]) select.addEventListener("change", choose);
+  choose();
+}
+
 const timeAxis = new Axis(count ? rows.time[0] : 0, count ? rows.time[count - 1] : 1);
 if (count) {
-  const [shallow, deep] = rangeOf(rows.depth, 0, count, () => true);
-  const depthAxis = new Axis(Math.max(shallow, -0.15 * Math.max(deep, 1)), Math.max(deep * 1.03, shallow + 1e-3));
   const time = { x: rows.time, xName: "time", xUnit: "s", isTime: true };
-  new Plot("plot-depth", depthAxis, { x: rows.depth, y: rows.thrust, xName: "depth", xUnit: "mm", name: "thrust", unit: "N", hasBands: true });
+  showOneStep();
   new Plot("plot-1", timeAxis, { ...time, y: rows.thrust, name: "thrust", unit: "N", namesEvents: true });
   new Plot("plot-2", timeAxis, { ...time, y: rows.torque, name: "torque about the shaft", unit: "N·mm" });
   new Plot("plot-3", timeAxis, { ...time, y: rows.lateral, name: "force across the shaft", unit: "N" });
@@ -284,6 +359,8 @@ if (count) {
     for (const select of [choice, over]) select.addEventListener("change", choose);
     choose();
   }
+  for (const link of document.querySelectorAll("a[data-time]"))
+    link.addEventListener("click", () => { cursor = indexAt(Number(link.dataset.time)); later(drawAll); });
   drawAll();
   window.addEventListener("resize", () => later(drawAll));
 }
