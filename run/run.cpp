@@ -19,6 +19,7 @@
 #include "run/verdict/measure_bone.h"
 #include "run/verdict/run_metrics.h"
 #include "run/verdict/score.h"
+#include "run/zone_rows.h"
 #include "text/quantity.h"
 
 namespace kerf::run {
@@ -710,6 +711,7 @@ void Run::measure() {
                        bone.crumb_volume()))
         summary.metrics.push_back(std::move(row));
     score(monitor_, scene_->procedure, summary);
+    add_zone_rows(monitor_, *scene_, simulation_, summary);
     outcome_.is_as_expected = ended_as_expected(*rehearsal_, monitor_, summary.verdict);
 }
 

@@ -40,6 +40,7 @@ DrawnSurface drawn_surface(const Mesh& mesh) {
     }
     const Vec3 centre = 0.5 * (low + high), half = 0.5 * (high - low);
     drawn.half_size = half;
+    drawn.centre = centre;
     drawn.step = std::max({half.x, half.y, half.z, 1e-9}) / 32767.0;
 
     const auto whole = [](double value) { return static_cast<std::uint32_t>(std::lround(value)); };
@@ -65,7 +66,8 @@ bool is_sound(const DrawnSurface& surface) {
         return false;
     if (surface.is_empty()) return vertices == 0;
     const Vec3 half = surface.half_size;
-    if (!(surface.step > 0.0) || !is_finite(Vec3{surface.step, 0, 0}) || !is_finite(half)) return false;
+    if (!(surface.step > 0.0) || !is_finite(Vec3{surface.step, 0, 0}) || !is_finite(half) || !is_finite(surface.centre))
+        return false;
     for (std::size_t at = 0; at < surface.triangles.size(); at += width) {
         std::size_t vertex = 0;
         for (std::size_t i = width; i-- > 0;) vertex = (vertex << 8) | surface.triangles[at + i];

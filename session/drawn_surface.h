@@ -12,6 +12,7 @@ namespace kerf::session {
 struct DrawnSurface {
     double step = 0.0;                     ///< [m] per step of a position
     Vec3 half_size{};                      ///< [m] half the size of its box; positions are relative to the box's centre
+    Vec3 centre{};                         ///< [m] of its box, world frame; zero in sessions of older schemas
     std::vector<unsigned char> positions;  ///< int16 x, y, z and 0 per vertex
     std::vector<unsigned char> normals;    ///< int8 x, y, z and 0 in 127ths, per vertex
     std::vector<unsigned char> tissues;    ///< index into the run's tissues per vertex

@@ -15,8 +15,8 @@ namespace kerf::session {
 /// `PRAGMA application_id` of a session: "KERF".
 inline constexpr std::int32_t session_application_id = 0x4b455246;
 /// docs/design/session.md lists the contents of each version. All versions from the oldest readable on can be read.
-inline constexpr std::int32_t session_schema_version = 4, oldest_readable_schema_version = 2;
-inline constexpr std::int32_t first_schema_with_checksum = 3, first_schema_with_blocks = 4;
+inline constexpr std::int32_t session_schema_version = 5, oldest_readable_schema_version = 2;
+inline constexpr std::int32_t first_schema_with_checksum = 3, first_schema_with_blocks = 4, first_schema_with_zones = 5;
 /// Events of adoption: after this tick the loop took over separated bone. An input, which a replay repeats.
 /// `came_apart`: there are new bodies. `crumbled`: only crumbs.
 inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_event = "bone.crumbled";

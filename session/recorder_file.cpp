@@ -145,8 +145,10 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
         for (const auto* bytes :
              {&bone_after.positions, &bone_after.normals, &bone_after.tissues, &bone_after.triangles})
             insert_surface << std::span<const unsigned char>(*bytes);
+        insert_surface << bone_after.centre.x << bone_after.centre.y << bone_after.centre.z;
         insert_surface.run();
     }
+    write_zones(summary);
     set("session", "result.verdict", to_text(summary.verdict));
     set("session", "result.score", text_of(summary.score));
     set("session", "result.score_rules", std::to_string(summary.score_rules));
@@ -156,6 +158,25 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
     set("session", "result.removed", text_of(summary.removed));
     set("session", "summary", summary_json(summary));
     set("session", "hash", hex16(summary.hash));
+}
+
+void Recorder::Impl::write_zones(const RunSummary& summary) {
+    SqliteStatement insert_zone(database, insert_sql(find_table(tables, zones_table)));
+    for (std::size_t i = 0; i < summary.zones.size(); ++i) {
+        const DrawnSurface& surface = summary.zones[i].surface;
+        if (surface.is_empty()) continue;
+        insert_zone << integer(i) << summary.zones[i].id << surface.step << surface.half_size.x << surface.half_size.y
+                    << surface.half_size.z;
+        for (const auto* bytes : {&surface.positions, &surface.normals, &surface.triangles})
+            insert_zone << std::span<const unsigned char>(*bytes);
+        insert_zone << surface.centre.x << surface.centre.y << surface.centre.z;
+        insert_zone.run();
+    }
+    SqliteStatement insert_approach(database, insert_sql(find_table(tables, approaches_table)));
+    for (const ApproachRow& row : summary.approaches) {
+        insert_approach << row.step << row.zone << row.clearance << row.time << row.at.x << row.at.y << row.at.z;
+        insert_approach.run();
+    }
 }
 
 void Recorder::Impl::finalize() {

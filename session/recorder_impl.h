@@ -77,6 +77,7 @@ struct Recorder::Impl {
     void create(const SessionHeader& header);
     void open_to_write();
     void write_results(const RunSummary& summary, const DrawnSurface& bone_after);
+    void write_zones(const RunSummary& summary);
     void finalize();
     void close(const char* state);
 

@@ -12,6 +12,7 @@
 #include "core/field/surface/mesh.h"
 #include "kerf/abi.h"
 #include "kerf/math.hpp"
+#include "session/drawn_surface.h"
 
 /// The results of a run as plain values. The recorder writes them, the report draws them.
 namespace kerf::session {
@@ -167,6 +168,20 @@ struct DeductionRow {
     double loss = 0.0;           ///< points of the score
 };
 
+/// A zone of the anatomy, at its pose at the end.
+struct ZoneRow {
+    std::string id;
+    DrawnSurface surface{};
+};
+
+/// Where the tool came closest to a zone in a step with a limit on it.
+struct ApproachRow {
+    std::string step, zone;  ///< ids
+    double clearance = 0.0;  ///< [m] negative inside the zone
+    double time = 0.0;       ///< [s]
+    Vec3 at{};               ///< [m] point of the tool's outline; world frame, moved with the zone since then
+};
+
 struct RunSummary {
     std::string procedure, procedure_version, anatomy, rehearsal, hand, device;
     std::string leader{};        ///< name of the device whose user led the tool; empty: none did
@@ -192,6 +207,8 @@ struct RunSummary {
     std::vector<std::string> tissues;
     std::vector<SignalColumn> signals;
     std::vector<std::string> anatomy_notes;  ///< messages of the import, for people
+    std::vector<ZoneRow> zones{};            ///< only in the session, for its report
+    std::vector<ApproachRow> approaches{};   ///< only in the session, for its report
     std::optional<ExactRow> exact{};         ///< if an instrument leaves an exact surface
     std::optional<ClockRow> clock{};         ///< of a run on the clock
 };

@@ -36,6 +36,8 @@ struct Table {
 
 /// The tables whose rows a run compresses in blocks.
 inline constexpr const char *ticks_table = "ticks", *cuts_table = "cuts";
+/// The tables of a session from first_schema_with_zones on.
+inline constexpr const char *zones_table = "zones", *approaches_table = "approaches";
 
 /// Returns every table of a session file. `ticks` ends with one column per signal.   [any]
 /// @param force_scale   [–] device newton per bone newton

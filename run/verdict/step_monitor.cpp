@@ -57,7 +57,8 @@ AxisFrame axis_frame(const documents::LandmarkAxis& axis, double entry_along_axi
     return frame;
 }
 
-double clearance(const ToolSolid& solid, const Pose& world_from_tool, const documents::Zone& zone) noexcept {
+double clearance(const ToolSolid& solid, const Pose& world_from_tool, const documents::Zone& zone,
+                 Vec3* closest) noexcept {
     const auto& outline = solid.outline();
     double least = HUGE_VAL;
     for (std::size_t i = 0; i + 1 < outline.size(); ++i)
@@ -65,8 +66,13 @@ double clearance(const ToolSolid& solid, const Pose& world_from_tool, const docu
             const double t = 0.25 * step;
             const double r = outline[i].radius + t * (outline[i + 1].radius - outline[i].radius);
             const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
-            for (const Vec3 in_tool : solid.around(r, z))
-                least = std::min(least, documents::distance_to_any(zone.solids, world_from_tool * in_tool));
+            for (const Vec3 in_tool : solid.around(r, z)) {
+                const Vec3 at = world_from_tool * in_tool;
+                const double distance = documents::distance_to_any(zone.solids, at);
+                if (!(distance < least)) continue;
+                least = distance;
+                if (closest != nullptr) *closest = at;
+            }
         }
     return least;
 }
@@ -186,7 +192,11 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     take_signals(now, state);
 
     for (auto& limit : state.limits)
-        if (const auto value = measured(limit, state, now, depth, cutting)) hold(limit, *value, time);
+        if (const auto value = measured(limit, state, now, depth, cutting)) {
+            const bool is_closer = limit.limit->quantity == "clearance" && (!limit.is_seen || *value < limit.worst);
+            hold(limit, *value, time);
+            if (is_closer) limit.closest = closest_to(limit, now, cutting);
+        }
 
     std::size_t next_goal = 0;
     for (; next_goal < state.goal_done.size(); ++next_goal) {
@@ -344,6 +354,15 @@ std::optional<double> StepMonitor::clearance_to(const LimitState& limit, const O
     const double reach = cutting.tip_z() - cutting.end_z() + cutting.largest_radius();
     if (limit.is_seen && documents::distance_to_any(zone->solids, seen.position) - reach > limit.worst) return {};
     return clearance(cutting, seen, *zone);
+}
+
+ClosestPoint StepMonitor::closest_to(const LimitState& limit, const Observation& now, const ToolSolid& cutting) const {
+    const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),
+                                   [&](const documents::Zone& z) { return z.id == limit.limit->zone; });
+    const Pose seen = seen_from(owners_.zone[static_cast<std::size_t>(zone - anatomy_->zones.begin())], now);
+    ClosestPoint closest{.time = now.time};
+    static_cast<void>(clearance(cutting, seen, *zone, &closest.at));
+    return closest;
 }
 
 bool StepMonitor::is_reached(std::size_t index, const StepState& state, const Observation& now) const noexcept {

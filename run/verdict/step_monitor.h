@@ -44,8 +44,9 @@ struct AxisFrame {
                                    const documents::LandmarkPlane* plane = nullptr) noexcept;
 
 /// Returns the distance of a solid's outline from a zone [m]; negative inside. Samples rings along the outline.
-[[nodiscard]] double clearance(const ToolSolid& solid, const Pose& world_from_tool,
-                               const documents::Zone& zone) noexcept;
+/// @param closest   set to that point of the outline, in the frame of the zone; may be null
+[[nodiscard]] double clearance(const ToolSolid& solid, const Pose& world_from_tool, const documents::Zone& zone,
+                               Vec3* closest = nullptr) noexcept;
 
 /// The state of the run in one tick.
 struct Observation {
@@ -120,11 +121,18 @@ struct SignalState {
     bool is_seen = false;
 };
 
+/// Where a tool's outline was closest to a zone.
+struct ClosestPoint {
+    Vec3 at{};          ///< [m] frame of the body that the zone moves with
+    double time = 0.0;  ///< [s]
+};
+
 struct LimitState {
     const documents::Limit* limit = nullptr;
     double worst = 0.0;  ///< the value closest to, or farthest beyond, the bound
     bool is_seen = false;
-    std::optional<double> broken_at;  ///< [s]
+    std::optional<double> broken_at;        ///< [s]
+    std::optional<ClosestPoint> closest{};  ///< of a clearance, at `worst`
 };
 
 struct StepState {
@@ -221,6 +229,9 @@ private:
                                                  const Observation& now, double depth, const ToolSolid& cutting) const;
     [[nodiscard]] std::optional<double> clearance_to(const LimitState& limit, const Observation& now,
                                                      const ToolSolid& cutting) const;
+    /// Returns where the tool is closest to the zone of a limit. Pre: clearance_to() returned a value.
+    [[nodiscard]] ClosestPoint closest_to(const LimitState& limit, const Observation& now,
+                                          const ToolSolid& cutting) const;
     [[nodiscard]] const documents::MeasureReading* reading_of(const std::string& measure,
                                                               const StepState& state) const noexcept;
     /// Updates whether a goal on a measure is next, and can be measured now.

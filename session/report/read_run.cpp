@@ -90,6 +90,7 @@ private:
     void read_result();
     void read_ticks();
     void read_surface();
+    void read_zones();
     void complete();
     void check_rows();
 
@@ -253,7 +254,10 @@ void Reading::read_ticks() {
 
 void Reading::read_surface() {
     bool is_there = false;
-    each("surface", "step, half_x, half_y, half_z, positions, normals, tissues, triangles", "rowid",
+    SessionQuery version(file_.handle(), "PRAGMA user_version");
+    const bool has_zones = version.next() && version.integer(0) >= first_schema_with_zones;
+    const std::string centre = has_zones ? ", centre_x, centre_y, centre_z" : "";
+    each("surface", "step, half_x, half_y, half_z, positions, normals, tissues, triangles" + centre, "rowid",
          [&](const SessionQuery& row) {
              if (is_there) return fail("has two surfaces");
              is_there = true;
@@ -264,9 +268,36 @@ void Reading::read_surface() {
              surface.normals = row.bytes(5);
              surface.tissues = row.bytes(6);
              surface.triangles = row.bytes(7);
+             if (has_zones)
+                 surface.centre = {number(row, 8, "surface"), number(row, 9, "surface"), number(row, 10, "surface")};
              if (!is_sound(surface)) return fail("its surface has triangles without vertices");
              run_.drawn.set_bone(std::move(surface));
          });
+    if (has_zones) read_zones();
+}
+
+/// Reads what only sessions with zones have.
+void Reading::read_zones() {
+    each(zones_table, "id, step, half_x, half_y, half_z, positions, normals, triangles, centre_x, centre_y, centre_z",
+         "position", [&](const SessionQuery& row) {
+             const auto real = [&](int column) { return number(row, column, zones_table); };
+             ZoneRow zone{text(row, 0)};
+             zone.surface.step = real(1);
+             zone.surface.half_size = {real(2), real(3), real(4)};
+             zone.surface.positions = row.bytes(5);
+             zone.surface.normals = row.bytes(6);
+             zone.surface.tissues.resize(zone.surface.positions.size() / 8, 0);
+             zone.surface.triangles = row.bytes(7);
+             zone.surface.centre = {real(8), real(9), real(10)};
+             if (!is_sound(zone.surface)) return fail("its zone has triangles without vertices");
+             run_.summary.zones.push_back(std::move(zone));
+         });
+    each(approaches_table, "step, zone, clearance, time, at_x, at_y, at_z", "rowid", [&](const SessionQuery& row) {
+        const auto real = [&](int column) { return number(row, column, approaches_table); };
+        ApproachRow approach{text(row, 0), text(row, 1), real(2), real(3), {real(4), real(5), real(6)}};
+        if (!is_finite(approach.at)) return fail("it has an approach without a point");
+        run_.summary.approaches.push_back(std::move(approach));
+    });
 }
 
 /// Completes the summary of a run that was cut short, and reports lost rows.

@@ -19,6 +19,7 @@
 #include "session/report/report_page.h"
 #include "session/report/report_score.h"
 #include "session/report/report_steps.h"
+#include "session/report/report_zones.h"
 #include "session/report/timeline.h"
 #include "text/plain_numbers.h"
 
@@ -265,7 +266,8 @@ std::string report_html(const RunSummary& summary, const DrawnRun& run, const Re
                   {{"title", html_escaped(heading(summary, procedure)) + ": " + to_text(summary.verdict)},
                    {"style", std::string(report_style)},
                    {"header", header_html(summary, procedure) + score_html(summary, run)},
-                   {"bone-legend", legend_html(summary, "Tissue")},
+                   {"bone-legend", legend_html(summary, "Tissue") + zone_legend_html(summary)},
+                   {"approaches", approaches_html(summary)},
                    {"forces", plots_html(summary, run, procedure)},
                    {"holes", holes_html(summary)},
                    {"measures", measures_html(summary)},

@@ -13,6 +13,8 @@
 #include <utility>
 
 #include "session/report/force_charts.h"
+#include "session/report/metric_cells.h"
+#include "session/report/report_zones.h"
 #include "session/report/step_series.h"
 #include "session/report/timeline.h"
 #include "text/distinguishing_digits.h"
@@ -135,6 +137,37 @@ Json mesh_json(const DrawnSurface& surface, Vec3 look) {
             {"look", {look.x, look.y, look.z}},   {"positions", base64(surface.positions)},
             {"normals", base64(surface.normals)}, {"tissue", base64(surface.tissues)},
             {"isShort", surface.is_short()},      {"triangles", base64(surface.triangles)}};
+}
+
+Json mm_json(Vec3 metres) {
+    return {metres.x * 1e3 + 0.0, metres.y * 1e3 + 0.0, metres.z * 1e3 + 0.0};  // makes −0 to 0, as above
+}
+
+/// Returns the zones, relative to the middle of the bone's box; none for a bone whose middle is unknown.
+Json zones_json(const RunSummary& summary, const DrawnSurface& bone) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < summary.zones.size(); ++i) {
+        const DrawnSurface& surface = summary.zones[i].surface;
+        if (surface.is_empty() || bone.is_empty()) continue;
+        list.push_back({{"name", words_of(summary.zones[i].id)},
+                        {"colour", zone_colour(i)},
+                        {"unit", surface.step * 1e3},
+                        {"centre", mm_json(surface.centre - bone.centre)},
+                        {"halfSize", mm_json(surface.half_size)},
+                        {"positions", base64(surface.positions)},
+                        {"normals", base64(surface.normals)},
+                        {"isShort", surface.is_short()},
+                        {"triangles", base64(surface.triangles)}});
+    }
+    return list;
+}
+
+Json approaches_json(const RunSummary& summary, const DrawnSurface& bone) {
+    Json list = Json::array();
+    for (const ApproachRow& row : marked_approaches(summary))
+        list.push_back(
+            {{"text", approach_text(row)}, {"at", mm_json(row.at - bone.centre)}, {"isBad", row.clearance < 0.0}});
+    return list;
 }
 
 constexpr int max_decimals = 12;  ///< of a value next to its bound
@@ -263,7 +296,9 @@ std::string report_data_json(const RunSummary& summary, const DrawnRun& run, con
                     {"moments", moments_json(summary)},
                     {"signals", signals_json(summary.signals, drawn)},
                     {"events", events_json(run.events())},
-                    {"mesh", mesh_json(run.bone(), direction_of_view(run.deepest()))}};
+                    {"mesh", mesh_json(run.bone(), direction_of_view(run.deepest()))},
+                    {"zones", zones_json(summary, run.bone())},
+                    {"approaches", approaches_json(summary, run.bone())}};
     const std::string text = text::printable_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 
     // "</script>" or "<!--" in a name must not end the element. In JSON, "<" occurs only within a string.

@@ -51,6 +51,13 @@ TEST_P(KeptSession, HasAReport) {
     EXPECT_FALSE(report_html(run->summary, run->drawn, run->procedure).empty());
 }
 
+TEST_P(KeptSession, HasZonesFromTheirSchemaOn) {
+    std::string error;
+    const auto run = read_run(session_of(GetParam()), error);
+    ASSERT_TRUE(run) << error;
+    EXPECT_EQ(run->summary.zones.size(), GetParam() < first_schema_with_zones ? 0u : 1u);
+}
+
 TEST_P(KeptSession, GivesTheInputsOfAReplay) {
     std::string error;
     const auto inputs = read_session(session_of(GetParam()), error);

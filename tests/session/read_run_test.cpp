@@ -131,6 +131,49 @@ TEST(ReadRun, ThePageMadeOfASessionIsThePageOfTheRunByteForByte) {
     EXPECT_TRUE(page_of(*run) == report_html(summary, test::drawn_run(as_kept(ticks), events, bone)));
 }
 
+RunSummary with_zones() {
+    RunSummary summary = test::synthetic_summary();
+    Mesh canal = test::synthetic_bone(4);
+    canal.tissue.clear();  // a zone has none
+    Mesh root = canal;
+    for (Vec3& vertex : canal.vertices) vertex = vertex + Vec3{5e-3, -1e-3, 2e-3};
+    summary.zones = {{"spinal-canal", drawn_surface(canal)}, {"nerve_root", drawn_surface(root)}};
+    summary.approaches = {{"pilot-hole", "spinal-canal", -0.4e-3, 11.4, {1e-3, 2e-3, 3e-3}},
+                          {"withdraw", "spinal-canal", 2e-3, 13.0, {1e-3, 2e-3, 4e-3}}};
+    return summary;
+}
+
+TEST(ReadRun, ReadsZonesAndApproaches) {
+    const TemporaryFolder folder;
+    const RunSummary summary = with_zones();
+    const DrawnSurface bone = drawn_surface(test::synthetic_bone(8));
+    ASSERT_EQ(recorder_of(folder / "session.db", summary, {}, {})->finish(summary, bone), "");
+    std::string error;
+    const auto run = read_run(folder / "session.db", error);
+    ASSERT_TRUE(run) << error;
+    ASSERT_EQ(run->summary.zones.size(), 2u);
+    EXPECT_EQ(run->summary.zones[0].id, "spinal-canal");
+    EXPECT_EQ(run->summary.zones[0].surface, summary.zones[0].surface);
+    EXPECT_EQ(run->summary.zones[1].surface, summary.zones[1].surface);
+    ASSERT_EQ(run->summary.approaches.size(), 2u);
+    EXPECT_EQ(run->summary.approaches[0].zone, "spinal-canal");
+    EXPECT_EQ(run->summary.approaches[0].clearance, -0.4e-3);
+    EXPECT_EQ(run->summary.approaches[0].at.z, 3e-3);
+    EXPECT_TRUE(page_of(*run) == report_html(summary, test::drawn_run({}, {}, bone)));
+}
+
+TEST(ReadRun, RefusesAZoneWithoutItsVertices) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    const RunSummary summary = with_zones();
+    ASSERT_EQ(recorder_of(path, summary, {}, {})->finish(summary, drawn_surface(test::synthetic_bone(8))), "");
+    ASSERT_EQ(test::run_sql(path, "UPDATE zones SET positions=substr(positions,1,16), normals=substr(normals,1,8)"),
+              "");
+    std::string error;
+    EXPECT_FALSE(read_run(path, error));
+    EXPECT_NE(error.find("zone has triangles without vertices"), std::string::npos) << error;
+}
+
 TEST(ReadRun, ReadsTitlesFromTheRecordedProcedure) {
     const TemporaryFolder folder;
     const RunSummary summary = test::synthetic_summary();

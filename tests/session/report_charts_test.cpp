@@ -3,12 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "session/report/force_charts.h"
 #include "session/report/place_labels.h"
+#include "session/report/report.h"
+#include "session/report/report_data.h"
 #include "session/report/report_score.h"
+#include "session/report/report_zones.h"
 #include "session/report/step_series.h"
 #include "session/report/timeline.h"
 #include "synthetic_run.h"
@@ -159,6 +163,41 @@ TEST(ForceCharts, LeaveOutAStepThatMetNoBone) {
     const std::string html = charts_of(two_steps(), test::drawn_run(rows));
     EXPECT_EQ(count_of(html, "<svg class=\"chart\""), 2u);
     EXPECT_TRUE(holds(html, "Steps that were not reached: Withdraw the bit."));
+}
+
+// ---- zones
+
+RunSummary with_canal(double clearance) {
+    RunSummary summary = test::synthetic_summary();
+    summary.zones = {{"spinal_canal", drawn_surface(test::synthetic_bone(4))}};
+    summary.approaches = {{"pilot-hole", "spinal_canal", clearance, 11.4, {1e-3, 0, 0}},
+                          {"withdraw", "spinal_canal", 5e-3, 13.0, {9e-3, 0, 0}}};
+    return summary;
+}
+
+TEST(Zones, AreInThePictureWithNameColourAndMark) {
+    const DrawnSurface bone = drawn_surface(test::synthetic_bone(8));
+    const RunSummary summary = with_canal(-0.4e-3);
+    const std::string html = report_html(summary, test::drawn_run({}, {}, bone));
+    EXPECT_TRUE(holds(html, "background:" + std::string(zone_colour(0)) + "\"></i>spinal canal</span>"));
+    EXPECT_TRUE(holds(html, "✗ 0.4\u00a0mm inside spinal canal</span>"));
+
+    const auto data = nlohmann::json::parse(report_data_json(summary, test::drawn_run({}, {}, bone)));
+    ASSERT_EQ(data["zones"].size(), 1u);
+    EXPECT_EQ(data["zones"][0]["name"], "spinal canal");
+    EXPECT_FALSE(data["zones"][0]["triangles"].get<std::string>().empty());
+    ASSERT_EQ(data["approaches"].size(), 1u) << "the step that stayed farther away has no mark";
+    EXPECT_NEAR(data["approaches"][0]["at"][0].get<double>(), 1.0 - 1e3 * bone.centre.x, 1e-9);
+    EXPECT_EQ(data["approaches"][0]["isBad"], true);
+}
+
+TEST(Zones, ShowTheSmallestClearanceIfNoneWasEntered) {
+    EXPECT_TRUE(holds(approaches_html(with_canal(1.5e-3)), "ok\">○ 1.5\u00a0mm from spinal canal</span>"));
+}
+
+TEST(Zones, ARunWithoutThemHasNoLegend) {
+    EXPECT_EQ(zone_legend_html(test::synthetic_summary()), "");
+    EXPECT_EQ(approaches_html(test::synthetic_summary()), "");
 }
 
 // ---- the timeline

@@ -369,22 +369,22 @@ if (count) {
 
 const vertexShader = `#version 300 es
 in vec3 position, normal; in float tissue;
-uniform mat4 clipFromBone; uniform vec3 colours[16]; uniform float unit;
+uniform mat4 clipFromBone; uniform vec3 colours[16], centre; uniform float unit;
 out vec3 at, facing, colour;
-void main() { at = position * unit; facing = normal; colour = colours[int(clamp(tissue, 0.0, 15.0))];
+void main() { at = position * unit + centre; facing = normal; colour = colours[int(clamp(tissue, 0.0, 15.0))];
   gl_Position = clipFromBone * vec4(at, 1.0); }`;
 const fragmentShader = `#version 300 es
 precision highp float;
 in vec3 at, facing, colour; out vec4 result;
-uniform vec4 cut; uniform vec3 eye;
+uniform vec4 cut; uniform vec3 eye, limit; uniform float alpha;
 void main() {
-  if (dot(cut.xyz, at) > cut.w) discard;
+  if (dot(cut.xyz, at) > cut.w || any(greaterThan(abs(at), limit))) discard;
   vec3 n = normalize(facing), toEye = normalize(eye - at);
   bool isInside = !gl_FrontFacing;               // the inner side of the surface, seen through the cut
   if (isInside) n = -n;
   float light = 0.46 + 0.46 * max(dot(n, toEye), 0.0) + 0.08 * n.z;
   vec3 c = isInside ? mix(colour, vec3(0.45, 0.2, 0.16), 0.55) : colour;
-  result = vec4(c * light, 1.0); }`;
+  result = vec4(c * light, alpha); }`;
 
 function multiply(a, b) {  // column-major 4 × 4
   const c = new Float32Array(16);
@@ -399,7 +399,7 @@ const unitOf = a => { const l = Math.hypot(...a) || 1; return a.map(v => v / l);
 function showBone() {
   const mesh = data.mesh, canvas = byId("bone"), fallback = byId("bone-text");
   if (!mesh) { fallback.textContent = "This run left no surface to show."; return; }
-  const gl = canvas.getContext("webgl2", { alpha: true, antialias: true, preserveDrawingBuffer: true });
+  const gl = canvas.getContext("webgl2", { alpha: true, antialias: true, stencil: true, preserveDrawingBuffer: true });
   if (!gl) { fallback.textContent = "The bone in 3D needs WebGL 2, which is off in this browser. The same surface is in bone.stl."; return; }
   fallback.hidden = true; byId("bone-view").hidden = false;
 
@@ -409,6 +409,8 @@ function showBone() {
     gl.shaderSource(shader, text); gl.compileShader(shader); gl.attachShader(program, shader);
   }
   gl.linkProgram(program); gl.useProgram(program);
+  const bone = gl.createVertexArray();
+  gl.bindVertexArray(bone);
   const feed = (name, values, size, type, isNormalised) => {
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer()); gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
     const slot = gl.getAttribLocation(program, name);
@@ -419,13 +421,21 @@ function showBone() {
   feed("tissue", decode(mesh.tissue, Uint8Array), 1, gl.UNSIGNED_BYTE, false);
   const triangles = decode(mesh.triangles, mesh.isShort ? Uint16Array : Uint32Array);
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer()); gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+  const zones = data.zones.map(zone => {
+    const object = gl.createVertexArray();
+    gl.bindVertexArray(object);
+    feed("position", decode(zone.positions, Int16Array), 4, gl.SHORT, false);
+    feed("normal", decode(zone.normals, Int8Array), 4, gl.BYTE, true);
+    const corners = decode(zone.triangles, zone.isShort ? Uint16Array : Uint32Array);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer()); gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, corners, gl.STATIC_DRAW);
+    const colour = [1, 3, 5].map(k => parseInt(zone.colour.slice(k, k + 2), 16) / 255);
+    return { ...zone, object, count: corners.length, type: zone.isShort ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT, colours: new Float32Array(48).map((_, i) => colour[i % 3]) };
+  });
   gl.enable(gl.DEPTH_TEST);
 
   const uniform = name => gl.getUniformLocation(program, name);
   const colours = new Float32Array(48).fill(0.8);
   data.tissues.slice(0, 16).forEach((t, i) => colours.set([1, 3, 5].map(k => parseInt(t.colour.slice(k, k + 2), 16) / 255), 3 * i));
-  gl.uniform3fv(uniform("colours"), colours);
-  gl.uniform1f(uniform("unit"), mesh.unit);
 
   const half = mesh.halfSize, radius = Math.hypot(...half);
   const look = mesh.look, start = { yaw: Math.atan2(look[1], look[0]) + 0.45, pitch: clamp(Math.asin(clamp(look[2], -1, 1)) + 0.35, -1.1, 1.1), distance: radius };
@@ -445,7 +455,7 @@ function showBone() {
     const ratio = window.devicePixelRatio || 1;
     canvas.width = Math.round(canvas.clientWidth * ratio); canvas.height = Math.round(canvas.clientHeight * ratio);
     gl.viewport(0, 0, canvas.width, canvas.height);
-    gl.clearColor(0, 0, 0, 0); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.clearColor(0, 0, 0, 0); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
 
     const back = towards(view);
     const right = unitOf(cross([0, 0, 1], back)), up = cross(back, right);
@@ -461,7 +471,15 @@ function showBone() {
     const axis = Number(axisChoice.value), sign = (toFirstEye[axis] < 0) === flip.checked ? 1 : -1, normal = [0, 0, 0];
     normal[axis] = sign;
     gl.uniform4f(uniform("cut"), ...normal, half[axis] * (1.001 - 2.002 * Number(slider.value) / 100));
+    gl.bindVertexArray(bone);
+    gl.uniform3fv(uniform("colours"), colours); gl.uniform1f(uniform("unit"), mesh.unit); gl.uniform3f(uniform("centre"), 0, 0, 0);
+    gl.uniform3f(uniform("limit"), 1e9, 1e9, 1e9); gl.uniform1f(uniform("alpha"), 1);
     gl.drawElements(gl.TRIANGLES, triangles.length, mesh.isShort ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT, 0);
+    drawZones();
+    drawMarks(p => {  // the pixel of a point
+      const d = p.map((v, i) => v - eye[i]), far = -dot(back, d);
+      return far > 0 ? [(0.5 + 0.5 * f / aspect * dot(right, d) / far) * canvas.clientWidth, (0.5 - 0.5 * f * dot(up, d) / far) * canvas.clientHeight] : null;
+    });
 
     // The patient's directions: left, posterior, superior
     [["L", [1, 0, 0]], ["P", [0, 1, 0]], ["S", [0, 0, 1]]].forEach(([name, v]) => {
@@ -469,6 +487,64 @@ function showBone() {
       line.setAttribute("x2", x); line.setAttribute("y2", y);
       text.setAttribute("x", 37 + 31 * dot(right, v)); text.setAttribute("y", 37 - 31 * dot(up, v));
     });
+  }
+
+  /// Draws zones over the bone: the parts behind it paler. Of each zone, a pixel gets the nearest surface once.
+  function drawZones() {
+    const each = (alpha, before) => zones.forEach((zone, i) => {
+      gl.bindVertexArray(zone.object);
+      gl.uniform3fv(uniform("colours"), zone.colours); gl.uniform1f(uniform("unit"), zone.unit); gl.uniform3f(uniform("centre"), ...zone.centre);
+      gl.uniform4f(uniform("cut"), 0, 0, 0, 1);  // zones stay whole where bone is cut away
+      gl.uniform3f(uniform("limit"), ...half.map(h => h + 8)); gl.uniform1f(uniform("alpha"), alpha);
+      if (before) before(i);
+      gl.drawElements(gl.TRIANGLES, zone.count, zone.type, 0);
+    });
+    gl.enable(gl.BLEND); gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.enable(gl.POLYGON_OFFSET_FILL); gl.polygonOffset(1, 1);  // a zone on the surface of bone is behind it
+    gl.enable(gl.STENCIL_TEST); gl.stencilOp(gl.KEEP, gl.KEEP, gl.REPLACE); gl.depthMask(false);
+    gl.depthFunc(gl.GREATER); each(0.3, i => gl.stencilFunc(gl.NOTEQUAL, i + 1, 255));
+    gl.disable(gl.STENCIL_TEST); gl.depthMask(true); gl.colorMask(false, false, false, false);
+    gl.depthFunc(gl.LESS); each(1);
+    gl.colorMask(true, true, true, true); gl.depthMask(false);
+    gl.depthFunc(gl.EQUAL); each(0.6);
+    gl.depthMask(true); gl.depthFunc(gl.LESS); gl.disable(gl.BLEND); gl.disable(gl.POLYGON_OFFSET_FILL);
+  }
+
+  /// Writes the names of zones and approaches next to their points, apart from each other.
+  function drawMarks(pixelOf) {
+    const svg = byId("marks"), width = canvas.clientWidth, height = canvas.clientHeight, taken = [[0, height - 90, 90, height]];
+    const node = (name, attributes, text) => {
+      const one = document.createElementNS("http://www.w3.org/2000/svg", name);
+      for (const [key, value] of Object.entries(attributes)) one.setAttribute(key, value);
+      if (text) one.textContent = text;
+      return svg.appendChild(one);
+    };
+    const isFree = box => box[0] >= 2 && box[1] >= 2 && box[2] <= width - 2 && box[3] <= height - 2 && taken.every(o => box[2] <= o[0] || o[2] <= box[0] || box[3] <= o[1] || o[3] <= box[1]);
+    const write = (at, text, colour) => {
+      const label = node("text", { x: 0, y: 0, style: "fill:" + colour }, text), w = label.getComputedTextLength(), h = 16;
+      for (let ring = 14; ring < 220; ring += 8)
+        for (const [sx, sy] of [[1, 0], [-1, 0], [1, -1], [-1, -1], [1, 1], [-1, 1], [0, -1], [0, 1]]) {
+          const x = at[0] + sx * (ring + w / 2) - w / 2, y = at[1] + sy * (ring + h / 2) - h / 2, box = [x, y, x + w, y + h];
+          if (!isFree(box)) continue;
+          taken.push(box); label.setAttribute("x", x); label.setAttribute("y", y + 12);
+          return;
+        }
+      label.remove();
+    };
+    svg.replaceChildren();
+    const marks = data.approaches.map(approach => [pixelOf(approach.at), approach]).filter(([at]) => at && at[0] > 0 && at[0] < width && at[1] > 0 && at[1] < height);
+    for (const [at, approach] of marks) {
+      const colour = inkOf(approach.isBad ? "bad" : "good");
+      node("circle", { cx: at[0], cy: at[1], r: 10, fill: "none", stroke: inkOf("page"), "stroke-width": 5 });
+      node("circle", { cx: at[0], cy: at[1], r: 10, fill: "none", stroke: colour, "stroke-width": 2.5 });
+      taken.push([at[0] - 12, at[1] - 12, at[0] + 12, at[1] + 12]);
+    }
+    for (const [at, approach] of marks) write(at, approach.text, inkOf(approach.isBad ? "bad" : "good"));
+    for (const zone of zones) {  // at the end of the zone that is higher in the picture
+      const ends = [-1, 1].map(side => pixelOf(zone.centre.map((c, i) => clamp(c + (zone.halfSize[i] === Math.max(...zone.halfSize) ? side * zone.halfSize[i] : 0), -half[i] - 8, half[i] + 8))));
+      const at = ends.filter(end => end && end[0] > 0 && end[0] < width && end[1] > 0 && end[1] < height).sort((a, b) => a[1] - b[1])[0];
+      if (at) write(at, zone.name, zone.colour);
+    }
   }
 
   let held = null;

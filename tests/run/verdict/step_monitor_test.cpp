@@ -818,6 +818,25 @@ TEST(Clearance, IsThatOfTheNearestPointAlongTheOutline) {
                 4.0_mm, 1e-9);
 }
 
+TEST(Clearance, NamesTheNearestPointOfTheOutline) {
+    const ToolSolid cone({{0.0, 0.0}, {-4.0_mm, 4.0_mm}, {-8.0_mm, 4.0_mm}});
+    Vec3 closest{};
+    EXPECT_NEAR(clearance(cone, identity_pose(),
+                          {"cube", {documents::BoxSolid{{0, 0, 3.0_mm}, {2.0_mm, 2.0_mm, 2.0_mm}}}}, &closest),
+                2.0_mm, 1e-9);
+    EXPECT_NEAR(length(closest), 0.0, 1e-12) << "the tip";
+}
+
+TEST(StepMonitor, KeepsWhereTheToolCameClosestToAZone) {
+    const OneLimit near({"clearance", "nerve", {0.0, {}}, "", {}});
+    const Observation first = cutting_at(5.0_mm), farther = cutting_at(5.0_mm, 0.0, -1.0_mm);
+    const LimitState once = near.after({first}), twice = near.after({first, farther});
+    ASSERT_TRUE(once.closest && twice.closest);
+    EXPECT_EQ(twice.worst, once.worst);
+    EXPECT_EQ(twice.closest->at.x, once.closest->at.x) << "the second tick is farther away";
+    EXPECT_EQ(twice.closest->time, first.time);
+}
+
 /// The goal of the first step is a measure of at most 5 mm.
 struct MeasuringWatch : Watch {
     MeasuringWatch() : Watch{measuring()} {}
