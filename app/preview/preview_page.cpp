@@ -13,6 +13,7 @@
 #include "bone/report/import_report.h"
 #include "documents/solids.h"
 #include "session/recorder.h"
+#include "session/report/place_labels.h"
 #include "session/report/report_data.h"
 
 namespace kerf::app {
@@ -22,17 +23,32 @@ constexpr std::string_view style = R"css(
 body { margin: 0; background: #f6f7f8; color: #1b2126; font: 15px/1.5 system-ui, "Segoe UI", "Noto Sans", "DejaVu Sans", sans-serif; }
 main { max-width: 1500px; margin: 0 auto; padding: 20px 24px; }
 h1 { font-size: 24px; margin: 0; } h2 { font-size: 17px; margin: 26px 0 8px; } .soft { color: #5b666f; }
-.views { display: flex; flex-wrap: wrap; gap: 14px; align-items: flex-start; }
-figure { margin: 0; background: #fff; border: 1px solid #dde2e6; border-radius: 8px; padding: 8px; }
-figcaption { font-size: 13px; color: #5b666f; padding: 4px 2px 0; } svg { display: block; }
+.views { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 14px; align-items: start; }
+figure { margin: 0; min-width: 0; background: #fff; border: 1px solid #dde2e6; border-radius: 8px; padding: 8px; }
+figcaption { font-size: 13px; color: #5b666f; padding: 4px 2px 0; } svg { display: block; width: 100%; height: auto; }
 .key span { margin-right: 18px; white-space: nowrap; } .key i { display: inline-block; width: 12px; height: 12px; border-radius: 3px; margin-right: 6px; }
-li { margin: 2px 0; } footer { color: #5b666f; margin-top: 24px; font-size: 13px; }
+li { margin: 2px 0; overflow-wrap: anywhere; } h1, h2 { overflow-wrap: anywhere; }
+@media (max-width: 640px) { main { padding: 14px 12px; } figure { padding: 5px; } }
+ footer { color: #5b666f; margin-top: 24px; font-size: 13px; }
 )css";
 
 std::string px(double value) { return bone::rounded(value, 1); }
 
+constexpr double font = 14;  // in a picture of 460 columns, which a narrow screen draws at three quarters
+
+/// What lies over the picture of a view: lines, and names of points.
+struct Overlay {
+    struct Name {
+        std::string text;
+        const char* colour;
+        double x = 0.0, y = 0.0;  ///< of the point
+    };
+    std::string lines{};
+    std::vector<Name> names{};
+};
+
 std::string label(double x, double y, const std::string& text, const char* colour) {
-    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" font-size=\"12\" fill=\"" + colour +
+    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" font-size=\"" + px(font) + "\" fill=\"" + colour +
            "\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">" + session::html_escaped(text) + "</text>";
 }
 
@@ -48,27 +64,64 @@ bool is_in(const View& view, Vec3 p) {
 
 /// Draws landmarks, with their tolerance as a circle.
 /// @param reach   largest distance of a landmark from the plane of the view [m]
-std::string landmarks(const View& view, const run::Scene& scene, double reach) {
-    std::string marks;
+void add_landmarks(const View& view, const run::Scene& scene, double reach, Overlay& overlay) {
+    std::string& marks = overlay.lines;
     const auto is_near = [&](Vec3 p) { return std::abs(dot(p - view.centre, view.away())) <= reach && is_in(view, p); };
     for (const documents::LandmarkAxis& axis : scene.anatomy.axes) {
         if (!is_near(axis.from) && !is_near(axis.to)) continue;
         marks += line(view, axis.from, axis.to, "#1f6f9f", "stroke-dasharray=\"6 3\"");
-        if (is_in(view, axis.from)) marks += label(view.x_of(axis.from) + 6, view.y_of(axis.from), axis.id, "#1f6f9f");
+        if (is_in(view, axis.from))
+            overlay.names.push_back({axis.id, "#1f6f9f", view.x_of(axis.from), view.y_of(axis.from)});
     }
     for (const documents::LandmarkPoint& point : scene.anatomy.points) {
         if (!is_near(point.at)) continue;
         marks += "<circle cx=\"" + px(view.x_of(point.at)) + "\" cy=\"" + px(view.y_of(point.at)) + "\" r=\"" +
                  px(std::max(3.0, point.tolerance / view.pixel())) +
                  "\" fill=\"none\" stroke=\"#0a7d4b\" stroke-width=\"1.6\"/>";
-        marks += label(view.x_of(point.at) + 8, view.y_of(point.at) - 6, point.id, "#0a7d4b");
+        overlay.names.push_back({point.id, "#0a7d4b", view.x_of(point.at), view.y_of(point.at)});
     }
     for (const documents::LandmarkPlane& plane : scene.anatomy.planes) {
         if (!is_in(view, plane.at)) continue;
         marks += line(view, plane.at, plane.at + 10e-3 * plane.normal, "#7a3fa0");
-        marks += label(view.x_of(plane.at) + 8, view.y_of(plane.at), plane.id, "#7a3fa0");
+        overlay.names.push_back({plane.id, "#7a3fa0", view.x_of(plane.at), view.y_of(plane.at)});
     }
-    return marks;
+}
+
+/// Adds the names of zones that are in the picture.
+void add_zones(const View& view, const run::Scene& scene, Overlay& overlay) {
+    for (const documents::Zone& zone : scene.anatomy.zones) {
+        const Box box = documents::bounds_of(zone.solids);
+        const Vec3 middle = 0.5 * (box.low + box.high);
+        if (is_in(view, middle)) overlay.names.push_back({zone.id, "#a61e1e", view.x_of(middle), view.y_of(middle)});
+    }
+}
+
+/// Returns the box of the scale in the lower left corner.
+session::Rect scale_box(const View& view) {
+    return {0.0, view.rows - 26.0, 24.0 + 10e-3 / view.pixel() + session::text_width("10 mm", font), 26.0};
+}
+
+/// Draws names so that no two overlap. A line leads from a name to its point if they are apart.
+std::string names_svg(const View& view, const std::vector<Overlay::Name>& names) {
+    constexpr double height = font + 3, near = 24.0;
+    std::vector<session::Label> labels;
+    labels.reserve(names.size());
+    for (const Overlay::Name& name : names)
+        labels.push_back({name.x, name.y, session::text_width(name.text, font), height});
+    const session::Rect frame{2.0, 2.0, view.columns - 4.0, view.rows - 4.0};
+    const auto places = session::place_labels(labels, frame, {scale_box(view)});
+    std::string svg;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!places[i]) continue;
+        const session::Rect& box = *places[i];
+        const double x = std::clamp(names[i].x, box.left, box.left + box.width),
+                     y = std::clamp(names[i].y, box.top, box.top + box.height);
+        if (std::hypot(x - names[i].x, y - names[i].y) > near)
+            svg += "<path d=\"M" + px(names[i].x) + " " + px(names[i].y) + "L" + px(x) + " " + px(y) + "\" stroke=\"" +
+                   names[i].colour + "\" fill=\"none\"/>";
+        svg += label(box.left, box.top + font - 1, names[i].text, names[i].colour);
+    }
+    return svg;
 }
 
 /// Draws a scale of 10 mm in the lower left corner.
@@ -79,13 +132,13 @@ std::string scale(const View& view) {
            px(length) + "\" stroke=\"#fff\" stroke-width=\"1\"/>" + label(16 + length, y + 4, "10 mm", "#1b2126");
 }
 
-std::string figure(const View& view, const Picture& picture, const std::string& marks) {
+std::string figure(const View& view, const Picture& picture, const Overlay& overlay) {
     const std::string size =
         "width=\"" + std::to_string(view.columns) + "\" height=\"" + std::to_string(view.rows) + "\"";
-    return "<figure><svg " + size + " viewBox=\"0 0 " + std::to_string(view.columns) + " " + std::to_string(view.rows) +
+    return "<figure><svg viewBox=\"0 0 " + std::to_string(view.columns) + " " + std::to_string(view.rows) +
            "\" role=\"img\"><title>" + session::html_escaped(view.title) + "</title><image " + size + " href=\"" +
-           png_link(picture) + "\"/>" + marks + scale(view) + "</svg><figcaption>" + session::html_escaped(view.title) +
-           "</figcaption></figure>\n";
+           png_link(picture) + "\"/>" + overlay.lines + scale(view) + names_svg(view, overlay.names) +
+           "</svg><figcaption>" + session::html_escaped(view.title) + "</figcaption></figure>\n";
 }
 
 /// Returns the pose of the tool at the goal of a step.
@@ -166,7 +219,10 @@ std::string outside_views(const run::Scene& scene, const std::vector<Pose>& tool
         };
         view.rows = std::clamp(static_cast<int>(view.columns * extent(d.up) / extent(d.right)), 200, 460);
         view.width = std::max(extent(d.right), extent(d.up) * view.columns / view.rows);
-        figures += figure(view, from_outside(view, scene, tools), landmarks(view, scene, 1.0));
+        Overlay overlay;
+        add_landmarks(view, scene, 1.0, overlay);
+        add_zones(view, scene, overlay);
+        figures += figure(view, from_outside(view, scene, tools), overlay);
     }
     return "<section><h2>From outside</h2><div class=\"views\">" + figures + "</div></section>\n";
 }
@@ -189,13 +245,14 @@ std::string step_views(const run::Scene& scene, std::size_t step) {
         View view{is_first ? std::string("Along the axis") + side
                            : std::string(has_plane ? "In the plane" : "Along the axis, a quarter turn further"),
                   frame.entry + 0.5 * depth * frame.along, is_first ? across : other, -1.0 * frame.along, width};
-        figures += figure(view, cut_through(view, scene),
-                          tool_outline(view, scene.tool(step).outline, tool) + landmarks(view, scene, 3e-3));
+        Overlay overlay{.lines = tool_outline(view, scene.tool(step).outline, tool)};
+        add_landmarks(view, scene, 3e-3, overlay);
+        figures += figure(view, cut_through(view, scene), overlay);
     }
     View section{"Across the axis, " + bone::rounded(0.5e3 * depth, 1) + " mm behind the entry",
                  frame.entry + 0.5 * depth * frame.along, across, cross(across, frame.along), 50e-3};
     figures += figure(section, cut_through(section, scene),
-                      tool_outline(section, scene.tool(step).outline, {section.centre, tool.rotation}));
+                      {.lines = tool_outline(section, scene.tool(step).outline, {section.centre, tool.rotation})});
     return "<section><h2>Step " + session::html_escaped(scene.procedure.steps[step].id) + ": the tool at its goal, " +
            bone::rounded(depth * 1e3, 1) + " mm deep</h2><div class=\"views\">" + figures + "</div></section>\n";
 }
@@ -227,7 +284,8 @@ std::string key(const run::Scene& scene) {
 std::string preview_page(const run::Scene& scene) {
     std::vector<Pose> tools;
     for (std::size_t step = 0; step < scene.procedure.steps.size(); ++step) tools.push_back(goal_pose(scene, step));
-    std::string page = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
+    std::string page = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+                       "content=\"width=device-width, initial-scale=1\"><title>" +
                        session::html_escaped(scene.procedure.title) + "</title><style>" + std::string(style) +
                        "</style></head><body><main><h1>" + session::html_escaped(scene.procedure.title) +
                        "</h1><p class=\"soft\">" + session::html_escaped(scene.anatomy.title) +
