@@ -90,7 +90,8 @@ std::vector<Prediction> predictions(const CuttingLaw& law) {
             const auto add = [&](const char* name, std::size_t i, double predicted) {
                 const PublishedMean& mean = series.means[i];
                 all.push_back({series.source, series.tissue, name, of_torque ? "torque" : "thrust", mean.speed,
-                               predicted, quantity_of(mean, of_torque), of_torque ? mean.torque_sd : mean.thrust_sd});
+                               predicted, quantity_of(mean, of_torque), of_torque ? mean.torque_sd : mean.thrust_sd,
+                               series.feed_rate > 0.0});
             };
             const double feed_rate = series.feed_rate > 0.0 ? series.feed_rate : 1e-3;
             for (const FeedLaw& fitted : fitted_laws(series, of_torque))

@@ -48,6 +48,7 @@ struct FeedLaw {
 struct Prediction {
     std::string source{}, tissue{}, law{}, quantity{};
     double speed = 0.0, predicted = 0.0, measured = 0.0, sd = 0.0;  ///< SI
+    bool is_feed_known = true;  ///< false: of the study it is not, and 1 mm/s is assumed
     [[nodiscard]] double off_in_sd() const noexcept { return sd > 0.0 ? (predicted - measured) / sd : 0.0; }
 };
 [[nodiscard]] std::vector<Prediction> predictions(const CuttingLaw& law);

@@ -23,7 +23,7 @@ namespace {
 using drawing::csv_quoted;
 using drawing::figure;
 
-constexpr double width = 1040, height = 1110;
+constexpr double width = 1040, height = 1126;
 enum Colour { of_kerf = 0, of_line = 1, of_power = 5, of_proportion = 8, of_measured = 6 };
 
 int colour_of(const std::string& law) {
@@ -62,11 +62,12 @@ drawing::Panel feed_panel(const CuttingLaw& law, bool of_torque) {
     return panel;
 }
 
+constexpr const char* feed_unknown = "; the study's feed is unknown, 1 mm/s is assumed";
+
 /// How far predictions are off, one column per law.
 drawing::Panel deviation_panel(const CuttingLaw& law) {
     drawing::Panel panel{
-        .title =
-            "Predictions, labelled with how many SD they are off (Orelaja: no SD reported, feed speed taken as fixed)"};
+        .title = "Predictions, labelled with how many SD they are off. * Orelaja: feed unknown, 1 mm/s assumed; no SD"};
     panel.x = {.title = "prediction, in the order of physics.csv", .is_log = false, .low = 0.0, .high = 1.0};
     panel.y = {.title = "off by, in % of the measured mean",
                .is_log = false,
@@ -77,7 +78,8 @@ drawing::Panel deviation_panel(const CuttingLaw& law) {
     panel.x.high = static_cast<double>(all.size()) + 1.0;
     std::string last;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::string group = all[i].sd > 0.0 ? all[i].tissue + ", " + all[i].quantity : all[i].tissue;
+        const std::string group = all[i].sd > 0.0 ? all[i].tissue + ", " + all[i].quantity
+                                                  : all[i].tissue + (all[i].is_feed_known ? "" : " *");
         if (group != last) panel.x.guides.push_back({static_cast<double>(i) + 0.5, group});
         last = group;
     }
@@ -96,7 +98,7 @@ drawing::Panel deviation_panel(const CuttingLaw& law) {
                                                                      : "",
                                      .told = p.source + ", " + p.tissue + ", " + p.quantity + " at " +
                                              figure(p.speed * 60.0, 4) + " rpm, " + p.law + ": " + figure(off, 3) +
-                                             " %"});
+                                             " %" + (p.is_feed_known ? "" : feed_unknown)});
         }
         panel.curves.push_back(std::move(curve));
     }
@@ -151,20 +153,25 @@ std::string published_svg(const CuttingLaw& law, std::span<const AwlWay> awl) {
     content += drawing::text_at(
         12, height - 24, "Filled: within 1 SD of the measured mean; hollow: not, or no SD was reported. Bars: +- 1 SD.",
         "class=\"kp-note\"");
+    content += drawing::text_at(
+        12, height - 40,
+        "* The feed of the study is unknown. The figure holds for 1 mm/s, which is assumed: it does not measure Kerf.",
+        "class=\"kp-note\"");
     content += drawing::text_at(12, height - 8, std::string(session::notice_line) + ".", "class=\"kp-note\"");
     return drawing::picture(width, height, "Physics: laws against published drilling tests", content);
 }
 
 std::string published_csv(const CuttingLaw& law, std::span<const Check> checks) {
     std::string text = std::string("# ") + session::notice_line + ".\n# " + calibrated_on +
-                       "\nsource,tissue,quantity,speed_rpm,law,predicted,measured,sd,unit,off_in_sd,off_percent\n";
+                       "\nsource,tissue,quantity,speed_rpm,law,predicted,measured,sd,unit,off_in_sd,off_percent,feed\n";
     for (const Prediction& p : predictions(law)) {
         const double unit = p.quantity == "torque" ? 1.0_Nmm : 1.0;
         text += csv_quoted(p.source) + "," + csv_quoted(p.tissue) + "," + csv_quoted(p.quantity) + "," +
                 figure(60.0 * p.speed, 4) + "," + csv_quoted(p.law) + "," + figure(p.predicted / unit, 4) + "," +
                 figure(p.measured / unit, 4) + "," + (p.sd > 0.0 ? figure(p.sd / unit, 4) : "") + "," +
                 (unit < 1.0 ? "N mm" : "N") + "," + (p.sd > 0.0 ? figure(p.off_in_sd()) : "") + "," +
-                figure(100.0 * (p.predicted / p.measured - 1.0)) + "\n";
+                figure(100.0 * (p.predicted / p.measured - 1.0)) + "," + (p.is_feed_known ? "reported" : "assumed") +
+                "\n";
     }
     text += "\ncheck,what,found,wanted,outcome,remark\n";
     for (const Check& check : checks)

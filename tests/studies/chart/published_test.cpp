@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kerf/units.hpp"
+#include "studies/chart/physics/published_files.h"
 #include "tests/studies/papers/as_printed/printed_rig.h"
 
 namespace kerf::chart {
@@ -49,6 +50,17 @@ TEST(Published, ThePluginsLawIsTheLeastSquaresLineThroughAllThree) {
         EXPECT_NEAR(shared_law_at(test::shared_law(), f * 1e-3, false), 129.1 + 567.4 * f, 0.2);
         EXPECT_NEAR(unit * shared_law_at(test::shared_law(), f * 1e-3, true), 47.4 + 1155.0 * f, 0.2);
     }
+}
+
+TEST(Published, MarksStudiesWithoutAKnownFeed) {
+    const CuttingLaw& law = test::shared_law();
+    for (const Prediction& p : predictions(law)) EXPECT_EQ(p.is_feed_known, p.source != "orelaja-2020") << p.source;
+    const std::string svg = published_svg(law, {});
+    EXPECT_NE(svg.find("Kerf: 852 %; the study&#39;s feed is unknown, 1 mm/s is assumed"), std::string::npos);
+    EXPECT_NE(svg.find(">bovine *<"), std::string::npos);
+    EXPECT_NE(svg.find("* The feed of the study is unknown."), std::string::npos);
+    const std::string csv = published_csv(law, {});
+    EXPECT_NE(csv.find("852,assumed\n"), std::string::npos);
 }
 
 TEST(Published, EveryLawIsCalibratedOnAsFewMeansAsItHasConstants) {
