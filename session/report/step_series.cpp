@@ -34,8 +34,9 @@ std::vector<StepSeries> series_by_step(std::span<const TickRow> rows) {
         std::size_t end = begin + 1;
         while (end < rows.size() && rows[end].step == rows[begin].step) ++end;
         if (rows[begin].step >= 0) {
-            const std::span<const TickRow> own = rows.subspan(begin, end - begin);
-            all.push_back({static_cast<std::size_t>(rows[begin].step), begin, own, strokes_of(own)});
+            const std::size_t first = begin > 0 && begin + 1 < end ? begin + 1 : begin;
+            const std::span<const TickRow> own = rows.subspan(first, end - first);
+            all.push_back({static_cast<std::size_t>(rows[begin].step), first, own, strokes_of(own)});
         }
         begin = end;
     }

@@ -32,7 +32,8 @@ struct StepSeries {
     std::vector<Stroke> strokes{};    ///< of `rows`
 };
 
-/// Returns the rows of each step that has some. Leaves out rows without a step.   [any]
+/// Returns the rows of each step that has some. Leaves out rows without a step, and the first row of a
+/// later step: in its first tick the tool of the step before is still in the hand.   [any]
 /// @param rows   of the run, in order; must outlive the result
 [[nodiscard]] std::vector<StepSeries> series_by_step(std::span<const TickRow> rows);
 

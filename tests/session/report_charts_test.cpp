@@ -98,12 +98,12 @@ TEST(Strokes, BeginOutwardsIfTheToolIsWithdrawn) {
 TEST(SeriesByStep, HasTheRowsOfEachStepAlone) {
     std::vector<TickRow> rows = rows_at({0, 1, 2}, 0);
     for (const int step : {-1, 1})
-        for (const TickRow& row : rows_at({5, 6}, step)) rows.push_back(row);
+        for (const TickRow& row : rows_at({5, 6, 7}, step)) rows.push_back(row);
     const std::vector<StepSeries> series = series_by_step(rows);
     ASSERT_EQ(series.size(), 2u);
     EXPECT_EQ(series[0].rows.size(), 3u);
     EXPECT_EQ(series[1].step, 1u);
-    EXPECT_EQ(series[1].first, 5u);
+    EXPECT_EQ(series[1].first, 7u) << "the tool changes in the first tick of a step";
     EXPECT_EQ(series[1].rows.size(), 2u);
 }
 
