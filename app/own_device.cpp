@@ -99,12 +99,13 @@ void fit_to_workspace(const run::Scene& scene, const std::string& rehearsal, Own
     const run::WorkspaceFit fit =
         run::fit_into(*station.workspace, handle_of(*device.opened, *station.workspace), motion);
     station.scale = fit.scale;
-    print_error(formatted("kerf: the tool moves by %.2f of the handle's motion, so that the operation fits into the "
-                          "workspace\n",
-                          fit.scale));
-    if (fit.fits()) return;
-    print_error("kerf: the handle would have to move " + ends_of(fit) +
-                " beyond its workspace. Begin farther from there, or use the button `clutch`\n");
+    const std::string moves = formatted("kerf: the tool moves by %.2f of the handle's motion", fit.scale);
+    if (fit.fits())
+        print_error(moves + ", so that the operation fits into the workspace\n");
+    else
+        print_error(moves +
+                    ", and the operation still does not fit into the workspace: the handle would have to move " +
+                    ends_of(fit) + " beyond it. Begin farther from there, or use the button `clutch`\n");
 }
 
 }  // namespace kerf::app
