@@ -315,7 +315,7 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
         {645, surface(645, "v 0 0 1e39\nv 0 0 nan\n")},
         {646, surface(646, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n")},
         {647, surface(647, "v 0 0 0\nv 1 0 0\nv 0 1 0\n")},
-        {648, surface(648, Surface().cube(200, 0, 0, 0).text, "block.obj", "unit: cm, frame: LPS")},
+        {648, surface(648, Surface().cube(200, 0, 0, -99).text, "block.obj", "unit: cm, frame: LPS")},
         {649, surface(649, Surface().cube(20, 0, 0, 0, false, 5).text)},
         {650, surface(650, Surface().cube(20, 0, 0, 0).text + "v 0 0 18\nf 5 6 9\n", "block.obj", "unit: mm, frame: LPS, repair: {holes_up_to: 20 mm}")},
         {651, surface(651, moebius_strip())},
@@ -334,7 +334,7 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              write(folder + "/E0707.yaml", procedure);
          }},
         {710, [](const std::string& folder) {
-             surface(710, Surface().cube(100, 0, 0, 0).text)(folder);
+             surface(710, Surface().cube(100, 0, 0, -40).text)(folder);
              std::filesystem::rename(folder + "/E0710.yaml", folder + "/large.yaml");
              std::string procedure = contents_of(folder + "/hole.yaml");
              procedure.replace(procedure.find("block.yaml"), 10, "large.yaml");
