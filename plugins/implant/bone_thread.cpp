@@ -73,19 +73,20 @@ BoneThread::BoneThread(const ThreadPoints& thread_points, const ScrewThread& thr
     bone.sample(std::span<const Vec3>(point.data(), 2 * count), Vec3{0, 0, 1}, {found.data(), 2 * count});
     leading = last = thread.first_crest();
     bool has_front = false;
+    const double full_depth = 0.5 * (thread.outer - thread.core);
     double flutes = 0.0, first_quarter = 0.0, whole = 0.0, square = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        const Bite& bite = bites[i];
+        const Bite& crest = bites[i];
         const double outer = thread_points.outer[i], core = thread_points.core[i], z = point[i].z,
                      length = thread_points.grip[i];
-        const bool bites_bone = bite.depth > 0.0;
+        const bool bites_bone = crest.depth > 0.0;
         const double m = bites_bone ? resistance(found[i], bone.tissue_count(), reference_density) : 0.0;
         // The first and the last piece make up for the shift of the others.
         const double part = i == 0           ? 1.0 - moved / thread_points.piece
                             : i + 1 == count ? 1.0 + moved / thread_points.piece
                                              : 1.0;
         if (-z <= thread.cone() + thread.flute_length) {
-            const double fraction = bite.depth / (outer - core);
+            const double fraction = crest.depth / (outer - core);
             front += m * fraction * fraction;  // the groove is a triangle
             flutes += 1.0;
         }
@@ -98,24 +99,27 @@ BoneThread::BoneThread(const ThreadPoints& thread_points, const ScrewThread& thr
             front_in_bone += bites_bone ? found[i].engagement : 0.0;
             first_quarter += 1.0;
         }
-        const double on_core = bite.press * resistance(found[count + i], bone.tissue_count(), reference_density);
+        const double on_core = crest.press * resistance(found[count + i], bone.tissue_count(), reference_density);
         const double depth = track.depth_of(point[i]);
         const bool is_cut = track.is_cut_at(depth);
         const double relieved = 1.0 - law.tapped_relief * track.fraction_tapped(depth, outer, core);
         // All friction acts at the thread's radius, as the torque in foam scales with it [weidling-2022].
-        rubbing += part * relieved * law.friction * law.compaction * bite.middle * length *
-                   (m * thread.flank_between(bite.inner, outer) + on_core * 2.0 * pi * core);
+        rubbing += part * relieved * law.friction * law.compaction * crest.middle * length *
+                   (m * thread.flank_between(crest.inner, outer) + on_core * 2.0 * pi * core);
         if (m <= 0.0) continue;
         engaged += part * found[i].engagement * length;
         if (found[i].body >= 0) body = found[i].body;
         if (!is_cut) {
-            blocked += part * law.crush * m * thread.flank_between(bite.inner, outer) * length;
+            blocked += part * law.crush * m * thread.flank_between(crest.inner, outer) * length;
             continue;
         }
-        const double strong = part * law.shear * m * 2.0 * pi * outer * thread.shape_factor_of(bite.depth) * length,
+        const double strong = part * law.shear * m * 2.0 * pi * outer * thread.shape_factor_of(crest.depth) * length,
                      stiff = part * 1e3 * law.grip_stiffness * m * length;  // stiffness of 1 mm, per metre
+        const double slip = track.slip_at(depth);
         whole += strong;
-        strength += strong * strength_left(track.slip_at(depth), law.yield_share, law.yield_slip, law.strip_slip);
+        strength += strong * strength_left(slip, law.yield_share, law.yield_slip, law.strip_slip);
+        lost += strong * slip;
+        bite += strong * crest.depth / full_depth;
         stiffness += stiff;
         pressed += part * law.crush * m * 2.0 * outer * length;
         middle += stiff * z;
@@ -123,7 +127,11 @@ BoneThread::BoneThread(const ThreadPoints& thread_points, const ScrewThread& thr
     }
     if (flutes > 0.0) front /= flutes;
     if (first_quarter > 0.0) front_in_bone /= first_quarter;
-    if (whole > 0.0) left = strength / whole;
+    if (whole > 0.0) {
+        left = strength / whole;
+        lost /= whole;
+        bite = std::min(bite / whole, 1.0);
+    }
     if (stiffness > 0.0) {
         middle /= stiffness;
         spread = std::sqrt(std::max(0.0, square / stiffness - middle * middle));

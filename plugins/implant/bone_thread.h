@@ -39,6 +39,8 @@ struct BoneThread {
     double last = 0.0;           ///< [m] of z, its end towards the head
     double front_in_bone = 0.0;  ///< [–] bone fraction in the quarter turn behind `leading`
     double left = 1.0;           ///< [–] remaining fraction of its strength
+    double lost = 0.0;           ///< [m] slip of the bone that carries it, averaged by strength
+    double bite = 0.0;           ///< [–] depth of its crests in bone, relative to the full one, averaged by strength
     double blocked = 0.0;        ///< [N] along the shaft that pushes crests through bone without a groove
     double pressed = 0.0;        ///< [N] across the shaft that crushes the bone
     double middle = 0.0;         ///< [m] of z, stiffness-weighted middle of the engaged part

@@ -20,6 +20,7 @@ constexpr double cut_onset = 1e-4;      // [m/s]
 constexpr double crush_onset = 1e-5;    // [m/s]
 constexpr double seated_force = 5.0;    // [N] under the head from which on it counts as seated [judgement]
 constexpr double first_slip = 0.02_mm;  // [m] slip from which on a thread yields [judgement]
+constexpr double much_slip = 1.0_mm;    // [m] slip that an operation reports [judgement]
 constexpr double stripped_at = 0.3;     // [–] of its strength; below it a thread counts as stripped
 constexpr double bitten = 0.05;         // [rad] turn in bone after which a crest has begun its groove [judgement]
 constexpr double turned_back = 0.3;     // [rad] behind the farthest turn, from which on a screw backs out
@@ -102,16 +103,19 @@ ScrewInsertion::Notes ScrewInsertion::resist(const HeldThread&, const BoneQuery&
     const auto& [thread, thread_points, contact] = state.prepared;
     const ThreadTrack track = ThreadTrack::found(bone, thread, state.held);
     const BoneThread found(thread_points, thread, track, state.hole, *this, bone);
+    const auto less = [](double x) { return static_cast<float>(x); };
     const Notes notes{.strength = found.strength,
                       .stiffness = found.stiffness,
                       .engaged = found.engaged,
-                      .middle = found.middle,
-                      .across = found.left * found.pressed,
-                      .left = static_cast<float>(found.left),
-                      .front = static_cast<float>(found.front_in_bone),
-                      .spread = static_cast<float>(found.spread),
-                      .leading = static_cast<float>(found.leading),
-                      .last = static_cast<float>(found.last),
+                      .left = less(found.left),
+                      .front = less(found.front_in_bone),
+                      .lost = less(found.lost),
+                      .bite = less(found.bite),
+                      .middle = less(found.middle),
+                      .across = less(found.left * found.pressed),
+                      .spread = less(found.spread),
+                      .leading = less(found.leading),
+                      .last = less(found.last),
                       .body = found.body};
     const Slide slide(thread);
 
@@ -159,9 +163,10 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
 
     state.stretch += along - thread.advance() * turn;
     const double slip = yield_plastically(state.stretch, notes.stiffness, notes.strength);
-    state.slip += slip;
     state.is_slipping = slip > 0.0;
-    track.add_slip(track.depth_of({0, 0, -thread.length}), front, slip);
+    // Crests that are in bone by a part of their depth shear only that part.
+    track.add_slip(track.depth_of({0, 0, static_cast<double>(notes.last)}), front,
+                   static_cast<double>(notes.bite) * slip);
 
     if (groove.radius < 0.5 * thread.outer - same_width) {  // it widens the thread of a tap
         groove.radius = 0.5 * thread.outer;
@@ -187,14 +192,15 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
 
     if (front < groove.tapped_to) return;  // the thread ahead keeps its axis
     const double stiffness = static_cast<double>(notes.left) * notes.stiffness,
-                 spread = static_cast<double>(notes.spread);
-    const Vec3 offset = track.offset(notes.middle), inclination = track.inclination();
+                 spread = static_cast<double>(notes.spread), middle = static_cast<double>(notes.middle),
+                 across = static_cast<double>(notes.across);
+    const Vec3 offset = track.offset(middle), inclination = track.inclination();
     Vec3 held = offset, turned = inclination;
-    static_cast<void>(yield_plastically(held.x, stiffness, notes.across));
-    static_cast<void>(yield_plastically(held.y, stiffness, notes.across));
-    static_cast<void>(yield_plastically(turned.x, stiffness * spread * spread, notes.across * spread));
-    static_cast<void>(yield_plastically(turned.y, stiffness * spread * spread, notes.across * spread));
-    track.yield_plastically(offset - held, inclination - turned, notes.middle);
+    static_cast<void>(yield_plastically(held.x, stiffness, across));
+    static_cast<void>(yield_plastically(held.y, stiffness, across));
+    static_cast<void>(yield_plastically(turned.x, stiffness * spread * spread, across * spread));
+    static_cast<void>(yield_plastically(turned.y, stiffness * spread * spread, across * spread));
+    track.yield_plastically(offset - held, inclination - turned, middle);
 }
 
 void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) const noexcept {
@@ -207,16 +213,18 @@ void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) 
     // Crests that were pushed through during insertion do not strip a thread. Neither does a tool that leaves through
     // them.
     const bool is_engaged = notes.engaged > min_engaged_turns * state.prepared.thread.lead();
-    once(reported.has_yielded, is_engaged && state.is_slipping && state.slip > first_slip, Happened::yield);
+    const auto lost = static_cast<double>(notes.lost);
+    once(reported.has_yielded, is_engaged && state.is_slipping && lost > first_slip, Happened::yield);
+    once(reported.has_slipped, is_engaged && lost > much_slip, Happened::slipped);
     once(reported.is_stripped,
-         is_engaged && state.is_slipping && state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at,
+         is_engaged && state.is_slipping && lost > yield_slip && static_cast<double>(notes.left) < stripped_at,
          Happened::stripped);
     const bool is_back = state.angle < state.front - turned_back;
     once(reported.is_backing_out, is_back && !reported.is_stripped, Happened::backing_out);
     if (is_back && state.seat_force <= 0.0) reported.has_seated = false;  // it may seat again
     if (!is_back) reported.is_backing_out = false;
     if (state.away <= left_bone) return;
-    state.angle = state.front = state.slip = state.pushed = 0.0;
+    state.angle = state.front = state.pushed = 0.0;
     state.held = KERF_NEW_THREAD;
     reported = {};
 }
@@ -271,7 +279,7 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
                .turned = state.angle,
                .engaged = notes.engaged,
                .clamp = state.seat_force,
-               .slip = state.slip,
+               .slip = static_cast<double>(notes.lost),
                .pull_out = notes.strength};
 }
 

@@ -28,7 +28,8 @@ struct ScrewInsertion : ScrewParameters {
     };
     /// Events that fire once, until the thread has left bone.
     struct Reported {
-        bool is_in = false, has_seated = false, has_yielded = false, is_stripped = false, is_backing_out = false;
+        bool is_in = false, has_seated = false, has_yielded = false, has_slipped = false, is_stripped = false,
+             is_backing_out = false;
         bool is_crossed = false, is_cut = false;  ///< by another thread; the bone around its crests is cut
     };
     struct State {
@@ -37,7 +38,6 @@ struct ScrewInsertion : ScrewParameters {
         double torque = 0.0;      ///< [N·m] of the bone against the turn, in the last tick
         double seat_force = 0.0;  ///< [N] under the head in the last tick
         double stretch = 0.0;     ///< [m] elastic, of the thread in bone along the shaft
-        double slip = 0.0;        ///< [m] plastic, of this tool, in both directions
         double away = 0.0;        ///< [m] moved along the shaft since the thread left bone
         double grip_force = 0.0;  ///< [N] along the helix in the last tick; negative: it pulls the screw in
         double pushed = 0.0;      ///< [m] push of crests without a groove beyond the lead of the turn
@@ -50,8 +50,9 @@ struct ScrewInsertion : ScrewParameters {
     struct Notes {
         double strength = 0.0, stiffness = 0.0;  ///< of the bone's thread [N], [N/m]
         double engaged = 0.0;                    ///< [m]
-        double middle = 0.0, across = 0.0;       ///< [m], [N]: centre and limit of the sideways support
         float left = 1.0f, front = 0.0f;         ///< [–] remaining strength, bone fraction at the first crest
+        float lost = 0.0f, bite = 0.0f;          ///< [m] slip of the bone, [–] depth of the crests in it
+        float middle = 0.0f, across = 0.0f;      ///< [m], [N]: centre and limit of the sideways support
         float spread = 0.0f;                     ///< [m] along the shaft, of the sideways support
         float leading = 0.0f, last = 0.0f;       ///< [m] of z, ends of the engaged part, towards tip and head
         std::int32_t body = -1;
@@ -59,7 +60,7 @@ struct ScrewInsertion : ScrewParameters {
     struct Signals {
         double torque = 0.0, turned = 0.0, engaged = 0.0, clamp = 0.0, slip = 0.0, pull_out = 0.0;
     };
-    enum class Happened { going_in, head_contact, yield, stripped, backing_out, cross_threaded };
+    enum class Happened { going_in, head_contact, yield, slipped, stripped, backing_out, cross_threaded };
 
     static constexpr auto about() {
         return describe(
@@ -72,12 +73,15 @@ struct ScrewInsertion : ScrewParameters {
                    {.id = "turned", .help = "Angle turned since the thread met bone.", .unit = unit::deg}),
             signal(&Signals::engaged, {.id = "engaged", .help = "Length of thread in bone.", .unit = unit::mm}),
             signal(&Signals::clamp, {.id = "clamp", .help = "Force under the head.", .unit = unit::N}),
-            signal(&Signals::slip, {.id = "slip", .help = "Slip of the thread in bone.", .unit = unit::mm}),
+            signal(&Signals::slip,
+                   {.id = "slip", .help = "Slip that the bone around the thread has suffered.", .unit = unit::mm}),
             signal(&Signals::pull_out,
                    {.id = "pull_out", .help = "Estimate of the force that pulls the screw out.", .unit = unit::N}),
             event(Happened::going_in, {.id = "implant.going_in", .help = "The thread is in bone."}),
             event(Happened::head_contact, {.id = "implant.head_contact", .help = "The head seats."}),
             event(Happened::yield, {.id = "implant.yield", .help = "The thread begins to slip in bone."}),
+            event(Happened::slipped,
+                  {.id = "implant.slipped", .help = "The bone around the thread has lost 1 mm to slip."}),
             event(Happened::stripped,
                   {.id = "implant.stripped", .help = "The thread of the bone is stripped.", .is_damage = true}),
             event(Happened::backing_out, {.id = "implant.backing_out", .help = "The screw is turned out."}),

@@ -114,7 +114,7 @@ TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
     }
     EXPECT_TRUE(has(kerf("run " + pedicle_screw + " --hand nobody").err,
                     "there is no rehearsal `nobody`. Write `expert`, `no-starting-hole`, `medial-breach`, `backed-out` "
-                    "or `stripped`.\n"));
+                    "or `overtightened`.\n"));
 }
 
 TEST(Program, WhatCannotBeRunIsSaidBeforeTheBoneIsMade) {
@@ -422,7 +422,7 @@ TEST(Program, OnATerminalMakingTheBoneShowsASignOfLife) {
 TEST(Program, RehearsingSaysWhatWasExpectedAndWhatHappened) {
     // On so coarse a grid the thread holds until the driver slips in the hand.
     const Ended rehearsed =
-        kerf("rehearse " + pedicle_screw + " --set rehearsals.stripped=~ --set 'accuracy.spacing=0.5 mm'");
+        kerf("rehearse " + pedicle_screw + " --set rehearsals.overtightened=~ --set 'accuracy.spacing=0.5 mm'");
     EXPECT_EQ(rehearsed.exit_code, 0) << rehearsed.err;
     EXPECT_TRUE(has(rehearsed.out, "expert: ended as expected\n  expected  pass\n  ended     pass, score 100\n"))
         << rehearsed.out;
@@ -437,7 +437,7 @@ TEST(Program, ARehearsalThatEndsOtherwiseThanItSaysEndsWithOne) {
     const TemporaryFolder folder;
     // On so coarse a grid the thread holds until the driver slips in the hand.
     const Ended rehearsed =
-        kerf("rehearse --set rehearsals.stripped=~ " + variant(folder, "expect: pass", "expect: {fail: canal}"));
+        kerf("rehearse --set rehearsals.overtightened=~ " + variant(folder, "expect: pass", "expect: {fail: canal}"));
     EXPECT_EQ(rehearsed.exit_code, 1) << rehearsed.err;
     EXPECT_TRUE(has(rehearsed.out, "expert: NOT AS EXPECTED")) << rehearsed.out;
     EXPECT_TRUE(has(rehearsed.out, "3 of 4")) << rehearsed.out;

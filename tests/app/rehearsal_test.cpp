@@ -161,8 +161,9 @@ TEST(PedicleScrew, TheReleasedScrewIsABodyOfMetalInTheScene) {
     EXPECT_EQ(status_of(s, "insert.heary"), "grade I");
 }
 
-TEST(PedicleScrew, TurnedOnAfterItsHeadHasSeatedItStrips) {
-    const test::WatchedRun& run = outcome_of("stripped");
+TEST(PedicleScrew, TurnedOnInSoftBoneAfterItsHeadHasSeatedItStrips) {
+    const run::Scene scene = pedicle_with({"accuracy.spacing=0.5 mm"}, "osteoporotic");
+    const test::WatchedRun run = test::rehearsed(scene, "overtightened");
     EXPECT_TRUE(run.is_as_expected);
     std::vector<std::string> phases;
     for (const session::EventRow& event : run.events)

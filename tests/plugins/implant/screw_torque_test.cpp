@@ -178,7 +178,7 @@ TEST(Tightening, StripsBySlipAndReportsItsPhases) {
         }
     }
     const std::vector<std::string> wanted{"implant.going_in", "implant.head_contact", "implant.yield",
-                                          "implant.stripped"};
+                                          "implant.slipped", "implant.stripped"};
     EXPECT_EQ(rig.events(), wanted);
 }
 
