@@ -30,7 +30,7 @@ Load load_of(const double* wrench, double times, double length) noexcept {
 
 }  // namespace
 
-double bending_stress(const TwistDrill& drill, const Advance& advance) noexcept {
+Bending bending_of(const TwistDrill& drill, const Advance& advance) noexcept {
     std::array<Load, KERF_MAX_CHANNELS + 1> load;
     std::size_t count = 0;
     const auto add = [&](const double* wrench, double times) {
@@ -40,6 +40,7 @@ double bending_stress(const TwistDrill& drill, const Advance& advance) noexcept 
     };
     add(advance.following.data(), 1.0);
     for (std::size_t c = 0; c < advance.channel.size(); ++c) add(advance.channel[c].d, -advance.lambda[c]);
+    Bending most;
     double max_squared = 0.0;  // [Pa²]
     const auto evaluate_at = [&](double z) {
         double mx = 0.0, my = 0.0;
@@ -49,11 +50,14 @@ double bending_stress(const TwistDrill& drill, const Advance& advance) noexcept 
             my += load[i].my - z * load[i].fx;
         }
         const double d = 2.0 * drill.bit_radius_at(z), per_moment = 64.0 / (pi * d * d * d);
-        max_squared = std::max(max_squared, (mx * mx + my * my) * per_moment * per_moment);
+        const double squared = (mx * mx + my * my) * per_moment * per_moment;
+        if (squared <= max_squared) return;
+        max_squared = squared;
+        most = {per_moment * mx, per_moment * my};
     };
     for (std::size_t i = 0; i < count; ++i) evaluate_at(load[i].z);
     if (count > 0) evaluate_at(-drill.length);
-    return std::sqrt(max_squared);
+    return most;
 }
 
 }  // namespace kerf::drilling

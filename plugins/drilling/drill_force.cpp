@@ -148,9 +148,11 @@ void DrillCutting::commit(const AnyDrill& tool, const BoneQuery& bone, const Not
     signals.engagement = engaged;
     signals.drive_power = 2.0 * pi * turning.speed * load;
     signals.spindle_speed = state.cutter.speed();
-    state.bending_stress += state.prepared.bending_weight * (bending_stress(drill, advance) - state.bending_stress);
-    signals.bending_stress = state.bending_stress;
-    const bool is_overbent = state.bending_stress > (state.is_overbent ? straight_again : 1.0) * bit.yield_strength;
+    const Bending bending = bending_of(drill, advance);
+    state.bending.about_x += state.prepared.bending_weight * (bending.about_x - state.bending.about_x);
+    state.bending.about_y += state.prepared.bending_weight * (bending.about_y - state.bending.about_y);
+    signals.bending_stress = state.bending.stress();
+    const bool is_overbent = signals.bending_stress > (state.is_overbent ? straight_again : 1.0) * bit.yield_strength;
     if (is_overbent && !state.is_overbent) actions.event(Happened::bit_overbent);
     state.is_overbent = is_overbent;
 

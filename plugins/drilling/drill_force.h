@@ -29,16 +29,16 @@ struct DrillCutting : DrillParameters {
     struct State {
         double angle = 0.0;  ///< [rad] of the first lip about the shaft
         Travel travel;
-        OwnHoles holes;               ///< of its lands
-        HoleLine hole;                ///< of its shank
-        Carried carried;              ///< by contact in the last tick
-        bool crushes = false;         ///< the still tip crushes bone
-        double crushing_from = 0.0;   ///< [N] contact force when crushing began
-        WallAhead wall;               ///< ahead of a tip that rests or crushes
-        BrokenWall broken;            ///< the part of it that has broken
-        double bending_stress = 0.0;  ///< [Pa] of the bit, averaged over a few milliseconds
-        bool is_overbent = false;     ///< set above the yield stress, cleared when the bit is nearly straight
-        double reaction = 0.0;        ///< [N·m] motor torque beyond the torque from bone; negative in reverse
+        OwnHoles holes;              ///< of its lands
+        HoleLine hole;               ///< of its shank
+        Carried carried;             ///< by contact in the last tick
+        bool crushes = false;        ///< the still tip crushes bone
+        double crushing_from = 0.0;  ///< [N] contact force when crushing began
+        WallAhead wall;              ///< ahead of a tip that rests or crushes
+        BrokenWall broken;           ///< the part of it that has broken
+        Bending bending;             ///< of the bit, averaged over a few milliseconds
+        bool is_overbent = false;    ///< set above the yield stress, cleared when the bit is nearly straight
+        double reaction = 0.0;       ///< [N·m] motor torque beyond the torque from bone; negative in reverse
         PoweredCutter cutter;
         Prepared prepared;
     };

@@ -45,16 +45,16 @@ constexpr double section = pi * 3.2_mm * 3.2_mm * 3.2_mm / 64.0;  // [m³]
 TEST(BitBending, APushAtTheTipBendsMostAtTheChuck) {
     Pushes at_tip;
     at_tip.add(0.0, 27.0);
-    EXPECT_NEAR(drilling::bending_stress(bit(), at_tip.advance()), 27.0 * 60.0_mm / section, 1.0);
-    EXPECT_NEAR(drilling::bending_stress(bit(), at_tip.advance()) / 1e6, 1007.0, 1.0) << "what yields near 27 N";
+    EXPECT_NEAR(drilling::bending_of(bit(), at_tip.advance()).stress(), 27.0 * 60.0_mm / section, 1.0);
+    EXPECT_NEAR(drilling::bending_of(bit(), at_tip.advance()).stress() / 1e6, 1007.0, 1.0) << "what yields near 27 N";
 }
 
 TEST(BitBending, BetweenTwoPushesItBendsByTheFirstAlone) {
     Pushes clamped;  // as a hole holds it at its bottom and at its mouth; the chuck then carries nothing but the rest
     clamped.add(-1.0_mm, 30.0);
     clamped.add(-21.0_mm, -45.0);
-    EXPECT_NEAR(drilling::bending_stress(bit(), clamped.advance()), 30.0 * 20.0_mm / section, 1.0);
-    EXPECT_EQ(drilling::bending_stress(bit(), Pushes{}.advance()), 0.0);
+    EXPECT_NEAR(drilling::bending_of(bit(), clamped.advance()).stress(), 30.0 * 20.0_mm / section, 1.0);
+    EXPECT_EQ(drilling::bending_of(bit(), Pushes{}.advance()).stress(), 0.0);
 }
 
 // What follows goes with filtered forces and has a limit: where a lip comes out of a wall, a sum of the law's own
@@ -63,13 +63,23 @@ TEST(BitBending, WhatFollowsBendsAsItWasGivenAndNotAsItWasAskedFor) {
     Pushes held;
     held.add(-0.5_mm, 60.0);
     held.channel[0].follow[0] = -5.0;
-    const double alone = drilling::bending_stress(bit(), held.advance());
+    const double alone = drilling::bending_of(bit(), held.advance()).stress();
     EXPECT_NEAR(alone, 60.0 * 59.5_mm / section, 1.0);
     held.following = rate_at({0, 0, -0.5_mm}, {-60, 0, 0});
-    EXPECT_NEAR(drilling::bending_stress(bit(), held.advance()), 0.0, 1e-3) << "at one height, and as much";
+    EXPECT_NEAR(drilling::bending_of(bit(), held.advance()).stress(), 0.0, 1e-3) << "at one height, and as much";
     held.following = rate_at({0, 0, 0}, {-60, 0, 0});
-    EXPECT_NEAR(drilling::bending_stress(bit(), held.advance()), 60.0 * 0.5_mm / section, 1.0)
+    EXPECT_NEAR(drilling::bending_of(bit(), held.advance()).stress(), 60.0 * 0.5_mm / section, 1.0)
         << "half a millimetre apart";
+}
+
+TEST(BitBending, IsAboutTheAxisAcrossThePush) {
+    Pushes at_tip;
+    at_tip.add(0.0, 10.0);
+    const drilling::Bending bending = drilling::bending_of(bit(), at_tip.advance());
+    EXPECT_EQ(bending.about_x, 0.0);
+    EXPECT_NEAR(std::abs(bending.about_y), 10.0 * 60.0_mm / section, 1.0);
+    at_tip.lambda[0] = -10.0;
+    EXPECT_EQ(drilling::bending_of(bit(), at_tip.advance()).about_y, -bending.about_y) << "to the other side";
 }
 
 TEST(BitBending, AThinPilotIsBentTheHarder) {
@@ -83,7 +93,7 @@ TEST(BitBending, AThinPilotIsBentTheHarder) {
     Pushes at_tip;
     at_tip.add(0.0, 10.0);
     at_tip.add(-10.0_mm, 1e-9);
-    EXPECT_NEAR(drilling::bending_stress(stepped, at_tip.advance()),
+    EXPECT_NEAR(drilling::bending_of(stepped, at_tip.advance()).stress(),
                 std::max(10.0 * 10.0_mm / section, 10.0 * 60.0_mm / (8.0 * section)), 10.0);
 }
 
