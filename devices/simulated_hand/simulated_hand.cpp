@@ -16,8 +16,8 @@ constexpr double patience = 3e-3;            // [m] lag at which the plan waits 
 constexpr double surprise = 0.5e-3;          // [m] lead of the tip over the plan at which the lean decays [assumed]
 constexpr double arrived = 0.2e-3;           // [m] distance from a leg's end that counts as reached [assumed]
 
-constexpr double correcting =
-    1.0;  // [1/s] with which the aim goes as far to the other side as the tip is off the leg [assumed]
+constexpr double correcting = 1.0;   // [1/s] correction of a tip off the leg [assumed]
+constexpr double yielding = 0.5;     // [1/s] with which that correction is forgotten [assumed]
 constexpr double max_offset = 3e-3;  // [m] maximum offset of the aim: 2 N on a drill in a hole [assumed]
 // [–] Pull, as a fraction of device friction, from which friction is fully compensated [assumed].
 constexpr double unfelt = 0.02;
@@ -176,7 +176,7 @@ void SimulatedHand::think(const SensedTool& felt) {
         lean_ =
             std::clamp(lean_ + plant_.leaning / plant_.arm_stiffness * lag * dt_, 0.0, leg.push / plant_.arm_stiffness);
     }
-    offset_ = offset_ - (correcting * dt_) * (seen - seen_at * along + offset_);
+    offset_ = offset_ - dt_ * (correcting * (seen - seen_at * along) + yielding * offset_);
     if (const double far = length(offset_); far > max_offset) offset_ = (max_offset / far) * offset_;
 
     const std::size_t last = intent_.legs.size() - 1;

@@ -75,10 +75,11 @@ struct Intent {
 /// device's friction takes.
 ///
 /// The hand sees the tool's tip with a delay of one reaction time, and never writes the tool's pose. If the tip runs
-/// ahead of the plan, the lean decays and the plan continues from the tip. With a tip off the leg, the aim goes as far
-/// to the other side, with a time constant of 1 s [assumed]: a hole that lies elsewhere is not fought ever harder. The
-/// wrist turns to its target rotation and keeps it, whatever the resistance. A driver turns on from there, as often as
-/// needed. The torque about the driver's shaft is delayed by one reaction time, too.
+/// ahead of the plan, the lean decays and the plan continues from the tip. A tip off the leg is brought back at a
+/// speed of its distance per second, and that correction is forgotten with a time constant of 2 s [assumed]. So a hole
+/// that lies elsewhere is not fought ever harder. The wrist turns to its target rotation and keeps it, whatever the
+/// resistance. A driver turns on from there, as often as needed. The torque about the driver's shaft is delayed by one
+/// reaction time, too.
 ///
 /// While a force is lost, the caller lets the hand keep its aim: the fault is over before a person reacts.
 ///

@@ -51,7 +51,8 @@ private:
 };
 
 /// A person with a SpaceNavigator, who sees the tool and moves its tip from target to target. They push harder while it
-/// is too slow, and softer while it is too fast. They bring the tip back sideways, unless it is in bone.
+/// is too slow, and softer while it is too fast. They drill slowly, for a drill that breaks through plunges. They bring
+/// the tip back sideways, unless it is in bone.
 class PersonAtCap final : public ReportingLink {
 public:
     /// @param targets  of the tip, patient frame [m], the start before them
@@ -65,9 +66,9 @@ private:
 
     void report(std::uint64_t tick) noexcept override {
         if (tick == 0 || tick % period != 0 || target_ == targets_.size()) return;
-        constexpr double arrived = 0.3e-3, air = 5e-3;                  // [m]
-        constexpr double feed = 1e-3, approach = 8e-3;                  // [m/s]
-        constexpr double growth = 0.1, decline = 0.5, min_push = 0.02;  // [1/s], [–]
+        constexpr double arrived = 0.3e-3, air = 5e-3;                          // [m]
+        constexpr double push_through = 1e-3, drill = 0.2e-3, approach = 8e-3;  // [m/s]
+        constexpr double growth = 0.1, decline = 0.5, min_push = 0.02;          // [1/s], [–]
         const Vec3 leg = targets_[target_] - targets_[target_ - 1];
         const Vec3 along = length(leg) > 0.0 ? normalized(leg) : Vec3{};
         const Vec3 off = targets_[target_] - tip_;
@@ -80,6 +81,7 @@ private:
             return;
         }
         const bool is_inwards = target_ % 3 == 1, is_in_bone = is_inwards && length(leg) - left > air;
+        const double feed = target_ < 3 ? drill : push_through;
         const bool is_slow = speed < (is_in_bone ? feed : approach);
         push_ = std::clamp(push_ + dt * (is_slow ? growth : -decline), min_push, 1.0);
         const documents::DeviceStation station;
