@@ -127,11 +127,6 @@ void add_command(CLI::App& app, const Command& command, Options& options) {
     const std::string notice = std::string(session::notice_line) + ".";
     CLI::App* with_parameters = app.add_subcommand(command.name, command.summary);
     with_parameters->group(command.group)->footer(notice);
-    if (!command.action.empty()) {
-        with_parameters->require_subcommand(1);
-        with_parameters = with_parameters->add_subcommand(command.action, command.action_summary);
-        with_parameters->group("Commands");
-    }
     with_parameters->footer(examples_text(command) + (command.footer.empty() ? "" : command.footer + "\n") + notice);
     for (const Parameter& argument : command.arguments) add_parameter(*with_parameters, argument, options);
     for (const Parameter& option : command.options) add_parameter(*with_parameters, option, options);
@@ -166,7 +161,7 @@ std::string about_unknown_option(const std::string& word, const Command* command
     const std::string given = word.substr(0, word.find('='));
     const std::string meant = documents::closest(given, known);
     return "there is no option " + quoted(given) +
-           (command != nullptr ? " of " + quoted("kerf " + command->full_name()) : "") + ". Write " +
+           (command != nullptr ? " of " + quoted("kerf " + command->name) : "") + ". Write " +
            (meant.empty() ? documents::listed(known) : quoted(meant)) + ".";
 }
 
@@ -178,7 +173,7 @@ std::string about_extra(const std::string& word, const Command* command) {
         return argument.name == "PROCEDURE" && !command->has_many(argument);
     };
     if (std::any_of(command->arguments.begin(), command->arguments.end(), takes_one_procedure))
-        return quoted("kerf " + command->full_name()) + " takes one procedure; " + quoted(word) +
+        return quoted("kerf " + command->name) + " takes one procedure; " + quoted(word) +
                " is the second. Run them one by one.";
     return quoted(word) + " is one argument too many.";
 }
@@ -249,7 +244,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     } catch (const CLI::CallForVersion& version) {
         return answer(std::string(version.what()) + "\n", exit_pass);
     } catch (const CLI::ParseError& error) {
-        const std::string help = given() != nullptr ? "kerf " + given()->full_name() + " --help" : "kerf --help";
+        const std::string help = given() != nullptr ? "kerf " + given()->name + " --help" : "kerf --help";
         return answer("kerf: " + about(error, app, given()) + "\n" + quoted(help) + " lists the choices.\n",
                       exit_bad_input);
     }

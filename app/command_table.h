@@ -68,11 +68,9 @@ struct Invocation {
 };
 
 struct Command {
-    std::string name{};    ///< one word: "run"
-    std::string action{};  ///< a word that must follow the name: "plugin" of `kerf new plugin`; empty: none
-    std::string group{};   ///< heading in the help
+    std::string name{};   ///< one word: "run"
+    std::string group{};  ///< heading in the help
     std::string summary{};
-    std::string action_summary{};  ///< with `action`
     std::vector<Parameter> arguments{};
     std::vector<Parameter> options{};
     std::string when_missing{};  ///< message if a required parameter is missing
@@ -81,7 +79,6 @@ struct Command {
     Options defaults{};    ///< an options struct of this command
     std::function<ExitCode(const Options&, const Invocation&)> run{};
 
-    [[nodiscard]] std::string full_name() const { return action.empty() ? name : name + " " + action; }
     [[nodiscard]] bool has_many(const Parameter& parameter) const;  ///< whether the parameter takes several values
 };
 

@@ -14,7 +14,7 @@
 #include "app/import_source.h"
 #include "app/make_bone.h"
 #include "app/man_page.h"
-#include "app/new_plugin.h"
+#include "app/new_folder.h"
 #include "app/outputs.h"
 #include "app/preview/preview_page.h"
 #include "app/privacy/privacy_report.h"
@@ -175,10 +175,21 @@ ExitCode print_privacy(const PrivacyOptions& options, const Environment& /*with*
     return worst;
 }
 
-ExitCode begin_plugin(const NewPluginOptions& options, const Environment& /*with*/) {
-    if (const std::string error = write_new_plugin(options.name, options.out, options.is_strategy); !error.empty())
+ExitCode begin_folder(const NewOptions& options, const Environment& /*with*/) {
+    const bool is_procedure = options.kind == "procedure";
+    if (is_procedure && options.is_strategy)
+        return complain("`--strategy` is for a plugin. Write `kerf new plugin " + options.name + " --strategy`.",
+                        exit_bad_input);
+    const NewKind kind = is_procedure ? NewKind::procedure : options.is_strategy ? NewKind::strategy : NewKind::tool;
+    if (const std::string error = write_new_folder(kind, options.name, options.out); !error.empty())
         return complain(error, exit_bad_input);
     const std::string folder = options.out.empty() ? options.name : options.out;
+    if (is_procedure) {
+        const std::string file = folder + "/" + options.name + ".yaml";
+        print(folder + "\nCheck it:    kerf validate " + file + " --bone\nRehearse it: kerf rehearse " + file +
+              " --coverage\nCheat it:    kerf rehearse " + file + " --cheats\nRun it:      kerf run " + file + "\n");
+        return exit_pass;
+    }
     print(folder + "\nBuild it: cmake -S " + folder + " -B " + folder +
           "/build -D CMAKE_PREFIX_PATH=WHERE_KERF_IS && cmake --build " + folder +
           "/build\nTest it:  ctest --test-dir " + folder + "/build\nCheck it: kerf check " + folder +

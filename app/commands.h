@@ -34,7 +34,7 @@ namespace commands {
 [[nodiscard]] ExitCode list(const ListOptions& options, const Environment& with);
 [[nodiscard]] ExitCode devices(const DevicesOptions& options, const Environment& with);
 [[nodiscard]] ExitCode describe(const DescribeOptions& options, const Environment& with);
-[[nodiscard]] ExitCode begin_plugin(const NewPluginOptions& options, const Environment& with);
+[[nodiscard]] ExitCode begin_folder(const NewOptions& options, const Environment& with);
 [[nodiscard]] ExitCode print_completion(const CompletionOptions& options);
 [[nodiscard]] ExitCode print_man_page(const ManOptions& options);
 

@@ -20,15 +20,6 @@ std::vector<std::string> names_of(const Parameter& option) {
     return option.short_name.empty() ? std::vector{option.name} : std::vector{option.name, option.short_name};
 }
 
-/// The arguments as the user types them: an action is the first.
-std::vector<Parameter> typed_arguments(const Command& command) {
-    std::vector<Parameter> all = command.arguments;
-    if (!command.action.empty())
-        all.insert(all.begin(),
-                   Parameter{.name = "ACTION", .value = {.kind = ValueKind::words, .words = {command.action}}});
-    return all;
-}
-
 /// Whether the last argument takes all words that follow.
 bool is_last_repeated(const Command& command) {
     return !command.arguments.empty() && command.has_many(command.arguments.back());
@@ -125,7 +116,7 @@ std::string bash_script() {
             values += "        " + patterns + ") kind='" + bash_kind(option.value) + "' ;;\n";
         }
         options += "        " + command.name + ") kind='words " + names + "--help' ;;\n";
-        const std::vector<Parameter> typed = typed_arguments(command);
+        const std::vector<Parameter>& typed = command.arguments;
         for (std::size_t n = 0; n < typed.size(); ++n) {
             const bool is_rest = n + 1 == typed.size() && is_last_repeated(command);
             arguments += "        '" + command.name + " " + (is_rest ? "'*" : std::to_string(n) + "'") + ") kind='" +
@@ -201,7 +192,7 @@ std::string zsh_script() {
         for (const Parameter& option : command.options)
             for (const std::string& name : names_of(option))
                 cases += " \\\n                        " + zsh_option(command, option, name);
-        const std::vector<Parameter> typed = typed_arguments(command);
+        const std::vector<Parameter>& typed = command.arguments;
         for (std::size_t n = 0; n < typed.size(); ++n) {
             const bool is_rest = n + 1 == typed.size() && is_last_repeated(command);
             cases += " \\\n                        " + zsh_quoted((is_rest ? "*" : std::to_string(n + 1)) + ":" +
@@ -264,7 +255,7 @@ std::string fish_script() {
             if (!option.is_flag()) text += (takes_any_file(option.value) ? " -r" : " -x") + fish_value(option.value);
             text += " -d " + fish_quoted(help_text(option)) + "\n";
         }
-        for (const Parameter& argument : typed_arguments(command))
+        for (const Parameter& argument : command.arguments)
             if (const std::string value = fish_value(argument.value); !value.empty()) text += line + value + "\n";
     }
     return text;

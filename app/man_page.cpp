@@ -73,7 +73,7 @@ std::string head_of(const Parameter& parameter) {
 }
 
 std::string synopsis_of(const Command& command) {
-    std::string text = bold("kerf " + command.full_name());
+    std::string text = bold("kerf " + command.name);
     if (!command.options.empty()) text += " [" + italic("OPTIONS") + "]";
     for (const Parameter& argument : command.arguments) {
         const std::string name = italic(argument.name) + (command.has_many(argument) ? "..." : "");
@@ -83,9 +83,8 @@ std::string synopsis_of(const Command& command) {
 }
 
 std::string section_of(const Command& command) {
-    const std::string& summary = command.action.empty() ? command.summary : command.action_summary;
     std::string text =
-        ".SS " + bold("kerf " + command.full_name()) + "\n" + synopsis_of(command) + "\n.PP\n" + roff(summary) + ".\n";
+        ".SS " + bold("kerf " + command.name) + "\n" + synopsis_of(command) + "\n.PP\n" + roff(command.summary) + ".\n";
     for (const auto* parameters : {&command.arguments, &command.options})
         for (const Parameter& parameter : *parameters)
             text += ".TP\n" + head_of(parameter) + "\n" + roff(help_text(parameter)) + ".\n";
@@ -107,7 +106,7 @@ std::string man_page() {
     const std::string notice = std::string(session::notice_line) + ".";
     std::string commands, sections;
     for (const Command& command : command_table()) {
-        commands += ".TP\n" + bold(command.full_name()) + "\n" + roff(command.summary) + ".\n";
+        commands += ".TP\n" + bold(command.name) + "\n" + roff(command.summary) + ".\n";
         sections += section_of(command);
     }
     return ".\\\" `kerf man` prints this page.\n.TH KERF 1 \"\" \"kerf " KERF_VERSION "\" \"Kerf\"\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/new_plugin.h"
+#include "app/new_folder.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <span>
 #include <system_error>
 
-#include "app/new_plugin_files.h"
+#include "app/new_folder_files.h"
 
 namespace kerf::app {
 
@@ -45,34 +45,45 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-/// An example that is the template of new plugins.
+/// An example that is a template.
 struct Example {
     std::string folder;  ///< "02_round_burr"
-    std::string name;    ///< of its files and its plugin
-    std::span<const NewPluginFile> files;
+    std::string name;    ///< of its files, and of its plugin or procedure
+    std::span<const NewFile> files;
 };
-const Example tool_example{"02_round_burr", "round_burr", new_tool_files};
-const Example strategy_example{"06_groove", "ball_groove", new_strategy_files};
+
+Example example_of(NewKind kind) {
+    switch (kind) {
+        case NewKind::tool:
+            return {"02_round_burr", "round_burr", new_tool_files};
+        case NewKind::strategy:
+            return {"06_groove", "ball_groove", new_strategy_files};
+        case NewKind::procedure:
+            return {"08_procedure", "bicortical_hole", new_procedure_files};
+    }
+    return {};
+}
 
 }  // namespace
 
-std::string write_new_plugin(const std::string& name, const std::string& wanted, bool is_strategy) {
+std::string write_new_folder(NewKind kind, const std::string& name, const std::string& wanted) {
     namespace fs = std::filesystem;
+    const Example example = example_of(kind);
     if (!is_name(name))
-        return "the plugin's name is `" + name + "`; it needs a-z, 0-9 and _, a letter first, 40 at most. Write " +
-               "`kerf new plugin round_burr`.";
+        return "the name is `" + name + "`; it needs a-z, 0-9 and _, a letter first, 40 at most. Write `kerf new " +
+               (kind == NewKind::procedure ? "procedure " : "plugin ") + example.name + "`.";
     const fs::path folder = wanted.empty() ? name : wanted;
     std::error_code error;
     if (fs::exists(fs::symlink_status(folder, error)))
         return "`" + folder.string() + "` exists already. Name another folder with `--out`.";
     if (!fs::create_directories(folder, error))
         return "`" + folder.string() + "` cannot be made: " + error.message() + ". Name another folder with `--out`.";
-    const Example& example = is_strategy ? strategy_example : tool_example;
-    for (const NewPluginFile& file : example.files) {
+    for (const NewFile& file : example.files) {
         const fs::path path = folder / replaced(file.name, example.name, name);
         std::string text = replaced(without_next(file.text), example.folder, name);
         text = replaced(replaced(text, example.name, name), type_name(example.name), type_name(name));
         text = replaced(text, "[The Kerf authors]", "[Your name]");
+        fs::create_directories(path.parent_path(), error);
         std::ofstream out(path, std::ios::binary);
         out << text;
         out.close();

@@ -125,10 +125,11 @@ struct CheckOptions {
     std::string accept, record, law, differences;  ///< acceptance files
 };
 
-struct NewPluginOptions {
+struct NewOptions {
+    std::string kind;  ///< plugin | procedure
     std::string name;
-    std::string out;  ///< folder; empty: the name
-    bool is_strategy = false;
+    std::string out;           ///< folder; empty: the name
+    bool is_strategy = false;  ///< of a plugin
 };
 
 struct StabilityOptions {
@@ -152,6 +153,6 @@ struct ManOptions {};
 using Options = std::variant<RunOptions, ValidateOptions, RehearseOptions, ExpandOptions, PreviewOptions, PlanOptions,
                              ExplainOptions, SchemaOptions, ImportSourceOptions, AnatomyOptions, ReportOptions,
                              RemeshOptions, PrivacyOptions, ListOptions, DevicesOptions, DescribeOptions, CheckOptions,
-                             NewPluginOptions, StabilityOptions, ChartOptions, CompletionOptions, ManOptions>;
+                             NewOptions, StabilityOptions, ChartOptions, CompletionOptions, ManOptions>;
 
 }  // namespace kerf::app

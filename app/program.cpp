@@ -36,9 +36,8 @@ int run_program(int argc, char** argv, const std::function<ExitCode(const Comman
 }
 
 ExitCode complain_about_other_command(const Command& command) {
-    return complain(
-        "this program does not run `" + command.full_name() + "`. Write `kerf " + command.full_name() + "`.",
-        exit_bad_input);
+    return complain("this program does not run `" + command.name + "`. Write `kerf " + command.name + "`.",
+                    exit_bad_input);
 }
 
 std::vector<std::string> plugin_folders_of(const Installation& here) {

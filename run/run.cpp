@@ -713,6 +713,11 @@ void Run::measure() {
     score(monitor_, scene_->procedure, summary);
     add_zone_rows(monitor_, *scene_, simulation_, summary);
     outcome_.is_as_expected = ended_as_expected(*rehearsal_, monitor_, summary.verdict);
+    for (const StepState& state : monitor_.steps()) {
+        std::vector<std::size_t>& broken = outcome_.broken_limits.emplace_back();
+        for (std::size_t i = 0; i < state.limits.size(); ++i)
+            if (state.limits[i].broken_at) broken.push_back(i);
+    }
 }
 
 }  // namespace kerf::run

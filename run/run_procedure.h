@@ -40,6 +40,7 @@ struct RunRequest {
 struct RunOutcome {
     session::RunSummary summary;
     bool is_as_expected = false;
+    std::vector<std::vector<std::size_t>> broken_limits;  ///< for each step: positions among its limits
     std::vector<std::string> over_budget;  ///< laws slower than their declared budget; differs from run to run
     bool was_interrupted = false;          ///< outputs are written nevertheless
     std::string error;                     ///< for people; not empty: the run could not be started or written

@@ -97,24 +97,30 @@ std::vector<Command> plugin_commands() {
                     .defaults = DescribeOptions{},
                     .run = with_environment(&commands::describe)});
     rows.push_back(check_row());
-    using T = NewPluginOptions;
-    rows.push_back({.name = "new",
-                    .action = "plugin",
-                    .group = "Plugins",
-                    .summary = "Write the beginning of a plugin that builds and runs: a burr, or a remeshing strategy",
-                    .action_summary = "Write a plugin into a folder of its own",
-                    .arguments = {{.name = "NAME",
-                                   .value = {.placeholder = "", .kind = ValueKind::any},
-                                   .help = "Its name, as in `round_burr`",
-                                   .is_required = true,
-                                   .member = in<T>(&T::name)}},
-                    .options = {out_of<T>(folder(), "The folder to make", "the name"),
-                                flag("--strategy", "A remeshing strategy, in place of a tool with its law",
-                                     in<T>(&T::is_strategy))},
-                    .when_missing = "what? Write `kerf new plugin NAME`.",
-                    .examples = {{"kerf new plugin round_burr", "writes the folder round_burr"}},
-                    .defaults = T{},
-                    .run = with_environment(&commands::begin_plugin)});
+    using T = NewOptions;
+    rows.push_back(
+        {.name = "new",
+         .group = "Plugins",
+         .summary = "Write a plugin or a procedure to begin with, into a folder of its own",
+         .arguments = {{.name = "KIND",
+                        .value = one_of("", {"plugin", "procedure"}),
+                        .help = "plugin (a burr that builds and runs), or procedure (with its anatomy, a "
+                                "good hand and two bad ones)",
+                        .is_required = true,
+                        .member = in<T>(&T::kind)},
+                       {.name = "NAME",
+                        .value = {.placeholder = "", .kind = ValueKind::any},
+                        .help = "Its name, as in `round_burr`",
+                        .is_required = true,
+                        .member = in<T>(&T::name)}},
+         .options = {out_of<T>(folder(), "The folder to make", "the name"),
+                     flag("--strategy", "A plugin with a remeshing strategy, in place of a tool with its law",
+                          in<T>(&T::is_strategy))},
+         .when_missing = "what? Write `kerf new plugin NAME` or `kerf new procedure NAME`.",
+         .examples = {{"kerf new plugin round_burr", "writes the folder round_burr"},
+                      {"kerf new procedure my_hole", "writes my_hole/my_hole.yaml and its anatomy"}},
+         .defaults = T{},
+         .run = with_environment(&commands::begin_folder)});
     return rows;
 }
 

@@ -120,8 +120,8 @@ TEST(CommandLine, ReadsOutWithEveryCommandThatWrites) {
             if (option.name != "--out") continue;
             for (const char* name : {"-o", "--out"}) {
                 std::vector<const char*> words{command.name.c_str()};
-                if (!command.action.empty()) words.push_back(command.action.c_str());
-                if (!command.arguments.empty()) words.push_back("x");
+                for (const Parameter& argument : command.arguments)
+                    words.push_back(argument.value.words.empty() ? "x" : argument.value.words.front().c_str());
                 words.insert(words.end(), {name, "place"});
                 CommandLine line = read(words);
                 ASSERT_EQ(line.answer, "") << command.name;
@@ -192,9 +192,9 @@ TEST(CommandLine, ReportsMistakesWithACorrection) {
              {{"completion"}, "for which shell? Write `kerf completion bash`."},
              {{"completion", "csh"}, "`SHELL` is `csh`. Write `bash`, `zsh` or `fish`."},
              {{"privacy"}, "which file? Write `kerf privacy FILE`."},
-             {{"new"}, "what? Write `kerf new plugin NAME`."},
+             {{"new"}, "what? Write `kerf new plugin NAME` or `kerf new procedure NAME`."},
              {{"new", "plugin", "x", "--strateggy"},
-              "there is no option `--strateggy` of `kerf new plugin`. Write `--strategy`."},
+              "there is no option `--strateggy` of `kerf new`. Write `--strategy`."},
              {{"validate"}, "which procedure? Write `kerf validate PROCEDURE.yaml`."},
              {{"list", "all"}, "`all` is one argument too many."},
              {{"list", "--out", "x"}, "there is no option `--out` of `kerf list`."},

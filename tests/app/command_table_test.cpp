@@ -27,10 +27,7 @@ CommandLine read(std::vector<std::string> words) {
     return read_command_line(static_cast<int>(pointers.size()), pointers.data());
 }
 
-std::string help_of(const Command& command) {
-    return (command.action.empty() ? read({command.name, "--help"}) : read({command.name, command.action, "--help"}))
-        .answer;
-}
+std::string help_of(const Command& command) { return read({command.name, "--help"}).answer; }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -69,7 +66,7 @@ TEST(CommandTable, GeneralHelpHasEveryCommand) {
 TEST(CommandTable, HelpHasEveryParameter) {
     for (const Command& command : command_table()) {
         const std::string help = help_of(command);
-        EXPECT_TRUE(has(help, "Usage: kerf " + command.full_name())) << help;
+        EXPECT_TRUE(has(help, "Usage: kerf " + command.name)) << help;
         EXPECT_TRUE(has(help, session::notice_line)) << help;
         EXPECT_TRUE(has(help, command.footer)) << help;
         for (const auto* parameters : {&command.arguments, &command.options})
@@ -127,7 +124,7 @@ TEST(CommandTable, EveryRowRunsAFunction) {
 TEST(ManPage, HasEveryCommandAndOption) {
     const std::string page = man_page();
     for (const Command& command : command_table()) {
-        EXPECT_TRUE(has(page, "\n.SS \\fBkerf " + command.full_name() + "\\fR\n")) << command.name;
+        EXPECT_TRUE(has(page, "\n.SS \\fBkerf " + command.name + "\\fR\n")) << command.name;
         for (const Parameter& option : command.options)
             EXPECT_TRUE(has(page, "\\fB" + dashed(option.name) + "\\fR")) << option.name;
     }
@@ -169,7 +166,7 @@ std::string page_of_commands() {
     for (const Command& command : command_table()) {
         if (command.group != group)
             text += "\n## " + (group = command.group) + "\n\n| command | what it does |\n|---|---|\n";
-        std::string usage = "kerf " + command.full_name();
+        std::string usage = "kerf " + command.name;
         for (const Parameter& argument : command.arguments)
             usage += (argument.is_required ? " " : " [") + argument.name + (command.has_many(argument) ? "..." : "") +
                      (argument.is_required ? "" : "]");

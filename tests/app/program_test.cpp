@@ -443,6 +443,46 @@ TEST(Program, ARehearsalThatEndsOtherwiseThanItSaysEndsWithOne) {
     EXPECT_TRUE(has(rehearsed.out, "3 of 4")) << rehearsed.out;
 }
 
+TEST(Program, ANewProcedureCoversItsLimitsAndNoBadHandPassesIt) {
+    const TemporaryFolder folder;
+    const std::string made = folder.path() + "/mine", file = made + "/my_hole.yaml";
+    const Ended written = kerf("new procedure my_hole --out " + made);
+    EXPECT_EQ(written.exit_code, 0) << written.err;
+    EXPECT_TRUE(has(written.out, "kerf rehearse " + file + " --coverage\n")) << written.out;
+    const Ended validated = kerf("validate --bone " + file);
+    EXPECT_EQ(validated.exit_code, 0) << validated.err;
+    EXPECT_TRUE(has(validated.out, ": no errors")) << validated.out;
+    EXPECT_FALSE(has(validated.out + validated.err, "W0")) << validated.out << validated.err;
+    const Ended rehearsed = kerf("rehearse --coverage " + file);
+    EXPECT_EQ(rehearsed.exit_code, 0) << rehearsed.err;
+    EXPECT_TRUE(
+        has(rehearsed.out, "3 of 3 rehearsals ended as expected\n" + file + ": 0 steps and limits are not covered\n"))
+        << rehearsed.out;
+    const Ended cheated = kerf("rehearse --cheats " + file);
+    EXPECT_EQ(cheated.exit_code, 0) << cheated.out;
+    EXPECT_TRUE(has(cheated.out, "0 of 6 bad hands pass")) << cheated.out;
+}
+
+TEST(Program, CheatsAndCoverageExcludeEachOther) {
+    const Ended both = kerf("rehearse --cheats --coverage " + pedicle_screw);
+    EXPECT_EQ(both.exit_code, 2);
+    EXPECT_TRUE(has(both.err, "`--coverage` is of the rehearsals")) << both.err;
+}
+
+TEST(Program, CoverageTellsLimitsOfOneNameApart) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(kerf("new procedure my_hole --out " + folder.path() + "/mine").exit_code, 0);
+    const std::string file = folder.path() + "/mine/my_hole.yaml";
+    std::string text = contents_of(file);
+    const std::string limit = "      - {depth: {at_most: 30 mm}";
+    text.insert(text.find(limit), "      - {depth: {at_most: 90 mm}, severity: critical, reason: It is far behind.}\n");
+    std::ofstream(file) << text;
+    const Ended rehearsed = kerf("rehearse --coverage " + file);
+    EXPECT_TRUE(has(rehearsed.out, "breaks the limit `depth` of the step `hole`: It is far behind.\n"))
+        << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, ": 1 steps and limits are not covered\n")) << rehearsed.out;
+}
+
 TEST(Program, WithoutRehearsalsThereIsNothingToRehearse) {
     const TemporaryFolder folder;
     const std::string text = contents_of(pedicle_screw);
