@@ -40,7 +40,7 @@ Bending bending_of(const TwistDrill& drill, const Advance& advance) noexcept {
     };
     add(advance.following.data(), 1.0);
     for (std::size_t c = 0; c < advance.channel.size(); ++c) add(advance.channel[c].d, -advance.lambda[c]);
-    Bending most;
+    Bending strongest;
     double max_squared = 0.0;  // [Pa²]
     const auto evaluate_at = [&](double z) {
         double mx = 0.0, my = 0.0;
@@ -53,11 +53,11 @@ Bending bending_of(const TwistDrill& drill, const Advance& advance) noexcept {
         const double squared = (mx * mx + my * my) * per_moment * per_moment;
         if (squared <= max_squared) return;
         max_squared = squared;
-        most = {per_moment * mx, per_moment * my};
+        strongest = {per_moment * mx, per_moment * my};
     };
     for (std::size_t i = 0; i < count; ++i) evaluate_at(load[i].z);
     if (count > 0) evaluate_at(-drill.length);
-    return most;
+    return strongest;
 }
 
 }  // namespace kerf::drilling

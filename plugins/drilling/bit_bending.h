@@ -16,7 +16,7 @@ struct Bending {
     [[nodiscard]] double stress() const noexcept { return std::sqrt(about_x * about_x + about_y * about_y); }
 };
 
-/// Returns the bending of the section that bears most. The chuck clamps the bit; each channel force and
+/// Returns the bending of the section with the largest stress. The chuck clamps the bit; each channel force and
 /// `advance.following` load it.
 ///
 ///     σ = |M| / W,    W = I / (d/2) = π d³/64,    I = ½ π d⁴/64

@@ -469,7 +469,7 @@ TEST(Program, CheatsAndCoverageExcludeEachOther) {
     EXPECT_TRUE(has(both.err, "`--coverage` is of the rehearsals")) << both.err;
 }
 
-TEST(Program, CoverageTellsLimitsOfOneNameApart) {
+TEST(Program, CoverageListsLimitsOfOneNameOneByOne) {
     const TemporaryFolder folder;
     EXPECT_EQ(kerf("new procedure my_hole --out " + folder.path() + "/mine").exit_code, 0);
     const std::string file = folder.path() + "/mine/my_hole.yaml";

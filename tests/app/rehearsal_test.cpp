@@ -123,16 +123,16 @@ TEST(PedicleScrew, TheExpertsScrewLiesInThePedicleAndItsTorqueRisesAsItGoesIn) {
     };
     constexpr int inserting = 3;  // the step
     const std::size_t torque = column("torque"), turned = column("turned"), slip = column("slip");
-    double half_way = 0.0, peak = 0.0, max_turned = 0.0, max_slip = 0.0;
+    double first_half = 0.0, peak = 0.0, max_turned = 0.0, max_slip = 0.0;
     for (const session::TickRow& row : run.ticks) {
         peak = std::max(peak, row.signals[torque]);
-        if (row.signals[turned] < 5.0_turns) half_way = std::max(half_way, row.signals[torque]);
+        if (row.signals[turned] < 5.0_turns) first_half = std::max(first_half, row.signals[torque]);
         max_turned = std::max(max_turned, row.signals[turned]);
         if (row.step == inserting) max_slip = std::max(max_slip, row.signals[slip]);
     }
     EXPECT_GT(peak, 0.5);
     EXPECT_LT(peak, 3.2);
-    EXPECT_LT(half_way, 0.8 * peak);
+    EXPECT_LT(first_half, 0.8 * peak);
     EXPECT_GT(max_turned, 9.0_turns);
     EXPECT_LT(max_slip, 0.001_mm);
 }

@@ -20,7 +20,7 @@
 namespace kerf::session {
 namespace {
 
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
     std::size_t count = 0;
@@ -143,12 +143,12 @@ TEST(ForceCharts, EachHasItsOwnLegend) {
 
 TEST(ForceCharts, NameTheirLimits) {
     const std::string html = charts_of(two_steps(), test::drawn_run(test::synthetic_ticks()));
-    EXPECT_TRUE(holds(html, "<text class=\"name limit\""));
-    EXPECT_TRUE(holds(html, ">limit 40\u00a0N</text>"));
-    EXPECT_TRUE(holds(html, ">goal from 30\u00a0mm</text>"));
-    EXPECT_TRUE(holds(html, ">limit 38\u00a0mm</text>"));
-    EXPECT_FALSE(holds(html, ">limit 5000\u00a0N·mm</text>")) << "it would flatten the curve";
-    EXPECT_TRUE(holds(html, "limit 5000\u00a0N·mm, far above the picture</span>"));
+    EXPECT_TRUE(has(html, "<text class=\"name limit\""));
+    EXPECT_TRUE(has(html, ">limit 40\u00a0N</text>"));
+    EXPECT_TRUE(has(html, ">goal from 30\u00a0mm</text>"));
+    EXPECT_TRUE(has(html, ">limit 38\u00a0mm</text>"));
+    EXPECT_FALSE(has(html, ">limit 5000\u00a0N·mm</text>")) << "it would flatten the curve";
+    EXPECT_TRUE(has(html, "limit 5000\u00a0N·mm, far above the picture</span>"));
 }
 
 TEST(ForceCharts, ShowDeductionsAtTheirMoments) {
@@ -162,7 +162,7 @@ TEST(ForceCharts, LeaveOutAStepThatMetNoBone) {
         if (row.step == 1) row.modelled = {};
     const std::string html = charts_of(two_steps(), test::drawn_run(rows));
     EXPECT_EQ(count_of(html, "<svg class=\"chart\""), 2u);
-    EXPECT_TRUE(holds(html, "Steps that were not reached: Withdraw the bit."));
+    EXPECT_TRUE(has(html, "Steps that were not reached: Withdraw the bit."));
 }
 
 // ---- zones
@@ -179,8 +179,8 @@ TEST(Zones, AreInThePictureWithNameColourAndMark) {
     const DrawnSurface bone = drawn_surface(test::synthetic_bone(8));
     const RunSummary summary = with_canal(-0.4e-3);
     const std::string html = report_html(summary, test::drawn_run({}, {}, bone));
-    EXPECT_TRUE(holds(html, "background:" + std::string(zone_colour(0)) + "\"></i>spinal canal</span>"));
-    EXPECT_TRUE(holds(html, "✗ 0.4\u00a0mm inside spinal canal</span>"));
+    EXPECT_TRUE(has(html, "background:" + std::string(zone_colour(0)) + "\"></i>spinal canal</span>"));
+    EXPECT_TRUE(has(html, "✗ 0.4\u00a0mm inside spinal canal</span>"));
 
     const auto data = nlohmann::json::parse(report_data_json(summary, test::drawn_run({}, {}, bone)));
     ASSERT_EQ(data["zones"].size(), 1u);
@@ -192,7 +192,7 @@ TEST(Zones, AreInThePictureWithNameColourAndMark) {
 }
 
 TEST(Zones, ShowTheSmallestClearanceIfNoneWasEntered) {
-    EXPECT_TRUE(holds(approaches_html(with_canal(1.5e-3)), "ok\">○ 1.5\u00a0mm from spinal canal</span>"));
+    EXPECT_TRUE(has(approaches_html(with_canal(1.5e-3)), "ok\">○ 1.5\u00a0mm from spinal canal</span>"));
 }
 
 TEST(Zones, ARunWithoutThemHasNoLegend) {
@@ -213,12 +213,12 @@ TEST(Timeline, NumbersDeductionsByTheirLoss) {
 TEST(Timeline, HasAMarkForEachMomentThatTheTableLinksTo) {
     const RunSummary summary = two_steps();
     const std::string html = score_html(summary, test::drawn_run(test::synthetic_ticks()));
-    EXPECT_TRUE(holds(html, "id=\"moments\""));
-    EXPECT_TRUE(holds(html, "href=\"#moments\" data-time=\"11.4\">1</a>"));
-    EXPECT_TRUE(holds(html, "href=\"#moments\" data-time=\"5\">2</a>"));
+    EXPECT_TRUE(has(html, "id=\"moments\""));
+    EXPECT_TRUE(has(html, "href=\"#moments\" data-time=\"11.4\">1</a>"));
+    EXPECT_TRUE(has(html, "href=\"#moments\" data-time=\"5\">2</a>"));
     const std::string svg = timeline_svg(summary, moments_of(summary), 360);
     EXPECT_EQ(count_of(svg, "<text class=\"number-in\""), 2u);
-    EXPECT_TRUE(holds(svg, ">pilot-hole</text>"));
+    EXPECT_TRUE(has(svg, ">pilot-hole</text>"));
 }
 
 TEST(Timeline, ShowsStepsNotReachedAsOneRow) {
@@ -229,8 +229,8 @@ TEST(Timeline, ShowsStepsNotReachedAsOneRow) {
     }
     const std::string html = score_html(summary, test::drawn_run(test::synthetic_ticks()));
     EXPECT_EQ(count_of(html, "<tr><th scope=\"row\">"), 3u);
-    EXPECT_TRUE(holds(html, "Steps that were not reached<p class=\"soft small\">tap, insert</p>"));
-    EXPECT_TRUE(holds(html, ">−3</td>"));
+    EXPECT_TRUE(has(html, "Steps that were not reached<p class=\"soft small\">tap, insert</p>"));
+    EXPECT_TRUE(has(html, ">−3</td>"));
 }
 
 }  // namespace

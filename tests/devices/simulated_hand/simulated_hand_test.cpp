@@ -264,7 +264,7 @@ TEST(SimulatedHand, InBoneItPushesAlikeOnEveryDevice) {
 }
 
 TEST(SimulatedHand, BringsBackATipThatItSeesBesideItsWay) {
-    // The tip stays 2 mm beside the handle, and the aim goes twice as far to the other side as the tip is off.
+    // The tip stays 2 mm off the handle, and the aim goes twice as far to the other side as the tip is off.
     SimulatedHand hand({.device_friction = 0.0}, down_to(60.0_mm, 5.0_mm_per_s, 0.5), test::at_depth(0.0), dt);
     for (int i = 0; i < 8000; ++i) hand.step({}, hand.reported().position + Vec3{2.0_mm, 0, 0});
     EXPECT_NEAR(hand.reported().position.x, -4.0_mm / 3.0, 0.05_mm);
