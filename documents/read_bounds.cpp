@@ -127,6 +127,11 @@ bool refuse_upper_bound_alone(const std::string& name, const Node& quantity, Rep
     return true;
 }
 
+/// Whether a quantity of 0 is within the bound.
+bool holds_at_zero(const Bound& bound) {
+    return bound.at_least.value_or(0.0) <= 0.0 && bound.at_most.value_or(0.0) >= 0.0;
+}
+
 }  // namespace
 
 Goal read_goal(const Node& item, const ComponentInfo* law, const ProcedureContext& reading) {
@@ -147,6 +152,13 @@ Goal read_goal(const Node& item, const ComponentInfo* law, const ProcedureContex
                 "No depth fits this goal: got at most " + quantity->find("at_most")->text +
                     ", but a depth in bone is never below 0 mm. Remove `at_most`: a step ends with the tool "
                     "outside again.");
+        else if ((goal.quantity == "depth" || goal.quantity == "signal") && goal.bound.at_least &&
+                 holds_at_zero(goal.bound))
+            reading.report.error(text::Code::empty_bound, quantity->find("at_least")->span,
+                                 "The goal `" + goal.name() + "` holds before the step begins: got at least " +
+                                     text::excerpt(quantity->find("at_least")->text, 40) +
+                                     ", but it is 0 in air. "
+                                     "Write a value above 0.");
         bound.finish();
     }
     map.finish();

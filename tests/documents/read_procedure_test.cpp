@@ -535,6 +535,10 @@ TEST(ReadProcedure, ReadsAGoalOnRemovedBone) {
 
 TEST(ReadProcedure, RefusesAGoalThatHoldsBeforeItBegins) {
     expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}", "{depth: {at_most: «25 mm»}}");
+    expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}", "{depth: {at_least: «-3 mm»}}");
+    expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}", "{depth: {at_least: «0 mm»}}");
+    expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}",
+                   "{signal: {id: drive_power, at_least: «0 W»}}");
     expect_refused(text::Code::empty_bound, "{depth: {at_least: 30 mm}}",
                    "{signal: {id: drive_power, at_most: «25 W»}}");
 }
