@@ -70,6 +70,12 @@ bool is_within(const Box& box, Vec3 p) noexcept {
 
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 
+/// Whether two pieces bound bone, and not bone and a cavity in it. Pieces that the repair leaves out are ignored.
+bool are_two_solids(const SurfacePiece& one, const SurfacePiece& other, const documents::MeshSource& source) {
+    return one.volume * other.volume > 0.0 &&
+           std::min(std::abs(one.volume), std::abs(other.volume)) >= source.pieces_under;
+}
+
 /// Diagnoses and repairs the surface, with notes and warnings. Returns false, with an error, if it cannot be repaired.
 bool make_sound(SurfaceFile& file, const SurfaceFile* other, const documents::Anatomy& anatomy, const std::string& name,
                 std::vector<std::string>& notes, text::Diagnostics& diagnostics) {
@@ -98,8 +104,29 @@ bool make_sound(SurfaceFile& file, const SurfaceFile* other, const documents::An
                  millimetres(found.float_step, 2) + "; bone needs 0.02 mm.",
              "Move it to the origin where it was made, and export it again.");
     const Box region = planned_region(anatomy.axes, found.bounds);
-    const auto near = std::count_if(found.crossing_positions.begin(), found.crossing_positions.end(),
-                                    [&](Vec3 at) { return anatomy.axes.empty() || is_within(region, at); });
+    const auto is_near = [&](const FaceCrossing& one) { return anatomy.axes.empty() || is_within(region, one.at); };
+    const auto crosses_solids = [&](const FaceCrossing& one) {
+        return is_near(one) && are_two_solids(found.pieces[one.pieces[0]], found.pieces[one.pieces[1]], source) &&
+               one.pieces[0] != one.pieces[1];
+    };
+    const auto cross = std::find_if(found.crossing.begin(), found.crossing.end(), crosses_solids);
+    const auto touch = std::find_if(found.touching.begin(), found.touching.end(), is_near);
+    if (cross != found.crossing.end() || touch != found.touching.end()) {
+        const FaceCrossing& one = cross != found.crossing.end() ? *cross : *touch;
+        const auto volume = [&](std::size_t piece) {
+            return rounded(std::abs(found.pieces[piece].volume) * 1e6, 2) + " cm3";
+        };
+        diagnostics.push_back(text::error_about(
+            name, "E0659",
+            "two parts of the surface" +
+                (one.pieces[0] == one.pieces[1]
+                     ? std::string()
+                     : ", of " + volume(one.pieces[0]) + " and " + volume(one.pieces[1]) + ",") +
+                (cross != found.crossing.end() ? " cross" : " touch") + " near " + position_text(one.at) +
+                ". Join them into one surface in the program that made them, by a boolean union."));
+        return false;
+    }
+    const auto near = std::count_if(found.crossing.begin(), found.crossing.end(), is_near);
     if (near > 0)
         warn("W0656",
              std::to_string(near) + (near == 1 ? " pair" : " pairs") +

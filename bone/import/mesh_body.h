@@ -17,6 +17,7 @@
 ///     E0652  the axes lie outside the surface
 ///     E0655, W0658  walls that are too thin for the spacing (bone/import/make_body.h)
 ///     W0656  faces near the axes intersect
+///     E0659  two solids cross or touch near the axes
 ///     W0657  so far from the origin that the file's numbers are coarse
 namespace kerf::bone {
 

@@ -10,6 +10,7 @@
 
 #include "bone/report/import_report.h"
 #include "bone/surface/crossings.h"
+#include "bone/surface/orient3d.h"
 
 namespace kerf::bone {
 namespace {
@@ -47,8 +48,8 @@ void count_duplicates(const SurfaceMesh& mesh, SurfaceDiagnosis& found) {
         if (sorted[i] == sorted[i - 1]) count(found.duplicate_faces, mesh.vertices[sorted[i][0]]);
 }
 
-std::vector<SurfacePiece> pieces_in(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges) {
-    const Pieces pieces = pieces_of(mesh, edges);
+/// Returns the pieces in the order of their numbers.
+std::vector<SurfacePiece> pieces_in(const SurfaceMesh& mesh, const Pieces& pieces) {
     std::vector<SurfaceMesh> parts(pieces.count);
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
         SurfaceMesh& part = parts[pieces.of_face[f]];
@@ -59,9 +60,49 @@ std::vector<SurfacePiece> pieces_in(const SurfaceMesh& mesh, const std::vector<H
     std::vector<SurfacePiece> found;
     for (const SurfaceMesh& part : parts)
         found.push_back({part.triangles.size(), signed_volume_of(part), bounds_of(part)});
-    std::stable_sort(found.begin(), found.end(), [](const SurfacePiece& a, const SurfacePiece& b) {
-        return std::abs(a.volume) > std::abs(b.volume);
+    return found;
+}
+
+/// Returns the position of each piece when the largest comes first.
+std::vector<std::size_t> ranks_by_size(const std::vector<SurfacePiece>& pieces) {
+    std::vector<std::size_t> order(pieces.size()), rank(pieces.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::abs(pieces[a].volume) > std::abs(pieces[b].volume);
     });
+    for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = i;
+    return rank;
+}
+
+/// Whether two faces lie in one plane and have opposite normals.
+bool are_back_to_back(const SurfaceMesh& mesh, const Crossing& pair) noexcept {
+    const auto [a, b, c] = mesh.corners(mesh.triangles[pair[0]]);
+    const auto [d, e, f] = mesh.corners(mesh.triangles[pair[1]]);
+    return orient3d(a, b, c, d) == 0 && orient3d(a, b, c, e) == 0 && orient3d(a, b, c, f) == 0 &&
+           dot(cross(b - a, c - a), cross(e - d, f - d)) < 0.0;
+}
+
+/// Returns pairs of faces with corners at the same positions and opposite normals.
+std::vector<Crossing> twins_in(const SurfaceMesh& mesh) {
+    const auto is_before = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+    std::vector<std::pair<std::array<Vec3, 3>, std::uint32_t>> faces;
+    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+        std::array<Vec3, 3> corners = mesh.corners(mesh.triangles[f]);
+        std::sort(corners.begin(), corners.end(), is_before);
+        faces.emplace_back(corners, f);
+    }
+    const auto comes_before = [&](const auto& one, const auto& other) {
+        return std::lexicographical_compare(one.begin(), one.end(), other.begin(), other.end(), is_before);
+    };
+    std::sort(faces.begin(), faces.end(), [&](const auto& one, const auto& other) {
+        if (comes_before(one.first, other.first)) return true;
+        return !comes_before(other.first, one.first) && one.second < other.second;
+    });
+    std::vector<Crossing> found;
+    for (std::size_t i = 1; i < faces.size(); ++i)
+        if (const Crossing pair{faces[i - 1].second, faces[i].second};
+            !comes_before(faces[i - 1].first, faces[i].first) && are_back_to_back(mesh, pair))
+            found.push_back(pair);
     return found;
 }
 
@@ -131,13 +172,22 @@ SurfaceDiagnosis diagnose(const SurfaceMesh& mesh, double unit) {
     std::stable_sort(found.openings.begin(), found.openings.end(),
                      [](const Opening& a, const Opening& b) { return a.width > b.width; });
     for (const std::uint32_t v : pinched_vertices_of(mesh, edges)) count(found.pinched_vertices, mesh.vertices[v]);
-    found.pieces = pieces_in(mesh, edges);
+    const Pieces pieces = pieces_of(mesh, edges);
+    const std::vector<SurfacePiece> by_number = pieces_in(mesh, pieces);
+    const std::vector<std::size_t> rank = ranks_by_size(by_number);
+    found.pieces.resize(by_number.size());
+    for (std::size_t i = 0; i < by_number.size(); ++i) found.pieces[rank[i]] = by_number[i];
     found.is_inside_out = found.is_closed() && found.inconsistent_edges.count == 0 && found.volume < 0.0;
 
     for (const Crossing& pair : crossings_of(mesh, TriangleTree(mesh))) {
-        found.crossing_positions.push_back(mesh.vertices[mesh.triangles[pair[0]][0]]);
-        count(found.crossings, found.crossing_positions.back());
+        const Vec3 at = mesh.vertices[mesh.triangles[pair[0]][0]];
+        found.crossing.push_back({at, {rank[pieces.of_face[pair[0]]], rank[pieces.of_face[pair[1]]]}});
+        count(found.crossings, at);
+        if (are_back_to_back(mesh, pair)) found.touching.push_back(found.crossing.back());
     }
+    for (const Crossing& pair : twins_in(mesh))
+        found.touching.push_back({mesh.vertices[mesh.triangles[pair[0]][0]],
+                                  {rank[pieces.of_face[pair[0]]], rank[pieces.of_face[pair[1]]]}});
 
     const auto farthest = [](Vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); };
     const double far = std::max(farthest(found.bounds.low), farthest(found.bounds.high)) / unit;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -32,6 +33,12 @@ struct SurfacePiece {
     Box bounds{};
 };
 
+/// A pair of faces that intersect or overlap.
+struct FaceCrossing {
+    Vec3 at{};                            ///< [m] a corner of one
+    std::array<std::size_t, 2> pieces{};  ///< of the faces, among the diagnosed ones
+};
+
 struct SurfaceDiagnosis {
     std::size_t vertices = 0, faces = 0;
     Box bounds{};                      ///< [m]
@@ -39,18 +46,19 @@ struct SurfaceDiagnosis {
     double volume = 0.0;               ///< [m³] signed
     std::vector<SurfacePiece> pieces;  ///< the largest first
 
-    Flaw open_edges;                       ///< with one face only
-    std::vector<Opening> openings;         ///< the widest first
-    Flaw nonmanifold_edges;                ///< with more than two faces
-    Flaw pinched_vertices;                 ///< where parts of the surface touch only in a point
-    Flaw inconsistent_edges;               ///< between two faces with opposite orientation
-    bool is_inside_out = false;            ///< closed, and its volume is negative
-    Flaw duplicate_vertices;               ///< at exactly the position of an earlier one
-    Flaw duplicate_faces;                  ///< with the vertices of an earlier one
-    Flaw collapsed_faces;                  ///< with one vertex twice
-    Flaw flat_faces;                       ///< three vertices on a line
-    Flaw crossings;                        ///< pairs of faces that intersect
-    std::vector<Vec3> crossing_positions;  ///< [m] one for each pair
+    Flaw open_edges;                     ///< with one face only
+    std::vector<Opening> openings;       ///< the widest first
+    Flaw nonmanifold_edges;              ///< with more than two faces
+    Flaw pinched_vertices;               ///< where parts of the surface touch only in a point
+    Flaw inconsistent_edges;             ///< between two faces with opposite orientation
+    bool is_inside_out = false;          ///< closed, and its volume is negative
+    Flaw duplicate_vertices;             ///< at exactly the position of an earlier one
+    Flaw duplicate_faces;                ///< with the vertices of an earlier one
+    Flaw collapsed_faces;                ///< with one vertex twice
+    Flaw flat_faces;                     ///< three vertices on a line
+    Flaw crossings;                      ///< pairs of faces that intersect
+    std::vector<FaceCrossing> crossing;  ///< one for each pair
+    std::vector<FaceCrossing> touching;  ///< pairs of faces in one plane that overlap, with opposite normals
 
     double float_step = 0.0;  ///< [m] resolution of a float at the farthest coordinate
     std::string likely_unit;  ///< "m": the size fits no bone, but would in this unit; or empty

@@ -341,7 +341,8 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              procedure.replace(procedure.find("{depth: 12 mm}"), 14, "{depth: 44 mm}");
              write(folder + "/W0710.yaml", procedure);
          }},
-        {656, surface(656, Surface().cube(20, 0, 0, 0).cube(20, 7, 6, 5).text)},
+        {656, surface(656, Surface().cube(20, 0, 0, 0).cube(20, 7, 6, 5, true).text)},
+        {659, surface(659, Surface().cube(20, 0, 0, 0).cube(20, 7, 6, 5).text)},
         {657, surface(657, far_stl(), "block.stl", "unit: m, frame: LPS")},
         {660, [](const std::string& folder) {
              std::filesystem::create_directory(folder + "/scan");

@@ -123,8 +123,8 @@ TEST(MeshBody, HasTheSurfacesVolumeToSecondOrder) {
 }
 
 TEST(MeshBody, IsTheSameBitsEveryTime) {
-    MeshAnatomy one(together(sphere(8.0, 4), cube(7.0, {6, 1, 2}))),
-        two(together(sphere(8.0, 4), cube(7.0, {6, 1, 2})));
+    MeshAnatomy one(together(sphere(8.0, 4), turned(cube(7.0, {6, 1, 2})))),
+        two(together(sphere(8.0, 4), turned(cube(7.0, {6, 1, 2}))));
     const auto first = one.body(0.5_mm), second = two.body(0.5_mm);
     ASSERT_TRUE(first && second);
     EXPECT_EQ(bits_of(*first), bits_of(*second));
@@ -328,10 +328,26 @@ TEST(MeshBone, KeepsItsCavitiesAsRoomsAndGivesThemBackWithTheWhole) {
 }
 
 TEST(MeshBody, WarnsOfFacesThatCutThroughOneAnother) {
-    MeshAnatomy bone(together(cube(20.0), cube(20.0, {7, 6, 5})));
-    EXPECT_TRUE(bone.body(1.0_mm));
+    MeshAnatomy bone(together(cube(20.0), turned(cube(20.0, {7, 6, 5}))));
+    EXPECT_TRUE(bone.body(1.0_mm)) << "a cavity that breaks through its bone";
     EXPECT_TRUE(
         std::any_of(bone.diagnostics.begin(), bone.diagnostics.end(), [](const auto& d) { return d.code == "W0656"; }));
+}
+
+TEST(MeshBody, RefusesSolidsThatCrossOrTouch) {
+    const auto refuses = [](const SurfaceMesh& mesh, const std::string& words) {
+        MeshAnatomy bone(mesh);
+        EXPECT_FALSE(bone.body(1.0_mm)) << words;
+        ASSERT_EQ(bone.diagnostics.size(), 1u) << to_text(bone.diagnostics);
+        EXPECT_EQ(bone.diagnostics[0].code, "E0659");
+        EXPECT_NE(bone.diagnostics[0].message.find(words), std::string::npos) << bone.diagnostics[0].message;
+    };
+    refuses(together(cube(20.0), cube(20.0, {19.9, 0, 0})), "of 8.00 cm3 and 8.00 cm3, cross near");
+    refuses(together(cube(20.0), cube(20.0, {18.0, 0, 0})), "of 8.00 cm3 and 8.00 cm3, cross near");
+    refuses(together(cube(20.0), cube(20.0, {20.0, 1.0, 2.0})), "of 8.00 cm3 and 8.00 cm3, cross near");
+    refuses(together(cube(20.0), cube(20.0, {20.0, 0, 0})), "two parts of the surface touch near");
+    MeshAnatomy apart(together(cube(20.0), cube(20.0, {20.5, 0, 0})));
+    EXPECT_TRUE(apart.body(0.25_mm)) << to_text(apart.diagnostics);
 }
 
 TEST(MeshBody, HasNoBoneInItsCanal) {
@@ -369,7 +385,7 @@ TEST(MeshBody, APhantomsThinWallHasTwoFieldsToo) {
 }
 
 TEST(MeshBody, WritesNothingOfTheFilesName) {
-    MeshAnatomy bone(together(cube(20.0), cube(20.0, {7, 6, 5})));
+    MeshAnatomy bone(together(cube(20.0), turned(cube(20.0, {7, 6, 5}))));
     EXPECT_TRUE(bone.body(1.0_mm));
     EXPECT_FALSE(bone.says("bone.stl"));
     EXPECT_FALSE(bone.says("/tmp"));

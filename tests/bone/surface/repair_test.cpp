@@ -266,7 +266,7 @@ TEST(Repair, KnowsABoneInACavityOfABone) {
 TEST(Diagnose, CountsPiecesThatRunIntoOneAnother) {
     const SurfaceDiagnosis found = seen(together(cube(10.0_mm), cube(10.0_mm, {4.0_mm, 3.0_mm, 2.0_mm})));
     EXPECT_GT(found.crossings.count, 10u);
-    EXPECT_EQ(found.crossings.count, found.crossing_positions.size());
+    EXPECT_EQ(found.crossings.count, found.crossing.size());
 }
 
 TEST(Repair, MakesAnySoupClosedOrRefusesIt) {
