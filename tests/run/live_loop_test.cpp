@@ -117,7 +117,7 @@ std::string hash_of_replay(const Scene& scene, const std::string& folder) {
 TEST(LiveLoop, ReplaysARunThatFollowsLate) {
     const Scene scene = test::scene_of(KERF_SOURCE_DIR "/procedures/amputation.yaml", "", {"accuracy.spacing=2 mm"});
     const test::TemporaryFolder folder;
-    const Followed late = followed(scene, folder.path() + "/late", 33);
+    const Followed late = followed(scene, folder.path() + "/late", 37);
     EXPECT_EQ(late.of("tool.taken").size(), 1u);
     EXPECT_EQ(late.of("bone.came_apart").size(), 1u);
     EXPECT_GE(late.of("loop.late_change").size(), 4u) << "the steps, the tool, the held points, the removal";

@@ -34,7 +34,7 @@ struct Watch {
 // With this TLS model, the first access on a thread allocates nothing.
 thread_local Watch watch __attribute__((tls_model("initial-exec")));
 
-/// Unused under sanitizers, whose own calls take the place of the ones below.
+/// Unused under sanitizers, which watch the calls below themselves.
 [[maybe_unused]] void note(Forbidden kind, const char* function) noexcept {
     ++watch.counts[static_cast<std::size_t>(kind)];
     if (!watch.is_on) return;
