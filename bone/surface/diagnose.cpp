@@ -84,24 +84,23 @@ bool are_back_to_back(const SurfaceMesh& mesh, const Crossing& pair) noexcept {
 
 /// Returns pairs of faces with corners at the same positions and opposite normals.
 std::vector<Crossing> twins_in(const SurfaceMesh& mesh) {
-    const auto is_before = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
-    std::vector<std::pair<std::array<Vec3, 3>, std::uint32_t>> faces;
+    const std::vector<std::uint32_t> order = vertices_by_position(mesh);
+    std::vector<std::uint32_t> first_at(order.size());  // the first vertex at the position of each
+    for (std::size_t i = 0; i < order.size(); ++i)
+        first_at[order[i]] =
+            i > 0 && mesh.vertices[order[i]] == mesh.vertices[order[i - 1]] ? first_at[order[i - 1]] : order[i];
+    std::vector<std::pair<Triangle, std::uint32_t>> faces;
     for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-        std::array<Vec3, 3> corners = mesh.corners(mesh.triangles[f]);
-        std::sort(corners.begin(), corners.end(), is_before);
+        Triangle corners = mesh.triangles[f];
+        for (std::uint32_t& corner : corners) corner = first_at[corner];
+        std::sort(corners.begin(), corners.end());
         faces.emplace_back(corners, f);
     }
-    const auto comes_before = [&](const auto& one, const auto& other) {
-        return std::lexicographical_compare(one.begin(), one.end(), other.begin(), other.end(), is_before);
-    };
-    std::sort(faces.begin(), faces.end(), [&](const auto& one, const auto& other) {
-        if (comes_before(one.first, other.first)) return true;
-        return !comes_before(other.first, one.first) && one.second < other.second;
-    });
+    std::sort(faces.begin(), faces.end());
     std::vector<Crossing> found;
     for (std::size_t i = 1; i < faces.size(); ++i)
         if (const Crossing pair{faces[i - 1].second, faces[i].second};
-            !comes_before(faces[i - 1].first, faces[i].first) && are_back_to_back(mesh, pair))
+            faces[i - 1].first == faces[i].first && are_back_to_back(mesh, pair))
             found.push_back(pair);
     return found;
 }
