@@ -5,13 +5,18 @@
 #include <variant>
 #include <vector>
 
+#include "documents/read_procedure.h"
+
 /// The arguments and options of each command, one struct a command. app/command_table.cpp fills them.
 namespace kerf::app {
 
 /// Changes to a procedure.
 struct ChangeOptions {
     std::string variant;                ///< id; empty: the procedure without a variant
+    std::vector<std::string> patches;   ///< files of changes
     std::vector<std::string> settings;  ///< "path=value" each
+
+    documents::ProcedureChanges changes() const { return {variant, settings, patches}; }
 };
 
 /// Changes to a procedure, and its anatomy.
@@ -90,6 +95,7 @@ struct RemeshOptions {
     std::string session;
     std::string procedure;  ///< empty: the shipped procedure with the same text
     std::string anatomy;    ///< empty: the anatomy that the procedure names
+    std::vector<std::string> patches;
     std::vector<std::string> settings;
     std::string strategy;  ///< empty: the strategy that the procedure names, or else one that suits the tool
     std::string out;       ///< folder; empty: the session's folder

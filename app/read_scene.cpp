@@ -8,7 +8,7 @@
 namespace kerf::app {
 
 run::DocumentRequest request_of(const std::string& file, const DocumentOptions& options, const Installation& here) {
-    return {file, options.anatomy, {options.variant, options.settings}, here.procedures()};
+    return {file, options.anatomy, options.changes(), here.procedures()};
 }
 
 text::Result<run::Scene> make_scene(const std::string& file, const DocumentOptions& options, const Environment& with,

@@ -42,8 +42,8 @@ std::string shipped_procedure(const RemeshOptions& options, const Environment& w
         if (entry->path().extension() == ".yaml") files.push_back(entry->path().string());
     std::sort(files.begin(), files.end());
     for (const std::string& file : files) {
-        const auto procedure =
-            documents::read_procedure(file, with.plugins.catalog(), {recorded.variant, options.settings});
+        const auto procedure = documents::read_procedure(file, with.plugins.catalog(),
+                                                         {recorded.variant, options.settings, options.patches});
         if (procedure && procedure->text == recorded.procedure_text) return file;
     }
     return {};
@@ -162,8 +162,9 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
 
     text::Diagnostics diagnostics;
     auto documents =
-        run::check_documents({file, options.anatomy, {recorded->variant, options.settings}, with.here.procedures()},
-                             with.plugins)
+        run::check_documents(
+            {file, options.anatomy, {recorded->variant, options.settings, options.patches}, with.here.procedures()},
+            with.plugins)
             .take(diagnostics);
     if (!documents) {
         print_error(to_text(diagnostics));

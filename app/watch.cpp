@@ -48,7 +48,9 @@ void add_all(const fs::path& folder, const std::string& extension, int levels, F
 Files watched(const RunOptions& options, const std::vector<std::string>& plugins) {
     Files files;
     for (const std::string& folder : plugins) add_all(folder, ".so", 0, files);
-    for (const std::string& document : {options.procedure, options.anatomy}) {
+    std::vector<std::string> documents = options.patches;
+    documents.insert(documents.end(), {options.procedure, options.anatomy});
+    for (const std::string& document : documents) {
         if (document.empty()) continue;
         const fs::path folder = fs::path(document).parent_path();
         add_all(folder.empty() ? fs::path(".") : folder, ".yaml", 1, files);

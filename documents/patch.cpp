@@ -15,8 +15,9 @@
 namespace kerf::documents {
 namespace {
 
-constexpr std::size_t max_parts = 16;  // of a path
-constexpr int max_changes = 1000;      // of a patch: each looks through what is there
+constexpr std::size_t max_parts = 16;          // of a path
+constexpr const char* setting_name = "--set";  // in place of a file's
+constexpr int max_changes = 1000;              // of a patch: each looks through what is there
 
 bool is_id_of(const Node& item, std::string_view id) {
     const Node* found = item.find("id");
@@ -302,8 +303,8 @@ private:
                 shown.begin(), shown.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
             shown.append(width < 58 ? 58 - width : 1, ' ');
             const text::SourcePosition place = document_.place(node.span);
-            shown +=
-                "  # " + text::printable(place.file) + (node.span.source == 0 ? ":" + std::to_string(place.line) : "");
+            shown += "  # " + text::printable(place.file) +
+                     (place.file == setting_name ? "" : ":" + std::to_string(place.line));
         }
         text_ += shown + "\n";
     }
@@ -319,16 +320,33 @@ void apply_patch(Document& document, Node& target, const Node& patch, Report& re
     Patcher(document, report).apply(target, patch);
 }
 
+void apply_patch_file(Document& document, const std::string& file, text::Diagnostics& diagnostics) {
+    std::optional<std::string> text = read_text_file(file).take(diagnostics);
+    if (!text) return;
+    std::optional<Document> added = parse_document(file, *std::move(text)).take(diagnostics);
+    if (!added) return;
+    const Node patch = document.add_source(std::move(*added));
+    Report report(document, diagnostics);
+    if (!is_kind(patch, Node::Kind::map, "A patch", report)) return;
+    if (const Node* kind = patch.find("kind")) {
+        report.error(text::Code::patch_nowhere, kind->key_span,
+                     "This file is a document of its own. A patch has paths and their values, as a variant's `patch:`.",
+                     "rehearsals.expert.hand.push: 40 N");
+        return;
+    }
+    apply_patch(document, document.root, patch, report);
+}
+
 void apply_setting(Document& document, const std::string& setting, text::Diagnostics& diagnostics) {
     const std::size_t equals = setting.find('=');
     const std::string path = setting.substr(0, equals);
     std::optional<Document> text =
-        parse_document("--set", path + ": " + setting.substr(std::min(equals, setting.size() - 1) + 1))
+        parse_document(setting_name, path + ": " + setting.substr(std::min(equals, setting.size() - 1) + 1))
             .take(diagnostics);
     if (!text) return;
     const Node change = document.add_source(std::move(*text));
     Report report(document, diagnostics);
-    if (!is_kind(change, Node::Kind::map, "--set", report)) return;
+    if (!is_kind(change, Node::Kind::map, setting_name, report)) return;
     for (const Node& value : change.children)
         if (value.kind == Node::Kind::scalar && value.text.empty() && !value.is_removal && !value.is_quoted)
             report.error(

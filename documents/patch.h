@@ -6,15 +6,20 @@
 
 #include "documents/yaml/document.h"
 
-/// Documents that differ from another in a few values: variants of a procedure, and `--set` on the command line.
+/// Documents that differ from another in a few values: variants of a procedure, and `--patch` and `--set` on
+/// the command line.
 namespace kerf::documents {
 
 /// Changes the tree at `target` as the map `patch` says; what is wrong is reported at the patch's own place.
 ///
-/// A key is a path: keys of maps, and ids of the items of lists, with dots between them. A value takes the place of the
-/// one that is there; but maps are merged key by key, lists whose items have ids item by item, and `~` removes. Keys
+/// A key is a path: keys of maps, and ids of the items of lists, with dots between them. A value replaces the
+/// one that is there, but maps are merged key by key, lists whose items have ids item by item, and `~` removes. Keys
 /// that a map lacks are added, items too.   [main]
 void apply_patch(Document& document, Node& target, const Node& patch, Report& report);
+
+/// Applies the patch of a file: a map as in a variant's `patch:`. Messages name the file.
+/// Error: the file cannot be read, or is a document of its own.   [main]
+void apply_patch_file(Document& document, const std::string& file, text::Diagnostics& diagnostics);
 
 /// Applies `path=value`, the value in YAML. Its places are shown as those of a text named `--set`.   [main]
 void apply_setting(Document& document, const std::string& setting, text::Diagnostics& diagnostics);

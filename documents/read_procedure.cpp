@@ -56,7 +56,7 @@ std::vector<Variant> read_variants(const Node& node, Report& report) {
     return variants;
 }
 
-/// Applies the variant and the settings to the tree, the variant first.
+/// Applies the variant, the patches and the settings to the tree, in this order.
 void apply(const ProcedureChanges& changes, Document& document, text::Diagnostics& found) {
     if (!changes.variant.empty()) {
         Report report(document, found);
@@ -79,6 +79,7 @@ void apply(const ProcedureChanges& changes, Document& document, text::Diagnostic
             apply_patch(document, document.root, changed, report);
         }
     }
+    for (const std::string& file : changes.patches) apply_patch_file(document, file, found);
     for (const std::string& setting : changes.settings) apply_setting(document, setting, found);
 }
 

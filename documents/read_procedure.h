@@ -14,9 +14,10 @@ namespace kerf::documents {
 
 /// Changes to the document as it is written.
 struct ProcedureChanges {
-    std::string variant;                ///< id; empty: none
-    std::vector<std::string> settings;  ///< "path=value", applied after the variant
-    bool any() const noexcept { return !variant.empty() || !settings.empty(); }
+    std::string variant;                  ///< id; empty: none
+    std::vector<std::string> settings{};  ///< "path=value", applied last
+    std::vector<std::string> patches{};   ///< files, applied after the variant
+    bool any() const noexcept { return !variant.empty() || !settings.empty() || !patches.empty(); }
 };
 
 /// Reads and checks one procedure. Error: all that is wrong. Warnings come with the procedure. Never throws.

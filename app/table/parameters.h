@@ -75,6 +75,10 @@ Parameter variant_of() {
             .member = in<T>(&T::variant)};
 }
 template <class T>
+Parameter patches_of(const std::string& help = "Apply the changes in this file; may be repeated") {
+    return {.name = "--patch", .value = yaml(), .help = help, .member = in<T>(&T::patches)};
+}
+template <class T>
 Parameter settings_of(
     const std::string& help = "Change a value, as in `--set accuracy.spacing=0.5 mm`; may be repeated") {
     return {.name = "--set",

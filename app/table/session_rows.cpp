@@ -27,6 +27,7 @@ Command remesh_row() {
                          .value = yaml(),
                          .help = "The anatomy it was run with, if not the procedure's own",
                          .member = in<T>(&T::anatomy)},
+                        patches_of<T>("The `--patch` it was run with; may be repeated"),
                         settings_of<T>("The `--set` it was run with; may be repeated"),
                         {.name = "--strategy",
                          .value = text("STRATEGY", "a strategy, as `example.burring.groove`"),

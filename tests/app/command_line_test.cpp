@@ -61,8 +61,9 @@ TEST(CommandLine, DescribesAllOrOne) {
 
 TEST(CommandLine, ChangesAProcedureByVariantAndSettings) {
     for (const char* command : {"run", "validate", "rehearse", "plan", "preview", "expand"}) {
-        const CommandLine line = read({command, "a.yaml", "--variant", "osteoporotic", "--set",
-                                       "accuracy.spacing=0.5 mm", "--set", "steps.drill.limits=~"});
+        const CommandLine line =
+            read({command, "a.yaml", "--variant", "osteoporotic", "--set", "accuracy.spacing=0.5 mm", "--set",
+                  "steps.drill.limits=~", "--patch", "b.yaml"});
         EXPECT_EQ(line.answer, "") << command;
         const ChangeOptions* changes = std::visit(
             [](const auto& options) -> const ChangeOptions* {
@@ -72,6 +73,7 @@ TEST(CommandLine, ChangesAProcedureByVariantAndSettings) {
             line.options);
         ASSERT_NE(changes, nullptr) << command;
         EXPECT_EQ(changes->variant, "osteoporotic");
+        EXPECT_EQ(changes->patches, std::vector<std::string>{"b.yaml"});
         EXPECT_EQ(changes->settings, (std::vector<std::string>{"accuracy.spacing=0.5 mm", "steps.drill.limits=~"}));
     }
     EXPECT_FALSE(options_of<ValidateOptions>({"validate", "a.yaml"}).is_with_bone);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -244,6 +245,41 @@ void expect_same_when_read_back(const std::string& text) {
         ASSERT_TRUE(back) << to_text(found) << emitted(document, is_annotated);
         EXPECT_TRUE(is_same(document.root, back->root)) << emitted(document, is_annotated);
     }
+}
+
+TEST(PatchFile, ComesBetweenTheVariantAndTheSettings) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "more.yaml";
+    std::ofstream(file) << "# more hands\ntime_limit: 20 s\naccuracy.spacing: 1 mm\n"
+                           "steps: [{id: deepen, title: Deeper}]\n";
+    text::Diagnostics found;
+    const auto p = read(with_patch("time_limit: 30 s"), found, {"other", {"accuracy.spacing=0.5 mm"}, {file}});
+    ASSERT_TRUE(p) << to_text(found);
+    EXPECT_EQ(p->time_limit, 20.0_s);
+    EXPECT_EQ(p->spacing, 0.5_mm);
+    EXPECT_EQ(p->steps.back().title, "Deeper");
+    EXPECT_NE(emitted(*p->document, true).find(file + ":2"), std::string::npos);
+}
+
+TEST(PatchFile, ShowsItsMistakesInItself) {
+    const test::TemporaryFolder folder;
+    const auto said_of = [&](const std::string& text) {
+        const std::string file = folder / "more.yaml";
+        std::ofstream(file) << text;
+        text::Diagnostics found;
+        EXPECT_FALSE(read(base, found, {"", {}, {file}})) << text;
+        return to_text(found);
+    };
+    const auto has = [](const std::string& text, const char* words) { return text.find(words) != std::string::npos; };
+    const std::string nowhere = said_of("\ntime_limit: 20 s\nsteps.deepn.title: Deeper\n");
+    EXPECT_TRUE(has(nowhere, "E0212") && has(nowhere, "more.yaml:3:1")) << nowhere;
+    const std::string whole = said_of("apiVersion: kerf/v1\nkind: Procedure\n");
+    EXPECT_TRUE(has(whole, "more.yaml:2:1: This file is a document of its own.")) << whole;
+    EXPECT_TRUE(has(said_of("- a\n"), "more.yaml:1:1"));
+    EXPECT_TRUE(has(said_of("a: [b\n"), "more.yaml"));
+    text::Diagnostics found;
+    EXPECT_FALSE(read(base, found, {"", {}, {folder / "none.yaml"}}));
+    EXPECT_TRUE(has(to_text(found), "none.yaml")) << to_text(found);
 }
 
 TEST(Emitted, ReadsBackToTheSameTree) {
