@@ -13,6 +13,7 @@ namespace {
 
 constexpr double section_distance = 0.5e-3;  // [m]
 constexpr double whole_circle = 0.95;        // [–] drilled fraction of the drill's section, in bone
+constexpr double own_fraction = 0.02;           // [–] of a circle that must not have been drilled before
 constexpr int ray_count = 16;
 constexpr double longest_ray = 15e-3;  // [m]
 
@@ -32,7 +33,7 @@ std::array<Vec3, 2> across(Vec3 along) noexcept {
 struct Section {
     double depth = 0.0;       ///< [m]
     double x = 0.0, y = 0.0;  ///< [m] middle of the hole, from the axis
-    double area = 0.0;        ///< [m²] drilled area in bone
+    double area = 0.0;        ///< [m²] drilled area in bone, without what was drilled before
     double narrowness = 0.0;  ///< [m] from the axis to the nearest border of bone
     bool is_whole = false;
 };
@@ -64,27 +65,49 @@ double narrowness(const Body& body, Vec3 on_axis, const std::array<Vec3, 2>& pla
 
 Section section_at(const Body& body, const HolePlan& plan, const DrilledFraction& drilled, double depth,
                    const std::array<Vec3, 2>& plane) {
+    struct Sample {
+        double x, y, fraction;
+    };
     Section section{.depth = depth};
     const Vec3 middle = plan.entry + depth * plan.along;
     const double radius = plan.cutting.largest_radius(), reach = radius + plan.beside,
                  pitch = std::max(body.grid().spacing, 0.2e-3);
     const int half = static_cast<int>(std::ceil(reach / pitch));
+    double x_sum = 0.0, y_sum = 0.0;
+    std::vector<Sample> before;
     for (int i = -half; i <= half; ++i)
         for (int j = -half; j <= half; ++j) {
             const double x = i * pitch, y = j * pitch;
             if (x * x + y * y > reach * reach) continue;
-            const double fraction = drilled(middle + x * plane[0] + y * plane[1]);
-            section.area += fraction;
-            section.x += fraction * x;
-            section.y += fraction * y;
+            const Drilled here = drilled(middle + x * plane[0] + y * plane[1]);
+            section.area += here.now;
+            x_sum += here.now * x;
+            y_sum += here.now * y;
+            if (here.before > 0.0) before.push_back({x, y, here.before});
         }
+    double all = section.area;
     if (section.area > 0.0) {
-        section.x /= section.area;
-        section.y /= section.area;
+        section.x = x_sum / section.area;
+        section.y = y_sum / section.area;
+        // The bone of an earlier hole within the circle belongs to it. Where the circle is follows from that.
+        constexpr int rounds = 8;
+        for (int round = 0; round < rounds && !before.empty(); ++round) {
+            double x = x_sum, y = y_sum;
+            all = section.area;
+            for (const Sample& s : before) {
+                if (std::hypot(s.x - section.x, s.y - section.y) > radius) continue;
+                all += s.fraction;
+                x += s.fraction * s.x;
+                y += s.fraction * s.y;
+            }
+            section.x = x / all;
+            section.y = y / all;
+        }
     }
+    const double circle = 3.14159265358979323846 * radius * radius / (pitch * pitch);
+    section.is_whole = all >= whole_circle * circle && section.area >= own_fraction * circle;
     section.area *= pitch * pitch;
     section.narrowness = narrowness(body, middle, plane);
-    section.is_whole = section.area >= whole_circle * 3.14159265358979323846 * radius * radius;
     return section;
 }
 
@@ -104,8 +127,9 @@ double radius_of_hole(const ToolSolid& cutting, double behind) noexcept {
     return radius;
 }
 
-/// Returns the bone volume in the planned hole [m³], sampled on rings of equal area.
-double planned_volume(const Body& body, const HolePlan& plan, const std::array<Vec3, 2>& plane) {
+/// Returns the volume of the planned hole in the bone that was there before it [m³], sampled on rings of equal area.
+double planned_volume(const Body& body, const HolePlan& plan, const DrilledFraction& drilled,
+                      const std::array<Vec3, 2>& plane) {
     constexpr int slices = 400, rings = 8;
     const double first = -2.0 * plan.cutting.largest_radius(), thickness = (plan.depth - first) / slices;
     double volume = 0.0;
@@ -114,9 +138,10 @@ double planned_volume(const Body& body, const HolePlan& plan, const std::array<V
         const double radius = radius_of_hole(plan.cutting, plan.depth - depth);
         double fraction = 0.0;
         for (int r = 0; r < rings; ++r)
-            for (int k = 0; k < ray_count; ++k)
-                fraction += bone_fraction(
-                    body, plan.entry + depth * plan.along + radius * std::sqrt((r + 0.5) / rings) * ray(plane, k));
+            for (int k = 0; k < ray_count; ++k) {
+                const Vec3 p = plan.entry + depth * plan.along + radius * std::sqrt((r + 0.5) / rings) * ray(plane, k);
+                fraction += std::max(0.0, bone_fraction(body, p) - drilled(p).before);
+            }
         volume += thickness * 3.14159265358979323846 * radius * radius * fraction / (rings * ray_count);
     }
     return volume;
@@ -198,7 +223,7 @@ std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan, 
 
     DrilledHole hole;
     for (const Section& s : sections) hole.drilled += s.area * section_distance;
-    hole.ideal = planned_volume(body, plan, plane);
+    hole.ideal = planned_volume(body, plan, drilled, plane);
     std::vector<Section> whole;
     std::copy_if(sections.begin(), sections.end(), std::back_inserter(whole),
                  [](const Section& s) { return s.is_whole; });

@@ -23,8 +23,13 @@ struct HolePlan {
     double beside = 10e-3;  ///< [m] width of the searched bone around the planned hole
 };
 
-/// Returns the drilled fraction of the bone at a point [–], body frame.
-using DrilledFraction = std::function<double(Vec3)>;
+/// What drilling has taken of the bone at a point [–].
+struct Drilled {
+    double now = 0.0;     ///< by the hole that is measured
+    double before = 0.0;  ///< by earlier ones, such as the hole that it widens
+};
+/// Returns what is drilled at a point, body frame.
+using DrilledFraction = std::function<Drilled(Vec3)>;
 
 /// A hole compared with its plan. Depths are along the planned axis from its entry.
 struct DrilledHole {
@@ -39,11 +44,13 @@ struct DrilledHole {
     std::optional<double> angle{};             ///< [rad] between hole and axis; none below two diameters
     Vec3 at{}, direction{};                    ///< least-squares line through its middles, body frame; unit
     double drilled = 0.0;                      ///< [m³] in the window
-    double ideal = 0.0;                        ///< [m³] of the same drill on the planned axis, to the same depth
+    double ideal = 0.0;                        ///< [m³] of the same drill on the planned axis, to the same depth,
+                                               ///< without what was drilled before
 };
 
-/// Measures a hole on sections across the planned axis, half a millimetre apart. Nothing if no section has a whole
-/// circle, as after a scratch.   [worker] pure.
+/// Measures a hole on sections across the planned axis, half a millimetre apart. A hole that widens an earlier one has
+/// the earlier one's bone in its circles. Nothing if no section has a whole circle, as after a scratch.   [worker]
+/// pure.
 [[nodiscard]] std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan,
                                                       const DrilledFraction& drilled);
 

@@ -103,7 +103,9 @@ std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulati
         const LocatedPoint place = locate(body, p);
         const double was = std::clamp(0.5 - uncut_distance(body, place) / spacing, 0.0, 1.0),
                      gone = std::clamp(0.5 + cut.at(place) / spacing, 0.0, 1.0);
-        return was <= 0.0 || gone <= 0.0 ? 0.0 : was * std::max(0.0, gone - before.fraction_removed(body, owner, p));
+        if (was <= 0.0 || gone <= 0.0) return bone::Drilled{};
+        const double gone_before = std::min(gone, before.fraction_removed(body, owner, p));
+        return bone::Drilled{was * (gone - gone_before), was * gone_before};
     });
     if (!result.hole) return result;
     add_breaches(BreachesAlong(body, plan, frame, *result.hole), *state.step, result);

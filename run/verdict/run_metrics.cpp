@@ -323,9 +323,12 @@ void add_drilled(const bone::DrilledHole& hole, double width, StepRows& rows) {
     offsets.add("entry-offset", "entry_offset", hole.entry_offset, "one diameter behind its first whole circle.", 2);
     offsets.add("narrowest-offset", "narrowest_offset", hole.narrowest_offset, at_waist);
     offsets.add("end-offset", "end_offset", hole.end_offset, "where its last whole circle is.");
-    rows.row("excess-removal", hole.ideal > 0.0 ? hole.drilled / hole.ideal - 1.0 : 0.0, "%", 0.01,
-             rows.status_of("excess_removal"), "Bone removed beyond what the same tool takes on the planned axis.")
-        .uncertainty = volume_uncertainty(width / rows.spacing());
+    session::MetricRow& excess =
+        rows.row("excess-removal", hole.ideal > 0.0 ? hole.drilled / hole.ideal - 1.0 : 0.0, "%", 0.01,
+                 rows.status_of("excess_removal"),
+                 "Bone removed beyond what the same tool takes on the planned axis, of the bone that was left for it.");
+    excess.uncertainty = volume_uncertainty(width / rows.spacing());
+    excess.revision = 2;  // revision 1 took bone that was drilled before as left
 }
 
 void add_screw(const InsertedScrew& screw, const bone::DrilledHole& axis, const AxisFrame& frame, StepRows& rows) {

@@ -31,28 +31,37 @@ struct DrilledBlock {
 
     double spacing;
     Body body = test::block({-12.0_mm, -12.0_mm, 0}, {12.0_mm, 12.0_mm, 40.0_mm}, spacing, {0.3, 0.1, 0.7});
-    CutField cut{body, 4096};
+    CutField cut{body, 4096}, earlier{body, 0};
+    ToolSolid cutting = drill;
     HolePlan plan{.entry = {0, 0, 0}, .along = {0, 0, 1}, .depth = 0.0, .cutting = drill};
 
     /// From 5 mm above to `depth` along `direction`, through a point of the planned entry's plane.
     void drill_in(Vec3 through, Vec3 direction, double depth) {
-        const Vec3 way = normalized(direction);
+        const Vec3 unit = normalized(direction);
         for (double at = -5.0_mm; at < depth; at += 1.0_mm) {
             CutRecord record;
             record.sequence = sequence++;
-            record.from = test::pointing(through + at * way, way);
-            record.to = test::pointing(through + std::min(at + 1.0_mm, depth) * way, way);
+            record.from = test::pointing(through + at * unit, unit);
+            record.to = test::pointing(through + std::min(at + 1.0_mm, depth) * unit, unit);
             cut.reserve(512);
-            cut.stamp(record, drill);
+            cut.stamp(record, cutting);
         }
-        plan.depth = std::max(plan.depth, depth * way.z);
+        plan.depth = std::max(plan.depth, depth * unit.z);
     }
     [[nodiscard]] std::optional<DrilledHole> hole() const {
         return measure_hole(body, plan, [this](Vec3 p) {
             const LocatedPoint place = locate(body, p);
             const double bone = std::clamp(0.5 - uncut_distance(body, place) / spacing, 0.0, 1.0);
-            return bone * std::clamp(0.5 + cut.at(place) / spacing, 0.0, 1.0);
+            const double removed = std::clamp(0.5 + cut.at(place) / spacing, 0.0, 1.0),
+                         removed_before = std::clamp(0.5 + earlier.at(place) / spacing, 0.0, 1.0);
+            return Drilled{bone * (removed - removed_before), bone * removed_before};
         });
+    }
+    /// From here on, what is drilled already is an earlier hole; the next drill has this radius [m].
+    void widen_by(double wider) {
+        earlier = cut;
+        cutting = test::drill_outline(wider, 59.0_deg, 60.0_mm);
+        plan = {.entry = {0, 0, 0}, .along = {0, 0, 1}, .depth = 0.0, .cutting = cutting};
     }
 
 private:
@@ -75,6 +84,34 @@ TEST(DrilledHole, AHoleAlongItsAxisIsNowhereOffAndHoldsWhatThePlanTakes) {
     // The circle is whole from the face on, and bitten one diameter behind it.
     EXPECT_NEAR(hole->entry_depth, 2.0 * radius, 1.0_mm) << "two sections";
     EXPECT_NEAR(hole->end_depth, 30.0_mm - point, 0.6_mm);
+}
+
+TEST(DrilledHole, AWidenedHoleIsMeasuredAgainstTheHoleThatItWidens) {
+    constexpr double wide = 2.5_mm, wide_point = 1.502_mm;  // [m] of a drill with a point of 118°
+    struct Case {
+        double aside, widened_aside;  ///< [m] of the earlier hole and of the one that widens it
+    };
+    for (const auto [aside, widened_aside] : {Case{0.0, 0.0}, Case{0.6_mm, 0.0}, Case{0.0, 0.5_mm}}) {
+        DrilledBlock block;
+        block.drill_in({aside, 0, 0}, {0, 0, 1}, 30.0_mm);
+        block.widen_by(wide);
+        block.drill_in({widened_aside, 0, 0}, {0, 0, 1}, 20.0_mm);
+        const auto hole = block.hole();
+        ASSERT_TRUE(hole) << aside;
+        // The earlier hole goes through the whole of the wider one, point and all.
+        const double left = pi * wide * wide * (20.0_mm - 2.0 / 3.0 * wide_point) -
+                            (pi * radius * radius * (20.0_mm - wide_point) +
+                             pi * radius * radius * wide_point * (1.0 - 2.0 / 3.0 * radius / wide));
+        if (aside == 0.0) {
+            EXPECT_NEAR(hole->ideal / left, 1.0, 0.02);
+        }
+        EXPECT_NEAR(hole->drilled / hole->ideal, 1.0, 0.02) << aside << ' ' << widened_aside;
+        ASSERT_TRUE(hole->entry_offset);
+        EXPECT_NEAR(*hole->entry_offset, widened_aside, 0.06_mm) << aside;
+        EXPECT_NEAR(hole->end_offset, widened_aside, 0.06_mm) << aside;
+        ASSERT_TRUE(hole->angle);
+        EXPECT_LT(*hole->angle, 0.5_deg);
+    }
 }
 
 // π R² (depth − 2/3 of the point), by voxels across the hole.
