@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/plugin/unit.h"
+#include "run/verdict/verdict_words.h"
 #include "text/quantity.h"
 
 namespace kerf::run {
@@ -62,7 +63,7 @@ DeductionRow cause_of(const ScoreBand& band, const StepMonitor& monitor, const s
                                        : DeductionRow{.step = broken.state->step->id,
                                                       .kind = "limit",
                                                       .name = broken.limit->limit->name(),
-                                                      .detail = broken.limit->limit->reason,
+                                                      .detail = broken_limit(*broken.limit, monitor.measures()),
                                                       .at = broken.limit->broken_at};
     };
     if (&band == &critical) return of_limit(documents::Severity::critical);
@@ -77,7 +78,8 @@ DeductionRow cause_of(const ScoreBand& band, const StepMonitor& monitor, const s
                 return {.step = state.step->id,
                         .kind = "goal",
                         .name = state.step->goals[g].name(),
-                        .detail = state.is_done() ? "The implant was left with less." : "The goal was not reached.",
+                        .detail = (state.left_depth ? "When the implant was left: " : "") +
+                                  missed_goal(state.step->goals[g], state, monitor.measures()) + ".",
                         .at = state.end};
         if (!state.is_done()) return {.step = state.step->id, .kind = "step", .detail = "The step did not end."};
     }
@@ -106,6 +108,22 @@ std::string words_of(const documents::ScoredMetric& scored, const std::optional<
            "; full " + text(scored.full) + ", none " + text(scored.none);
 }
 
+/// Returns what a part loses as its step has not reached all of its goals.
+std::string reached_text(double reached) {
+    return "Its step reached " + text::quantity_text(std::round(100.0 * reached) / 100.0, "%") + " of its goals.";
+}
+
+/// Returns the same where the step may not have begun.
+std::string not_all_text(const StepState& state, double reached) {
+    return state.has_begun() ? reached_text(reached) : "The step did not begin.";
+}
+
+Part step_part(const StepState& state) {
+    const double reached = reached_part(state);
+    return {.row = {.step = state.step->id, .kind = "step", .detail = not_all_text(state, reached), .at = state.end},
+            .earned = reached};
+}
+
 /// Returns the parts of a procedure with `scoring:`.
 std::vector<Part> parts_by_metric(const StepMonitor& monitor, const documents::Procedure& procedure,
                                   const session::RunSummary& summary) {
@@ -115,8 +133,10 @@ std::vector<Part> parts_by_metric(const StepMonitor& monitor, const documents::P
         mean += reached_part(state) / static_cast<double>(monitor.steps().size());
     const auto add = [&](const documents::ScoredMetric& scored, double reached) {
         const std::optional<double> value = value_of(scored.metric, summary);
+        std::string detail = words_of(scored, value);
+        if (reached < 1.0) detail += ". " + reached_text(reached);
         parts.push_back(
-            {.row = {.step = scored.step, .kind = "metric", .name = scored.metric, .detail = words_of(scored, value)},
+            {.row = {.step = scored.step, .kind = "metric", .name = scored.metric, .detail = std::move(detail)},
              .weight = scored.weight,
              .earned = value ? reached * quality(scored, *value) : 0.0});
     };
@@ -129,7 +149,7 @@ std::vector<Part> parts_by_metric(const StepMonitor& monitor, const documents::P
                 parts.back().row.at = state.end;
                 is_scored = true;
             }
-        if (!is_scored) parts.push_back({.row = {.step = state.step->id, .kind = "step"}, .earned = reached});
+        if (!is_scored) parts.push_back(step_part(state));
     }
     for (const documents::ScoredMetric& scored : procedure.scoring)
         if (scored.step.empty()) add(scored, mean);
@@ -141,15 +161,15 @@ std::vector<Part> parts_by_limit(const StepMonitor& monitor) {
     std::vector<Part> parts;
     for (const StepState& state : monitor.steps()) {
         const double reached = reached_part(state);
-        parts.push_back({.row = {.step = state.step->id, .kind = "step"}, .earned = reached});
+        parts.push_back(step_part(state));
         for (const LimitState& limit : state.limits) {
             const bool is_measured = limit.is_seen || !limit.limit->is_of_end();
             parts.push_back({.row = {.step = state.step->id,
                                      .kind = "limit",
                                      .name = limit.limit->name(),
-                                     .detail = limit.broken_at     ? limit.limit->reason
-                                               : state.has_begun() ? "Earned in proportion to the goals of its step."
-                                                                   : "The step did not begin.",
+                                     .detail = limit.broken_at ? broken_limit(limit, monitor.measures())
+                                               : !is_measured  ? "It could not be measured."
+                                                               : not_all_text(state, reached),
                                      .at = limit.broken_at},
                              .earned = limit.broken_at || !is_measured ? 0.0 : reached});
         }

@@ -121,7 +121,7 @@ TEST(Score, OrdersOutcomesByTheirSeverity) {
     EXPECT_EQ(both.score_band, "critical");
     ASSERT_FALSE(serious.deductions.empty());
     EXPECT_EQ(serious.deductions[0].name, "torque");
-    EXPECT_EQ(serious.deductions[0].detail, "Twisted.");
+    EXPECT_EQ(serious.deductions[0].detail, "Twisted. Torque: 3 N m.");
     EXPECT_EQ(serious.deductions[0].at, 2e-3);
     EXPECT_EQ(serious.deductions[0].loss, 60.0);
 }
