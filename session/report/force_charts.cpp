@@ -202,7 +202,7 @@ void add_moments(const StepSeries& series, const ChartedLoad& load, const Ranges
         if (row == series.rows.end() || row + 1 == series.rows.end()) continue;  // judged after the step
         const Point point = point_of(*row, load);
         if (!is_finite(point) || point.depth < ranges.shallow) continue;
-        labels.push_back({ranges.x(point.depth), ranges.y(point.load), 18, 18});
+        labels.push_back({ranges.x(point.depth), ranges.y(point.load), mark_width(moment), mark_height});
         shown.push_back(&moment);
     }
     const auto places = place_labels(labels, {left, top, width - left - right, height - top - bottom});
@@ -210,11 +210,7 @@ void add_moments(const StepSeries& series, const ChartedLoad& load, const Ranges
         const std::string x = px(labels[i].x), y = px(labels[i].y);
         svg += "<circle class=\"moment\" cx=\"" + x + "\" cy=\"" + y + "\" r=\"3.5\"/>";
         if (!places[i]) continue;
-        const double cx = places[i]->left + 9, cy = places[i]->top + 9;
-        svg += "<path class=\"moment\" d=\"M" + x + " " + y + "L" + px(cx) + " " + px(cy) +
-               "\"/><circle class=\"moment\" cx=\"" + px(cx) + "\" cy=\"" + px(cy) +
-               "\" r=\"9\"/><text class=\"number-in\" x=\"" + px(cx) + "\" y=\"" + px(cy + 4) +
-               "\" text-anchor=\"middle\">" + std::to_string(shown[i]->number) + "</text>";
+        svg += mark_svg(*shown[i], labels[i].x, labels[i].y, *places[i]);
     }
 }
 
@@ -251,6 +247,21 @@ std::string text_of_bound(const char* sort, const char* end, double value, const
 }
 
 }  // namespace
+
+double mark_width(const Moment& moment) noexcept {
+    constexpr double letters = 12, beside = 4;  // [px]
+    return std::max(mark_height, text_width(moment.numbers, letters) + 2.0 * beside);
+}
+
+std::string mark_svg(const Moment& moment, double x, double y, const Rect& box) {
+    const double middle_x = box.left + 0.5 * box.width, middle_y = box.top + 0.5 * box.height;
+    const double width = mark_width(moment);
+    return "<path class=\"moment\" d=\"M" + px(x) + " " + px(y) + "L" + px(middle_x) + " " + px(middle_y) +
+           "\"/><rect class=\"moment\" x=\"" + px(middle_x - 0.5 * width) + "\" y=\"" +
+           px(middle_y - 0.5 * mark_height) + "\" width=\"" + px(width) + "\" height=\"" + px(mark_height) +
+           "\" rx=\"" + px(0.5 * mark_height) + "\"/><text class=\"number-in\" x=\"" + px(middle_x) + "\" y=\"" +
+           px(middle_y + 4) + "\" text-anchor=\"middle\">" + moment.numbers + "</text>";
+}
 
 const RecordedStep& demands_of(const RecordedProcedure& procedure, const std::string& step) {
     static const RecordedStep none;

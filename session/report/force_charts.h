@@ -9,6 +9,7 @@
 
 #include "session/recording.h"
 #include "session/report/drawn_run.h"
+#include "session/report/place_labels.h"
 #include "session/report/recorded_procedure.h"
 #include "session/report/step_series.h"
 
@@ -42,9 +43,16 @@ struct BoundLine {
 
 /// A deduction with its moment.
 struct Moment {
-    std::size_t number = 0;
-    double time = 0.0;  ///< [s]
+    std::string numbers;  ///< "1"; "4, 5" of deductions at one moment
+    double time = 0.0;    ///< [s]
 };
+
+/// Returns the size of a moment's mark [px].   [any] pure
+[[nodiscard]] double mark_width(const Moment& moment) noexcept;
+inline constexpr double mark_height = 18;
+
+/// Returns a moment's numbers in a mark at `box`, with a line to the point `x`, `y`, as SVG.   [any]
+[[nodiscard]] std::string mark_svg(const Moment& moment, double x, double y, const Rect& box);
 
 /// Returns one load of a step over depth, as SVG: motion inwards and outwards, limits with their names, and the numbers
 /// of deductions at their moments.   [any]

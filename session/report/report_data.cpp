@@ -103,7 +103,8 @@ Json steps_json(const RunSummary& summary, const DrawnRun& run, const RecordedPr
 
 Json moments_json(const RunSummary& summary) {
     Json list = Json::array();
-    for (const Moment& moment : moments_of(summary)) list.push_back({{"number", moment.number}, {"time", moment.time}});
+    for (const Moment& moment : moments_of(summary))
+        list.push_back({{"numbers", moment.numbers}, {"time", moment.time}});
     return list;
 }
 

@@ -40,8 +40,18 @@ std::vector<DeductionRow> listed_deductions(const RunSummary& summary) {
 
 std::vector<Moment> moments_of(const RunSummary& summary) {
     std::vector<Moment> moments;
-    for (const DeductionRow& row : listed_deductions(summary))
-        if (row.at && std::isfinite(*row.at)) moments.push_back({moments.size() + 1, *row.at});
+    constexpr double same = 0.5e-3;  // [s] half a tick
+    std::size_t number = 0;
+    for (const DeductionRow& row : listed_deductions(summary)) {
+        if (!row.at || !std::isfinite(*row.at)) continue;
+        const std::string text = std::to_string(++number);
+        const auto there = std::find_if(moments.begin(), moments.end(),
+                                        [&](const Moment& moment) { return std::abs(moment.time - *row.at) < same; });
+        if (there == moments.end())
+            moments.push_back({text, *row.at});
+        else
+            there->numbers += ", " + text;
+    }
     return moments;
 }
 
@@ -97,8 +107,10 @@ std::string timeline_svg(const RunSummary& summary, const std::vector<Moment>& m
     // Deductions: numbers above the bars
     std::vector<Label> labels;
     labels.reserve(moments.size());
-    for (const Moment& moment : moments) labels.push_back({x(moment.time), bar_top - 4, 20, 20});
-    const double above = 22.0 * std::ceil(static_cast<double>(moments.size()) * 22.0 / std::max(width, 1.0) + 1.0);
+    for (const Moment& moment : moments)
+        labels.push_back({x(moment.time), bar_top - 4, mark_width(moment) + 2, mark_height + 2});
+    // In the worst case all stand in one column.
+    const double above = (mark_height + 4) * (static_cast<double>(moments.size()) + 1.0);
     const auto places = place_labels(labels, {0, bar_top - 6 - above, width, above});
     std::string marks;
     double highest = bar_top - 24;
@@ -106,12 +118,8 @@ std::string timeline_svg(const RunSummary& summary, const std::vector<Moment>& m
         marks += "<path class=\"moment\" d=\"M" + px(labels[i].x) + " " + px(bar_top - 4) + "V" +
                  px(bar_top + bar_height) + "\"/>";
         if (!places[i]) continue;
-        const double cx = places[i]->left + 10, cy = places[i]->top + 10;
         highest = std::min(highest, places[i]->top - 1);
-        marks += "<path class=\"moment\" d=\"M" + px(labels[i].x) + " " + px(bar_top - 4) + "L" + px(cx) + " " +
-                 px(cy) + "\"/><circle class=\"moment\" cx=\"" + px(cx) + "\" cy=\"" + px(cy) +
-                 "\" r=\"9\"/><text class=\"number-in\" x=\"" + px(cx) + "\" y=\"" + px(cy + 4) +
-                 "\" text-anchor=\"middle\">" + std::to_string(moments[i].number) + "</text>";
+        marks += mark_svg(moments[i], labels[i].x, bar_top - 4, *places[i]);
     }
     if (moments.empty()) highest = bar_top - 4;
     return "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 " + px(highest) + " " + px(width) +

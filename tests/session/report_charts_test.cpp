@@ -205,9 +205,19 @@ TEST(Zones, ARunWithoutThemHasNoLegend) {
 TEST(Timeline, NumbersDeductionsByTheirLoss) {
     const std::vector<Moment> moments = moments_of(two_steps());
     ASSERT_EQ(moments.size(), 2u);
-    EXPECT_EQ(moments[0].number, 1u);
+    EXPECT_EQ(moments[0].numbers, "1");
     EXPECT_DOUBLE_EQ(moments[0].time, 11.4);
     EXPECT_DOUBLE_EQ(moments[1].time, 5.0);
+}
+
+TEST(Timeline, GivesDeductionsAtOneMomentOneMark) {
+    RunSummary summary = two_steps();
+    for (DeductionRow& row : summary.deductions) row.at = 5.0;
+    const std::vector<Moment> moments = moments_of(summary);
+    ASSERT_EQ(moments.size(), 1u);
+    EXPECT_EQ(moments[0].numbers, "1, 2");
+    EXPECT_GT(mark_width(moments[0]), mark_height);
+    EXPECT_TRUE(has(timeline_svg(summary, moments, 360), ">1, 2</text>"));
 }
 
 TEST(Timeline, HasAMarkForEachMomentThatTheTableLinksTo) {

@@ -211,10 +211,11 @@ class Plot {
       const px = this.px(moment.time);
       if (px < margin.left || px > this.width - margin.right) continue;
       let py = this.top + 11;
-      while (taken.some(([x, y]) => Math.abs(x - px) < 20 && Math.abs(y - py) < 20)) py += 20;
-      taken.push([px, py]);
-      g.fillStyle = inkOf("bad"); g.beginPath(); g.arc(px, py, 9, 0, 7); g.fill();
-      g.fillStyle = inkOf("card"); g.textAlign = "center"; g.textBaseline = "middle"; g.fillText(moment.number, px, py + 0.5);
+      const half = Math.max(9, g.measureText(moment.numbers).width / 2 + 4);
+      while (taken.some(([x, y, w]) => Math.abs(x - px) < half + w + 2 && Math.abs(y - py) < 20)) py += 20;
+      taken.push([px, py, half]);
+      g.fillStyle = inkOf("bad"); g.beginPath(); g.roundRect(px - half, py - 9, 2 * half, 18, 9); g.fill();
+      g.fillStyle = inkOf("card"); g.textAlign = "center"; g.textBaseline = "middle"; g.fillText(moment.numbers, px, py + 0.5);
     }
   }
 
