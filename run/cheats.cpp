@@ -102,8 +102,9 @@ void back_out(Rehearsal& hand) {
     hand.path = std::move(path);
 }
 
-void miss(Rehearsal& hand) {
-    for (Waypoint& at : hand.path) at.off_plan = beside;
+/// @param by   [m] off the plan, to either side
+void miss(Rehearsal& hand, double by) {
+    for (Waypoint& at : hand.path) at.off_plan = by;
 }
 
 /// Switches the motor off at each waypoint. Returns whether any tool has one.
@@ -156,9 +157,10 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
         "turns each implant out again by " + text::quantity_text(part_turned_out, "%") +
             " of its turns before it is left",
         leaves ? "" : "no waypoint turns and releases an implant", &back_out);
-    add("beside",
-        text::quantity_text(beside, "mm") + " beside the plan: off its plane, or towards the midline if it has none",
-        "", &miss);
+    const std::string far = text::quantity_text(beside, "mm") + " beside the plan: ";
+    add("beside", far + "off its plane, or towards the midline if it has none", "",
+        [](Rehearsal& hand) { miss(hand, beside); });
+    add("other-side", far + "to the other side", "", [](Rehearsal& hand) { miss(hand, -beside); });
     return cheats;
 }
 

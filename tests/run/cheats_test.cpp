@@ -43,6 +43,8 @@ TEST(Cheats, AreMadeOfTheFirstHandThatPasses) {
     for (const auto& at : cheat(cheats, "hammered").rehearsal.path) EXPECT_EQ(at.turn, 0.0);
     for (std::size_t i = 0; i < expert.path.size(); ++i)
         EXPECT_EQ(cheat(cheats, "beside").rehearsal.path[i].off_plan, 5.0_mm);
+    for (std::size_t i = 0; i < expert.path.size(); ++i)
+        EXPECT_EQ(cheat(cheats, "other-side").rehearsal.path[i].off_plan, -5.0_mm);
     EXPECT_EQ(cheat(cheats, "drive-off").rehearsal.path.front().inputs.front().id, "spindle_speed");
     EXPECT_EQ(cheat(cheats, "drive-off").rehearsal.path.front().inputs.front().value, 0.0);
 }
