@@ -194,7 +194,7 @@ void check_prescribed(const ToolUnderTest& tool, const ToolUnderTest* printed, c
             }
             const auto crossing_at = [&](double tilt) {
                 if (method == Method::kerf) {
-                    KerfLoop loop(body, of->setup, CouplingGains{}, above, KerfLoop::Way::direct, tilt);
+                    KerfLoop loop(body, of->setup, CouplingGains{}, above, KerfLoop::Rendering::direct, tilt);
                     return cross(led_by(loop, above, Simulation::dt), *of, feed, tilt);
                 }
                 papers::PrintedLoop loop(block, body.grid(), of->setup, at_depth(above, tilt), Simulation::dt);
@@ -226,7 +226,7 @@ void check_led_by_spring(const Scope& scope, const ToolUnderTest& tool, const Re
                 const CouplingGains gains = gains_under_push(device, push_of(device), tool, body);
                 const auto in_parts = [&](int parts) {
                     const double period = Simulation::dt / parts, turned = tilt * pi / 180.0;
-                    KerfLoop loop(body, tool.setup, gains, above, KerfLoop::Way::solved, turned, period);
+                    KerfLoop loop(body, tool.setup, gains, above, KerfLoop::Rendering::solved, turned, period);
                     return cross(led_by(loop, above, period), tool, feed, turned, period);
                 };
                 const std::string scene = "border 10 : 1 at " + figure(1e3 * feed, "mm/s") + ", by a spring";

@@ -35,7 +35,7 @@ struct Passage {
 };
 
 Passage pass_through(const PortSettings& settings, const Body& body, const ToolUnderTest& tool,
-                     const CouplingGains& gains, double push, KerfLoop::Way way) {
+                     const CouplingGains& gains, double push, KerfLoop::Rendering way) {
     constexpr int longest = 6000, after = 600, settling = 20;  // [ticks]
     constexpr double free_way = 60e-3;                         // [m] a bare device is looked at
     Port port(settings, above);
@@ -78,8 +78,8 @@ void check_breakthrough(const Scope& scope, const ToolUnderTest& tool, const Rep
         settings.friction = 0.0;  // the formula has none
         const double push = push_of(device);
         const CouplingGains gains = gains_under_push(device, push, tool, body, settings.delay);
-        for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
-            const bool is_solved = way == KerfLoop::Way::solved;
+        for (const auto way : {KerfLoop::Rendering::direct, KerfLoop::Rendering::solved}) {
+            const bool is_solved = way == KerfLoop::Rendering::solved;
             const Passage passage = pass_through(settings, body, tool, gains, push, way);
             Finding finding{.test = "S-15", .scene = "1 mm shell: force after clearing"};
             finding.method = is_solved ? Method::kerf : Method::as_printed;

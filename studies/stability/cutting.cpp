@@ -64,10 +64,10 @@ std::string in_figures(const Pushed& pushed) {
 }
 
 Pushed push_into(const Body& body, const ToolUnderTest& tool, const PortSettings& settings, const CouplingGains& gains,
-                 double push, KerfLoop::Way way) {
+                 double push, KerfLoop::Rendering rendering) {
     Port port(settings, above_face);
     port.go_along(true);
-    KerfLoop loop(body, tool.setup, gains, above_face, way);
+    KerfLoop loop(body, tool.setup, gains, above_face, rendering);
     loop.wait(port.reported(), run_up);
     Pushed pushed;
     std::size_t ticks = 0;
@@ -116,19 +116,19 @@ void check_cutting(const Scope& scope, const ToolUnderTest& tool, const Report& 
         const double push = push_of(device);
         const CouplingGains gains = gains_under_push(device, push, tool, body, settings.delay);
         check_damper(device, settings, push, gains.force_scale, report);
-        for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
-            const Pushed pushed = push_into(body, tool, settings, gains, push, way);
+        for (const auto rendering : {KerfLoop::Rendering::direct, KerfLoop::Rendering::solved}) {
+            const Pushed pushed = push_into(body, tool, settings, gains, push, rendering);
             Finding finding = place_of(device, settings);
             finding.scene = "the plugin's law, pushed into a block";
-            finding.method = way == KerfLoop::Way::solved ? Method::kerf : Method::as_printed;
+            finding.method = rendering == KerfLoop::Rendering::solved ? Method::kerf : Method::as_printed;
             finding.measured = "push " + figure(push, "N") + ": " + in_figures(pushed);
             const bool has_pauses = settings.clock == Clock::measured;
             finding.criterion = std::string("in the block; ") + (has_pauses ? calm_means : stable_means);
             finding.outcome =
                 passes(!pushed.has_left() && (has_pauses ? pushed.judged.is_calm() : pushed.judged.is_stable()));
-            if (way == KerfLoop::Way::solved && finding.outcome == Outcome::fail)
+            if (rendering == KerfLoop::Rendering::solved && finding.outcome == Outcome::fail)
                 finding.reason =
-                    without_release + in_figures(push_into(body, tool, settings, unreleased(gains), push, way));
+                    without_release + in_figures(push_into(body, tool, settings, unreleased(gains), push, rendering));
             report(finding);
         }
     });

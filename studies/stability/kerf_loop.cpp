@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 
 #include "kerf/assert.hpp"
@@ -27,13 +28,23 @@ ToolOutline outline(const ToolSetup& setup) {
 
 Pose at_depth(double depth, double tilt) { return {depth * along(tilt), quat_between({0, 0, 1}, along(tilt))}; }
 
-KerfLoop::KerfLoop(const Body& body, const ToolSetup& setup, const CouplingGains& gains, double depth, Way way,
-                   double tilt, double period)
-    : way_(way), tilt_(tilt), simulation_(body, setup, outline(setup), gains, at_depth(depth, tilt), period) {}
+KerfLoop::KerfLoop(const Body& body, const ToolSetup& setup, const CouplingGains& gains, double depth,
+                   Rendering rendering, double tilt, double period)
+    : rendering_(rendering),
+      tilt_(tilt),
+      simulation_(body, setup, outline(setup), gains, at_depth(depth, tilt), period) {}
+
+Pose KerfLoop::handle_at(double depth) const noexcept {
+    Pose pose = at_depth(depth, tilt_);
+    if (turned_ != 0.0)
+        pose.rotation =
+            pose.rotation * quat_from_rotation_vector({0, 0, std::remainder(turned_, 2.0 * std::numbers::pi)});
+    return pose;
+}
 
 double KerfLoop::answer(double depth, std::uint32_t missed) {
-    const DeviceSample sample{at_depth(depth, tilt_), missed};
-    last_ = way_ == Way::solved ? simulation_.tick(sample) : simulation_.tick_direct(sample);
+    const DeviceSample sample{handle_at(depth), missed};
+    last_ = rendering_ == Rendering::solved ? simulation_.tick(sample) : simulation_.tick_direct(sample);
     return -dot(linear(last_.command.wrench), along(tilt_));
 }
 
@@ -42,7 +53,7 @@ void KerfLoop::wait(double depth, int ticks) {
 }
 
 double KerfLoop::stored(double depth) const noexcept {
-    return way_ == Way::solved ? simulation_.stored_at(at_depth(depth, tilt_)) : 0.0;
+    return rendering_ == Rendering::solved ? simulation_.stored_at(handle_at(depth)) : 0.0;
 }
 
 double KerfLoop::tip() const noexcept { return dot(simulation_.world_from_tool().position, along(tilt_)); }

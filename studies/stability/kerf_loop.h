@@ -14,12 +14,14 @@ namespace kerf::stability {
 /// Kerf's loop as what answers a port: a depth goes in, the force against it comes out [device newtons].
 class KerfLoop {
 public:
-    enum class Way { solved, direct };  ///< direct: the law at the device's own rate, nothing solved
+    enum class Rendering { solved, direct };  ///< direct: the law at the device's own rate, nothing solved
 
     /// Pre: `outline_of` succeeds for `setup`. `body` must outlive the loop.   [main]
-    KerfLoop(const Body& body, const ToolSetup& setup, const CouplingGains& gains, double depth, Way way = Way::solved,
-             double tilt = 0.0, double period = Simulation::dt);
+    KerfLoop(const Body& body, const ToolSetup& setup, const CouplingGains& gains, double depth,
+             Rendering rendering = Rendering::solved, double tilt = 0.0, double period = Simulation::dt);
 
+    /// Turns the handle about the shaft by `by` [rad], in the direction that tightens a screw.
+    void turn(double by) noexcept { turned_ += by; }
     /// One tick, after `missed` that did not run.
     double answer(double depth, std::uint32_t missed = 0);
     /// The handle stays for `ticks`: a motor comes to its speed.
@@ -30,12 +32,14 @@ public:
 
     [[nodiscard]] const TickResult& last() const noexcept { return last_; }
     [[nodiscard]] Simulation& simulation() noexcept { return simulation_; }
-    /// How far the tip has gone along the tool's way [m].
+    /// Returns the distance of the tip along its path [m].
     [[nodiscard]] double tip() const noexcept;
 
 private:
-    Way way_;
-    double tilt_;
+    [[nodiscard]] Pose handle_at(double depth) const noexcept;
+
+    Rendering rendering_;
+    double tilt_, turned_ = 0.0;
     Simulation simulation_;
     TickResult last_;
 };

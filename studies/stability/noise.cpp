@@ -76,8 +76,8 @@ constexpr double above = -0.3e-3;  // [m]
 
 /// The hand is where it is told to be.
 Listened listen_led(const Body& body, const ToolUnderTest& tool, const CouplingGains& gains, double count,
-                    KerfLoop::Way way) {
-    KerfLoop loop(body, tool.setup, gains, above, way);
+                    KerfLoop::Rendering rendering) {
+    KerfLoop loop(body, tool.setup, gains, above, rendering);
     double hand = above;
     return listen({[&](double speed, double off) {
                        hand += speed * Simulation::dt;
@@ -138,12 +138,12 @@ void check_noise(const Scope& scope, const ToolUnderTest& tool, const Report& re
         add("feed of 0.5 mm/s", &Listened::in_feed);
         add("hold still, +-1 count", &Listened::at_rest);
     };
-    for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
-        const Method method = way == KerfLoop::Way::solved ? Method::kerf : Method::as_printed;
+    for (const auto rendering : {KerfLoop::Rendering::direct, KerfLoop::Rendering::solved}) {
+        const Method method = rendering == KerfLoop::Rendering::solved ? Method::kerf : Method::as_printed;
         for (const DeviceRecord& device : scope.devices) {
             const CouplingGains gains = gains_under_push(device, push_of(device), tool, body);
             const auto heard = [&](const CouplingGains& with) {
-                return listen_led(body, tool, with, device.resolution, way);
+                return listen_led(body, tool, with, device.resolution, rendering);
             };
             tell({.method = method, .device = device.id, .hand = led}, gains, heard);
         }

@@ -31,6 +31,9 @@ void check_border(const Scope& scope, const ToolUnderTest& tool, const ToolUnder
 void check_many_contacts(const Scope& scope, const Report& report);
 /// S-19: the motor is switched off under a push.   [main]
 void check_switching_off(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+/// S-20: a screw is turned in by a hand, held, backed off, turned in again and stripped; and turned in with ticks of
+/// another length.   [main]
+void check_screw(const Scope& scope, const ToolUnderTest& screw, const Report& report);
 /// S-21: the loop misses ticks while a hand moves on a wall.   [main]
 void check_missed_ticks(const Scope& scope, const Report& report);
 /// P5: the same way with ticks of another length, with each of the papers' laws and with the tool's.   [main]

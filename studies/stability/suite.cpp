@@ -52,6 +52,10 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegist
         if (as_found) as_found(finding);
     };
     const Scope scope = Scope::of(is_quick);
+    if (tool->lead > 0.0) {
+        check_screw(scope, *tool, report);
+        return findings;
+    }
     check_cutting(scope, *tool, report);
     check_walls(scope, report);
     check_tunnelling(scope, *tool, report);

@@ -24,12 +24,12 @@ struct SwitchedOff {
 };
 
 SwitchedOff switch_off(const Body& body, const ToolUnderTest& tool, const PortSettings& settings,
-                       const CouplingGains& gains, double push, KerfLoop::Way way) {
+                       const CouplingGains& gains, double push, KerfLoop::Rendering rendering) {
     constexpr double above = -0.5e-3, drilled = 2.5e-3;          // [m]
     constexpr int longest = 6000, after = 4000, looked_at = 50;  // [ticks]
     Port port(settings, above);
     port.go_along(true);
-    KerfLoop loop(body, tool.setup, gains, above, way);
+    KerfLoop loop(body, tool.setup, gains, above, rendering);
     loop.wait(port.reported(), run_up);
     for (int i = 0; i < longest && loop.tip() < drilled; ++i) tick(port, loop, push);
     for (std::size_t drive = 0; drive < tool.setup.drives.size(); ++drive) loop.simulation().command_drive(drive, 0.0);
@@ -74,16 +74,16 @@ void check_switching_off(const Scope& scope, const ToolUnderTest& tool, const Re
         }
         const double push = push_of(device);
         const CouplingGains gains = gains_under_push(device, push, tool, body, settings.delay);
-        for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
-            const SwitchedOff off = switch_off(body, tool, settings, gains, push, way);
+        for (const auto rendering : {KerfLoop::Rendering::direct, KerfLoop::Rendering::solved}) {
+            const SwitchedOff off = switch_off(body, tool, settings, gains, push, rendering);
             const bool does_stand = std::abs(off.stands_on - push) < 0.07 * push + settings.friction;
-            finding.method = way == KerfLoop::Way::solved ? Method::kerf : Method::as_printed;
+            finding.method = rendering == KerfLoop::Rendering::solved ? Method::kerf : Method::as_printed;
             finding.measured = in_figures(off, push);
             finding.outcome = passes(off.is_finite && off.has_stopped && off.step <= 0.07 * push &&
                                      off.handing_over <= 10 && does_stand);
-            if (way == KerfLoop::Way::solved && finding.outcome == Outcome::fail)
-                finding.reason =
-                    without_release + in_figures(switch_off(body, tool, settings, unreleased(gains), push, way), push);
+            if (rendering == KerfLoop::Rendering::solved && finding.outcome == Outcome::fail)
+                finding.reason = without_release +
+                                 in_figures(switch_off(body, tool, settings, unreleased(gains), push, rendering), push);
             report(finding);
         }
     });

@@ -56,6 +56,7 @@ std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std:
                                          [](const auto& a, const auto& b) { return a.radius < b.radius; });
     found.full_depth = -widest->z;
     found.radius = widest->radius;
+    found.lead = outline.thread_lead;
     return found;
 }
 

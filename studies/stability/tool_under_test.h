@@ -17,6 +17,7 @@ struct ToolUnderTest {
     std::string law;          ///< the force's id
     double full_depth = 0.0;  ///< [m] behind the tip: there the cutting outline has its full radius
     double radius = 0.0;      ///< [m] of the cutting outline
+    double lead = 0.0;        ///< [m] of a thread, per turn; 0: it has none, and is fed instead of turned
 };
 /// The plugin's first tool, with its first force or the one of this id.
 /// Error: there is no such plugin, or it has no tool or no such force, or the tool cannot be made.   [main]

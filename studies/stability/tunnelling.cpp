@@ -18,7 +18,7 @@ namespace {
 constexpr double shell = 0.5e-3, fast = 1.0;  // [m], [m/s]: two shells a tick
 
 /// How many of `passes`, each from a phase of its own within a tick's way, feel nothing on their way through.
-int unfelt(const Body& body, const CouplingGains& gains, int passes, KerfLoop::Way way) {
+int unfelt(const Body& body, const CouplingGains& gains, int passes, KerfLoop::Rendering way) {
     std::uint32_t random = 4;
     int missed = 0;
     for (int n = 0; n < passes; ++n) {
@@ -38,7 +38,7 @@ int unfelt(const Body& body, const CouplingGains& gains, int passes, KerfLoop::W
 
 /// Bone that a drill led through the shell takes, of what it sweeps [–], by a hand that goes on until the drill is
 /// through; nothing where it never is.
-double taken(const ToolUnderTest& tool, const CouplingGains& gains, KerfLoop::Way way) {
+double taken(const ToolUnderTest& tool, const CouplingGains& gains, KerfLoop::Rendering way) {
     constexpr double start = -5e-3;
     constexpr int longest = 2000;  // [ticks]
     const double through = shell + tool.full_depth + 2e-3;
@@ -62,9 +62,9 @@ void check_tunnelling(const Scope& scope, const ToolUnderTest& tool, const Repor
         Finding finding{.test = "S-04", .scene = "0.5 mm shell at 1 m/s", .hand = led};
         finding.device = device.id;
         finding.criterion = "contact felt every time";
-        for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
+        for (const auto way : {KerfLoop::Rendering::direct, KerfLoop::Rendering::solved}) {
             const int missed = unfelt(body, gains, times, way);
-            finding.method = way == KerfLoop::Way::solved ? Method::kerf : Method::as_printed;
+            finding.method = way == KerfLoop::Rendering::solved ? Method::kerf : Method::as_printed;
             finding.measured = std::to_string(missed) + " of " + std::to_string(times) + " passes feel nothing";
             finding.outcome = passes(missed == 0);
             report(finding);
@@ -81,13 +81,13 @@ void check_tunnelling(const Scope& scope, const ToolUnderTest& tool, const Repor
         return;
     }
     const CouplingGains gains = gains_under_push(scope.devices.front(), push_of(scope.devices.front()), tool, body);
-    for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
+    for (const auto way : {KerfLoop::Rendering::direct, KerfLoop::Rendering::solved}) {
         const double share = taken(tool, gains, way);
-        finding.method = way == KerfLoop::Way::solved ? Method::kerf : Method::as_printed;
+        finding.method = way == KerfLoop::Rendering::solved ? Method::kerf : Method::as_printed;
         finding.measured = figure(100.0 * (share - 1.0), "%") + " off what was swept";
         finding.criterion = "within 1 %";
         finding.outcome = passes(std::abs(share - 1.0) <= 0.01);
-        finding.reason = way == KerfLoop::Way::solved ? "" : "at the device's rate, with Kerf's removal";
+        finding.reason = way == KerfLoop::Rendering::solved ? "" : "at the device's rate, with Kerf's removal";
         report(finding);
     }
 }

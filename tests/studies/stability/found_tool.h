@@ -11,13 +11,15 @@
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::stability {
 
-/// The drilling plugin, as it was built.
-inline ToolUnderTest the_drill() {
+/// The first tool of a plugin, as it was built.
+inline ToolUnderTest tool_of(const char* plugin) {
     std::string error;
-    const auto tool = find_tool(test::plugins(), "kerf.drilling", error);
+    const auto tool = find_tool(test::plugins(), plugin, error);
     if (!tool) throw std::runtime_error(error);
     return *tool;
 }
+inline ToolUnderTest the_drill() { return tool_of("kerf.drilling"); }
+inline ToolUnderTest the_screw() { return tool_of("kerf.implant"); }
 
 /// The papers' drill with their first law or another one, as they were built.
 inline ToolUnderTest the_papers_drill(const std::string& law = "") {

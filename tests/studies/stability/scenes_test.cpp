@@ -170,6 +170,16 @@ TEST(Scenes, SkipsOvertravelWithoutHand) {
     EXPECT_FALSE(overtravel.reason.empty());
 }
 
+TEST(Scenes, AScrewTurnsInHoldsBacksOffAndStripsSolvedAndNoneOfThatDirectly) {
+    Found found;
+    check_screw(nominal, the_screw(), found.report);
+    for (const char* scene : {"screw turned in", "screw held half way", "screw backed off by two turns",
+                              "screw turned on until it strips"}) {
+        EXPECT_EQ(found.only(scene, Method::kerf).outcome, Outcome::pass) << found.only(scene, Method::kerf).measured;
+        EXPECT_EQ(found.only(scene, Method::as_printed).outcome, Outcome::fail) << scene;
+    }
+}
+
 TEST(Scenes, ALeverCycleGivesNoWorkSolvedAndSomeAsPrinted) {
     Found found;
     check_lever(nominal, found.report);
