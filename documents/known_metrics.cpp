@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "documents/names.h"
 #include "documents/read_instruments.h"
 #include "documents/signal_need.h"
 #include "kerf/units.hpp"
+#include "text/quantity.h"
 
 namespace kerf::documents {
 
@@ -31,7 +34,7 @@ struct Named {
     const char* quantity = nullptr;  ///< measured only for a goal or limit on it; null: always
 };
 /// Metrics of a step.
-const std::array<Named, 28> of_step{{{"depth", &length},
+const std::array<Named, 27> of_step{{{"depth", &length},
                                      {"offset", &length},
                                      {"moved", &length},
                                      {"time-in-air", &time},
@@ -51,7 +54,6 @@ const std::array<Named, 28> of_step{{{"depth", &length},
                                      {"hole-axis-angle", &angle},
                                      {"reduction-offset", &length},
                                      {"reduction-angle", &angle},
-                                     {"breach", &length, "breach"},
                                      {"removed-volume", &volume, "removed_volume"},
                                      {"tip-apex", &length, "tip_apex"},
                                      {"thrust", &force, "thrust"},
@@ -73,8 +75,16 @@ bool has_bound(const Step& step, const Condition& condition) {
 bool names(const Step& step, const std::string& quantity) {
     return has_bound(step, [&](const auto& bounded) { return bounded.quantity == quantity; });
 }
-bool names_signal(const Step& step, const std::string& signal) {
-    return has_bound(step, [&](const auto& bounded) { return bounded.signal.id == signal; });
+/// Returns whether a goal with this end, or a limit with that one, is on a signal.
+bool names_signal(const Step& step, const std::string& signal, std::optional<double> Bound::*goal_end,
+                  std::optional<double> Bound::*limit_end) {
+    const auto is_on_it = [&](const auto& bounded, auto end) {
+        return bounded.signal.id == signal && bounded.bound.*end;
+    };
+    return std::any_of(step.goals.begin(), step.goals.end(),
+                       [&](const Goal& goal) { return is_on_it(goal, goal_end); }) ||
+           std::any_of(step.limits.begin(), step.limits.end(),
+                       [&](const Limit& limit) { return is_on_it(limit, limit_end); });
 }
 
 std::string with_hyphens(std::string name) {
@@ -83,6 +93,12 @@ std::string with_hyphens(std::string name) {
 }
 
 }  // namespace
+
+std::string breach_name(double diameter, bool is_one_of_several) {
+    if (!is_one_of_several) return "breach";
+    const std::string width = text::quantity_text(diameter, "mm");
+    return "breach-" + width.substr(0, width.find(' ')) + "mm";
+}
 
 std::vector<KnownMetric> metrics_of(const Procedure& procedure, const ComponentCatalog& catalog) {
     std::vector<KnownMetric> known;
@@ -94,16 +110,23 @@ std::vector<KnownMetric> metrics_of(const Procedure& procedure, const ComponentC
             if (one.quantity == nullptr || names(step, one.quantity)) add(one.name, *one.need);
         if (!step.plane.empty())
             for (const Named& one : of_plane) add(one.name, *one.need);
+        const auto breaches = std::count_if(step.limits.begin(), step.limits.end(),
+                                            [](const Limit& limit) { return limit.quantity == "breach"; });
         for (const Limit& limit : step.limits) {
+            if (limit.quantity == "breach") add(breach_name(limit.diameter, breaches > 1), length);
             if (!limit.zone.empty()) add("clearance." + limit.zone, length);
             if (limit.quantity == "axes_angle") add("axes-angle." + limit.landmark, angle);
         }
         const Instrument* used = find_id(procedure.instruments, step.instrument);
         if (const ComponentInfo* law = used != nullptr ? law_of(*used, catalog) : nullptr)
             for (const SignalInfo& signal : law->signals) {
-                if (names_signal(step, signal.id)) add("signal." + signal.id, need_of(signal));
+                if (names_signal(step, signal.id, &Bound::at_least, &Bound::at_most))
+                    add("signal." + signal.id, need_of(signal));
+                if (names_signal(step, signal.id, &Bound::at_most, &Bound::at_least))
+                    add("signal." + signal.id + ".least", need_of(signal));
                 add("left." + with_hyphens(signal.id), need_of(signal));
             }
+        add("left.bone-kept", part);
         for (const Measure& measure : procedure.measures)
             add("measure." + measure.id, measure.is_angle() ? angle : length);
     }

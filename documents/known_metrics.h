@@ -20,4 +20,9 @@ struct KnownMetric {
 /// does.   [any]
 [[nodiscard]] std::vector<KnownMetric> metrics_of(const Procedure& procedure, const ComponentCatalog& catalog);
 
+/// Returns the name of a breach metric within its step: "breach", or "breach-6.5mm" where a step limits several
+/// diameters.   [any] pure
+/// @param diameter   [m]
+[[nodiscard]] std::string breach_name(double diameter, bool is_one_of_several);
+
 }  // namespace kerf::documents

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/plugin/unit.h"
+#include "documents/known_metrics.h"
 #include "kerf/units.hpp"
 #include "run/verdict/screw_grade.h"
 #include "text/quantity.h"
@@ -257,8 +258,10 @@ void add_advance(const TipProgress& advance, StepRows& rows) {
     rows.row("time-in-air", advance.in_air, "s", 1.0, rows.status_of("time_in_air"),
              "How long the tip itself had no bone in front of it while it went on, after it had met bone.");
     rows.length("depth-in-air", advance.depth_in_air, rows.half_voxel(), "info", "Depth that it gained so.");
-    if (advance.plunge <= 0.0 && advance.hand_plunge <= 0.0) return;
-    rows.length("plunge", advance.plunge, rows.half_voxel(), rows.status_of("plunge"),
+    std::string_view status = rows.status_of("plunge");
+    if (status == "not measured") status = "ok";  // it never left the bone
+    if (advance.plunge <= 0.0 && advance.hand_plunge <= 0.0 && status == "info") return;
+    rows.length("plunge", advance.plunge, rows.half_voxel(), std::string(status),
                 "The farthest that the tip went on behind a face through which it left the bone.");
     rows.length("plunge.hand", advance.hand_plunge, -1.0, "info", "The farthest that the hand moved on meanwhile.");
 }
@@ -274,11 +277,7 @@ void add_sides(const std::string& name, const bone::Breach& breach, const AxisFr
 
 /// @param is_one   one of several, which are distinguished by their diameters
 void add_breach(double diameter, const bone::Breach& breach, bool is_one, const AxisFrame& frame, StepRows& rows) {
-    std::string name = "breach";
-    if (is_one) {
-        const std::string width = text::quantity_text(diameter, "mm");
-        name += "-" + width.substr(0, width.find(' ')) + "mm";
-    }
+    const std::string name = documents::breach_name(diameter, is_one);
     rows.length(name, breach.worst(), rows.half_voxel(), rows.status_of("breach", diameter),
                 "How far a cylinder of " + text::quantity_text(diameter, "mm") + " along the hole leaves the bone.");
     add_sides(name, breach, frame, rows);

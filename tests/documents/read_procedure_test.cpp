@@ -565,6 +565,25 @@ TEST(ReadProcedure, ReadsWhatTheScoreCounts) {
     EXPECT_EQ(procedure->steps[0].limits[0].severity, Severity::serious);
 }
 
+TEST(ReadProcedure, ScoresABreachByItsDiameterAndTheLeastOfASignal) {
+    const auto scored = [](const std::string& metric) {
+        text::Diagnostics diagnostics;
+        std::string text = replaced(faultless, "    limits:\n",
+                                    "    limits:\n"
+                                    "      - {breach: {diameter: 5 mm, at_most: 2 mm}, reason: Out.}\n"
+                                    "      - {breach: {diameter: 6.5 mm, at_most: 2 mm}, reason: Out.}\n"
+                                    "      - {signal: {id: spindle_speed, at_least: 600 rpm}, reason: Slow.}\n");
+        text = replaced(text, "rehearsals:\n", "scoring: [{metric: " + metric + "}]\nrehearsals:\n");
+        const bool is_read = read(text, diagnostics).has_value();
+        return is_read ? std::string("read") : to_text(diagnostics);
+    };
+    EXPECT_EQ(scored("drill.breach-5mm, full: 0 mm, none: 2 mm"), "read");
+    EXPECT_EQ(scored("drill.breach-6.5mm, full: 0 mm, none: 2 mm"), "read");
+    EXPECT_NE(scored("drill.breach, full: 0 mm, none: 2 mm"), "read") << "of which diameter?";
+    EXPECT_EQ(scored("drill.signal.spindle_speed.least, full: 900 rpm, none: 600 rpm"), "read");
+    EXPECT_NE(scored("drill.signal.spindle_speed, full: 900 rpm, none: 600 rpm"), "read") << "no bound reads it";
+}
+
 TEST(ReadProcedure, RefusesAScoreThatNobodyCanEarn) {
     const auto refused = [](text::Code code, const std::string& scoring) {
         expect_refused(code, "rehearsals:\n", "scoring: " + scoring + "\nrehearsals:\n");
