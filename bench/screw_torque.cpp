@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "studies/drawing/plot.h"
+#include "studies/rank_correlation.h"
 #include "studies/times.h"
 #include "tests/plugins/implant/weidling.h"
 #include "tests/support/turned_screw.h"
@@ -56,30 +57,6 @@ double torque_of(const test::MeasuredScrew& s) {
                        .hole_radius = test::pilot_radius_of(s)});
     screw.insert(25.0_mm / s.pitch, fast);
     return screw.torque();
-}
-
-/// Ranks 1 … n; equal values share the mean of their ranks.
-PerScrew ranks_of(const PerScrew& values) {
-    PerScrew ranks{};
-    for (std::size_t i = 0; i < screws; ++i) {
-        const auto less = std::count_if(values.begin(), values.end(), [&](double v) { return v < values[i]; });
-        const auto equal = std::count(values.begin(), values.end(), values[i]);
-        ranks[i] = static_cast<double>(less) + 0.5 * static_cast<double>(equal + 1);
-    }
-    return ranks;
-}
-
-/// Spearman's: the correlation of the ranks.
-double rank_correlation(const PerScrew& a, const PerScrew& b) {
-    const PerScrew x = ranks_of(a), y = ranks_of(b);
-    constexpr double mean = 0.5 * (screws + 1);
-    double xy = 0.0, xx = 0.0, yy = 0.0;
-    for (std::size_t i = 0; i < screws; ++i) {
-        xy += (x[i] - mean) * (y[i] - mean);
-        xx += (x[i] - mean) * (x[i] - mean);
-        yy += (y[i] - mean) * (y[i] - mean);
-    }
-    return xy / std::sqrt(xx * yy);
 }
 
 /// Mean absolute relative error of the six screws that are not in `fitted`, with the one factor that fits those in
