@@ -57,8 +57,7 @@ ExitCode validate(const ValidateOptions& options, const Environment& with) {
 ExitCode expand(const ExpandOptions& options, const Environment& with) {
     text::Diagnostics diagnostics;
     const auto procedure =
-        documents::read_procedure(options.procedure, with.plugins.catalog(), options.changes())
-            .take(diagnostics);
+        documents::read_procedure(options.procedure, with.plugins.catalog(), options.changes()).take(diagnostics);
     print_error(to_text(diagnostics));
     if (!procedure) return exit_bad_input;
     print(std::string("# ") + session::notice_line + "\n" + documents::emitted(*procedure->document, true));

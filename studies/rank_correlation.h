@@ -10,7 +10,7 @@
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf {
 
-/// Returns the ranks 1 … n of values; equal ones share the mean of their ranks.   [any] pure
+/// Returns the ranks 1 … n of values; equal ones have the mean of their ranks.   [any] pure
 [[nodiscard]] inline std::vector<double> ranks_of(std::span<const double> values) {
     std::vector<double> ranks;
     ranks.reserve(values.size());

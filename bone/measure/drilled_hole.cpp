@@ -13,7 +13,7 @@ namespace {
 
 constexpr double section_distance = 0.5e-3;  // [m]
 constexpr double whole_circle = 0.95;        // [–] drilled fraction of the drill's section, in bone
-constexpr double own_fraction = 0.02;           // [–] of a circle that must not have been drilled before
+constexpr double own_fraction = 0.02;        // [–] of a circle that must not have been drilled before
 constexpr int ray_count = 16;
 constexpr double longest_ray = 15e-3;  // [m]
 

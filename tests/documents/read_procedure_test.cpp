@@ -565,7 +565,7 @@ TEST(ReadProcedure, ReadsWhatTheScoreCounts) {
     EXPECT_EQ(procedure->steps[0].limits[0].severity, Severity::serious);
 }
 
-TEST(ReadProcedure, ScoresABreachByItsDiameterAndTheLeastOfASignal) {
+TEST(ReadProcedure, ScoresABreachByItsDiameterAndTheMinimumOfASignal) {
     const auto scored = [](const std::string& metric) {
         text::Diagnostics diagnostics;
         std::string text = replaced(faultless, "    limits:\n",
