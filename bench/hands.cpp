@@ -84,8 +84,8 @@ std::string reason_of(const session::RunSummary& summary) {
 }
 
 std::string picture_of(const std::vector<Judged>& hands) {
-    constexpr double top = 70, row = 21, name = 10, bar = 330, per_point = 2.4, words = bar + 100 * per_point + 100,
-                     width = 1320;
+    constexpr double top = 70, row = 21, name = 10, bar = 350, per_point = 2.4, words = bar + 100 * per_point + 120,
+                     width = 1360;
     const double height = top + row * static_cast<double>(hands.size()) + 50;
     const std::map<std::string, const char*> colours{{"pass", "#2f7d5b"},
                                                      {"minor", "#b08900"},
@@ -116,7 +116,7 @@ std::string picture_of(const std::vector<Judged>& hands) {
                    "\" fill=\"#f4f4f2\"/>";
         svg += drawing::text_at(name, y + 15, std::to_string(one.tier));
         svg += drawing::text_at(name + 30, y + 15, one.operation, "fill=\"#666\"");
-        svg += drawing::text_at(name + 150, y + 15, one.hand);
+        svg += drawing::text_at(name + 170, y + 15, one.hand);
         svg += "<rect x=\"" + px(bar) + "\" y=\"" + px(y + 4) + "\" width=\"" +
                px(std::max(1.0, per_point * run.score)) + "\" height=\"13\" fill=\"" +
                (colour == colours.end() ? "#888" : colour->second) + "\"/>";

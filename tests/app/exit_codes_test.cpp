@@ -86,7 +86,9 @@ TEST(ExitCode, OfARunThatCannotBeginIsTwo) {
 
 TEST(ExitCode, OfSeveralRehearsedFilesIsTheWorst) {
     const TemporaryFolder folder;
-    const std::string other = changed(folder, "expect: pass", "expect: {fail: canal}") + coarse;
+    const std::string other = changed(folder, "expect: pass", "expect: {fail: canal}") + coarse +
+                              " --patch " KERF_SOURCE_DIR "/tests/app/few-rehearsals.yaml --set "
+                              "rehearsals.no-starting-hole=~ --set rehearsals.backed-out=~";
     EXPECT_EQ(kerf("rehearse /nowhere.yaml " + other).exit_code, 2);
     EXPECT_EQ(kerf("rehearse " + pedicle_screw + " " + other).exit_code, 1);
 }
