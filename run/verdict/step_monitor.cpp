@@ -165,7 +165,10 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     StepState& state = steps_[current_];
     const AxisFrame& frame = frames_[current_];
     const Pose tool = seen_from(owners_.step[current_], now);
-    if (!state.start) state.start = time;
+    if (!state.start) {
+        state.start = time;
+        state.bodies_before = bodies_parted_before(now);
+    }
 
     if (const std::size_t owner = owners_.step[current_]; owner < now.world_from_body.size())
         state.moved = std::max(state.moved, length(now.world_from_body[owner] * frame.entry - frame.entry));
@@ -365,6 +368,16 @@ ClosestPoint StepMonitor::closest_to(const LimitState& limit, const Observation&
     return closest;
 }
 
+std::size_t StepMonitor::bodies_parted_before(const Observation& now) const noexcept {
+    const std::size_t in_scene = anatomy_->fracture ? 2 : 1;
+    const bool is_another = std::any_of(steps_.data(), steps_.data() + current_, [](const StepState& earlier) {
+        const auto& goals = earlier.step->goals;
+        return std::any_of(goals.begin(), goals.end(),
+                           [](const documents::Goal& goal) { return goal.quantity == "separated"; });
+    });
+    return is_another ? std::max(in_scene, now.world_from_body.size()) : in_scene;
+}
+
 bool StepMonitor::is_reached(std::size_t index, const StepState& state, const Observation& now) const noexcept {
     const documents::Goal& goal = state.step->goals[index];
     if (goal.quantity == "signal") return state.was_within_bound[index];
@@ -374,7 +387,7 @@ bool StepMonitor::is_reached(std::size_t index, const StepState& state, const Ob
     }
     if (goal.quantity == "removed_volume") return is_within(goal.bound, state.removed);
     if (goal.quantity == "entry") return state.has_cut_bone();
-    if (goal.quantity == "separated") return now.world_from_body.size() > (anatomy_->fracture ? 2 : 1);
+    if (goal.quantity == "separated") return now.world_from_body.size() > state.bodies_before;
     if (goal.quantity == "held") return now.held == static_cast<int>(owners_.step[current_]);
     if (goal.quantity == "moved") return state.moved >= goal.bound.at_least.value_or(0.0);
     return state.has_cut_bone() && is_within(goal.bound, state.deepest);

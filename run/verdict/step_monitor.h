@@ -159,6 +159,7 @@ struct StepState {
     std::string lost_hold{};           ///< why its implant is no longer held as it was left; empty: it is
     std::optional<double> left_depth;  ///< [m] of the tip of an implant, as the hand left it
     double moved = 0.0;                ///< [m] maximum distance of the bone at the entry from its pose at the start
+    std::size_t bodies_before = 0;     ///< its goal `separated` needs more
 
     [[nodiscard]] bool has_cut_bone() const noexcept { return deepest >= 0.0; }
     [[nodiscard]] bool has_reached_all() const noexcept {
@@ -223,6 +224,9 @@ public:
     [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& new_events() const noexcept { return news_; }
 
 private:
+    /// Returns the number of bodies that the goal `separated` of the running step does not count: those of the scene,
+    /// or all that there are if an earlier step has had that goal.
+    [[nodiscard]] std::size_t bodies_parted_before(const Observation& now) const noexcept;
     [[nodiscard]] bool is_reached(std::size_t goal, const StepState& state, const Observation& now) const noexcept;
     /// Returns the value of a limit in this tick; nothing if the tick has none.
     [[nodiscard]] std::optional<double> measured(const LimitState& limit, const StepState& state,

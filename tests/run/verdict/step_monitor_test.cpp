@@ -260,6 +260,27 @@ TEST(StepMonitor, BoneHasComeApartWhenThereAreTwoBodies) {
     EXPECT_TRUE(show(2));
 }
 
+TEST(StepMonitor, ASecondStepMustPartTheBoneOnceMore) {
+    Case scene;
+    scene.procedure.steps[0].goals = {{"separated", {}, {}}};
+    scene.procedure.steps.push_back(scene.procedure.steps[0]);
+    scene.procedure.steps[1].id = "other-side";
+    scene.frames.push_back(scene.frames[0]);
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    const Pose bodies[]{identity_pose(), identity_pose(), identity_pose()};
+    const auto show = [&](double depth, std::size_t count) {
+        monitor.observe({0.0, {{0, 0, depth}, {1, 0, 0, 0}}, true, depth > 0.0, 0.0, std::span(bodies).first(count)},
+                        scene.drill);
+        return bool{monitor.steps()[1].goal_done[0]};
+    };
+    EXPECT_FALSE(show(5.0_mm, 2));
+    EXPECT_FALSE(show(-(5.0_mm), 2));
+    EXPECT_EQ(monitor.current(), 1u);
+    EXPECT_FALSE(show(-(5.0_mm), 2)) << "the piece of the first step is still there";
+    EXPECT_FALSE(show(5.0_mm, 2));
+    EXPECT_TRUE(show(5.0_mm, 3));
+}
+
 TEST(StepMonitor, ThrustCountsWhileTheToolRuns) {
     Case scene;
     scene.procedure.steps[0].limits = {{"thrust", "", {{}, 60.0_N}, "Forced.", {}}};
