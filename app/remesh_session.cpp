@@ -157,7 +157,7 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
     if (file.empty())
         return complain(options.session +
                             ": no shipped procedure has the text that it was recorded with. Name its procedure, as in "
-                            "`--procedure amputation.yaml`, with the `--set` it was run with.",
+                            "`--procedure amputation.yaml`, with the `--patch` and `--set` it was run with.",
                         exit_bad_input);
 
     text::Diagnostics diagnostics;

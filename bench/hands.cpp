@@ -5,6 +5,7 @@
 //
 // About ten minutes. For training and research; not for diagnosis, planning or deciding treatment.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -15,6 +16,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -44,8 +46,8 @@ std::vector<Judged> hands_in_order() {
     std::ifstream file(hands_folder + "order.csv");
     std::vector<Judged> hands;
     std::string line;
-    std::getline(file, line);
-    while (std::getline(file, line)) {
+    if (!std::getline(file, line)) throw std::runtime_error("cannot read " + hands_folder + "order.csv");
+    while (std::getline(file, line) && !line.empty()) {
         std::istringstream fields(line);
         std::string tier, operation, hand;
         std::getline(fields, tier, ',');
@@ -58,7 +60,7 @@ std::vector<Judged> hands_in_order() {
 
 run::Scene scene_of(const std::string& operation) {
     const std::string file = KERF_SOURCE_DIR "/procedures/" + operation + ".yaml";
-    // A hand leans to the tongue there, where the shipped jaw has no landmark.
+    // There `midline` lies on the side of the tongue, to which a hand leans; in the shipped jaw it lies along the arch.
     run::DocumentRequest request{.procedure = file,
                                  .anatomy = operation == "dental-implant" ? hands_folder + "jaw.yaml" : ""};
     request.changes.patches = {hands_folder + operation + ".yaml"};
@@ -69,10 +71,13 @@ run::Scene scene_of(const std::string& operation) {
     return std::move(*scene);
 }
 
-double correlation(const std::vector<Judged>& hands, const std::string& operation = {}) {
+constexpr int first_between = 2, last_between = 23;  // tiers without the best and those that do nothing
+
+double correlation(const std::vector<Judged>& hands, const std::string& operation = {}, bool is_between = false) {
     std::vector<double> order, scores;
     for (const Judged& one : hands) {
         if (!operation.empty() && one.operation != operation) continue;
+        if (is_between && (one.tier < first_between || one.tier > last_between)) continue;
         order.push_back(-one.tier);
         scores.push_back(one.summary.score);
     }
@@ -87,11 +92,9 @@ std::string picture_of(const std::vector<Judged>& hands) {
     constexpr double top = 70, row = 21, name = 10, bar = 350, per_point = 2.4, words = bar + 100 * per_point + 120,
                      width = 1360;
     const double height = top + row * static_cast<double>(hands.size()) + 50;
-    const std::map<std::string, const char*> colours{{"pass", "#2f7d5b"},
-                                                     {"minor", "#b08900"},
-                                                     {"serious", "#c2571a"},
-                                                     {"incomplete", "#7a6a9c"},
-                                                     {"critical", "#a31621"}};
+    constexpr std::array colours{std::pair("pass", "#2f7d5b"), std::pair("minor", "#b08900"),
+                                 std::pair("serious", "#c2571a"), std::pair("incomplete", "#7a6a9c"),
+                                 std::pair("critical", "#a31621")};
     const auto px = &drawing::px;
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " + px(height) +
                       "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\"><rect width=\"100%\" "
@@ -103,14 +106,15 @@ std::string picture_of(const std::vector<Judged>& hands) {
         "rank correlation " + drawing::figure(correlation(hands), 2) + "; the tier is the reader's, 1 the best");
     double x = width - 10;
     for (auto band = colours.rbegin(); band != colours.rend(); ++band) {
-        x -= 20 + 8 * static_cast<double>(band->first.size());
+        x -= 20 + 8 * static_cast<double>(std::string_view(band->first).size());
         svg += "<rect x=\"" + px(x) + "\" y=\"36\" width=\"11\" height=\"11\" fill=\"" + band->second + "\"/>" +
                drawing::text_at(x + 15, 46, band->first);
     }
     double y = top;
     for (const Judged& one : hands) {
         const session::RunSummary& run = one.summary;
-        const auto colour = colours.find(run.score_band);
+        const auto colour = std::find_if(colours.begin(), colours.end(),
+                                         [&](const auto& band) { return run.score_band == band.first; });
         if (static_cast<int>((y - top) / row) % 2 == 0)
             svg += "<rect x=\"0\" y=\"" + px(y) + "\" width=\"" + px(width) + "\" height=\"" + px(row) +
                    "\" fill=\"#f4f4f2\"/>";
@@ -156,6 +160,7 @@ int run(const std::string& folder) {
     for (const auto& [operation, scene] : scenes)
         std::printf("rank correlation, %-20s %.3f\n", operation.c_str(), correlation(hands, operation));
     std::printf("rank correlation, %-20s %.3f\n", "all", correlation(hands));
+    std::printf("rank correlation, %-20s %.3f\n", "tiers 2 to 23", correlation(hands, {}, true));
     const std::string error = folder.empty() ? "" : text::write_file(folder + "/hands.svg", picture_of(hands));
     if (!error.empty()) throw std::runtime_error(error);
     return 0;

@@ -126,7 +126,6 @@ std::vector<KnownMetric> metrics_of(const Procedure& procedure, const ComponentC
                     add("signal." + signal.id + ".least", need_of(signal));
                 add("left." + with_hyphens(signal.id), need_of(signal));
             }
-        add("left.bone-kept", part);
         for (const Measure& measure : procedure.measures)
             add("measure." + measure.id, measure.is_angle() ? angle : length);
     }

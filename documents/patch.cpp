@@ -16,7 +16,7 @@ namespace kerf::documents {
 namespace {
 
 constexpr std::size_t max_parts = 16;          // of a path
-constexpr const char* setting_name = "--set";  // in place of a file's
+constexpr const char* setting_name = "--set";  // shown as the name of its file
 constexpr int max_changes = 1000;              // of a patch: each looks through what is there
 
 bool is_id_of(const Node& item, std::string_view id) {

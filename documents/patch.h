@@ -10,7 +10,7 @@
 /// the command line.
 namespace kerf::documents {
 
-/// Changes the tree at `target` as the map `patch` says; what is wrong is reported at the patch's own place.
+/// Changes the tree at `target` as the map `patch` says; what is wrong is reported at the patch's own position.
 ///
 /// A key is a path: keys of maps, and ids of the items of lists, with dots between them. A value replaces the
 /// one that is there, but maps are merged key by key, lists whose items have ids item by item, and `~` removes. Keys

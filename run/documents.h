@@ -20,7 +20,7 @@ namespace kerf::run {
 struct DocumentRequest {
     std::string procedure;                  ///< file
     std::string anatomy{};                  ///< file; empty: the one that the procedure names
-    documents::ProcedureChanges changes{};  ///< a variant, and `--set`
+    documents::ProcedureChanges changes{};  ///< a variant, `--patch` and `--set`
     std::string shipped{};                  ///< folder of the shipped procedures, searched second for anatomies
 };
 

@@ -109,7 +109,7 @@ std::vector<Command> procedure_commands() {
     rows.push_back(
         {.name = "expand",
          .group = "Procedures",
-         .summary = "Print the procedure with a variant and `--set` applied, and the origin of each value",
+         .summary = "Print the procedure with a variant, `--patch` and `--set` applied, and the origin of each value",
          .arguments = {procedure_of<ExpandOptions>()},
          .options = {variant_of<ExpandOptions>(), patches_of<ExpandOptions>(), settings_of<ExpandOptions>()},
          .when_missing = "which procedure? Write `kerf expand PROCEDURE.yaml`.",

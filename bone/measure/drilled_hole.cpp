@@ -89,7 +89,7 @@ Section section_at(const Body& body, const HolePlan& plan, const DrilledFraction
     if (section.area > 0.0) {
         section.x = x_sum / section.area;
         section.y = y_sum / section.area;
-        // The bone of an earlier hole within the circle belongs to it. Where the circle is follows from that.
+        // The bone of an earlier hole within the circle belongs to it; the circle's centre depends on that bone.
         constexpr int rounds = 8;
         for (int round = 0; round < rounds && !before.empty(); ++round) {
             double x = x_sum, y = y_sum;
@@ -127,22 +127,29 @@ double radius_of_hole(const ToolSolid& cutting, double behind) noexcept {
     return radius;
 }
 
-/// Returns the volume of the planned hole in the bone that was there before it [m³], sampled on rings of equal area.
-double planned_volume(const Body& body, const HolePlan& plan, const DrilledFraction& drilled,
-                      const std::array<Vec3, 2>& plane) {
+struct PlannedVolume {
+    double whole = 0.0, left = 0.0;  ///< [m³] of bone before any hole, and before this one
+};
+/// Returns the volumes of the planned hole, sampled on rings of equal area.
+PlannedVolume planned_volume(const Body& body, const HolePlan& plan, const DrilledFraction& drilled,
+                             const std::array<Vec3, 2>& plane) {
     constexpr int slices = 400, rings = 8;
     const double first = -2.0 * plan.cutting.largest_radius(), thickness = (plan.depth - first) / slices;
-    double volume = 0.0;
+    PlannedVolume volume;
     for (int s = 0; s < slices; ++s) {
         const double depth = first + (s + 0.5) * thickness;
         const double radius = radius_of_hole(plan.cutting, plan.depth - depth);
-        double fraction = 0.0;
+        double whole = 0.0, left = 0.0;
         for (int r = 0; r < rings; ++r)
             for (int k = 0; k < ray_count; ++k) {
                 const Vec3 p = plan.entry + depth * plan.along + radius * std::sqrt((r + 0.5) / rings) * ray(plane, k);
-                fraction += std::max(0.0, bone_fraction(body, p) - drilled(p).before);
+                const double bone = bone_fraction(body, p);
+                whole += bone;
+                left += std::max(0.0, bone - drilled(p).before);
             }
-        volume += thickness * 3.14159265358979323846 * radius * radius * fraction / (rings * ray_count);
+        const double per_sample = thickness * 3.14159265358979323846 * radius * radius / (rings * ray_count);
+        volume.whole += per_sample * whole;
+        volume.left += per_sample * left;
     }
     return volume;
 }
@@ -223,7 +230,9 @@ std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan, 
 
     DrilledHole hole;
     for (const Section& s : sections) hole.drilled += s.area * section_distance;
-    hole.ideal = planned_volume(body, plan, drilled, plane);
+    const PlannedVolume planned = planned_volume(body, plan, drilled, plane);
+    hole.ideal = planned.left;
+    hole.whole = planned.whole;
     std::vector<Section> whole;
     std::copy_if(sections.begin(), sections.end(), std::back_inserter(whole),
                  [](const Section& s) { return s.is_whole; });

@@ -23,7 +23,7 @@ struct HolePlan {
     double beside = 10e-3;  ///< [m] width of the searched bone around the planned hole
 };
 
-/// What drilling has taken of the bone at a point [–].
+/// Fractions of the bone at a point that drilling has removed [–].
 struct Drilled {
     double now = 0.0;     ///< by the hole that is measured
     double before = 0.0;  ///< by earlier ones, such as the hole that it widens
@@ -46,11 +46,12 @@ struct DrilledHole {
     double drilled = 0.0;                      ///< [m³] in the window
     double ideal = 0.0;                        ///< [m³] of the same drill on the planned axis, to the same depth,
                                                ///< without what was drilled before
+    double whole = 0.0;                        ///< [m³] the same with what was drilled before
 };
 
-/// Measures a hole on sections across the planned axis, half a millimetre apart. A hole that widens an earlier one has
-/// the earlier one's bone in its circles. Nothing if no section has a whole circle, as after a scratch.   [worker]
-/// pure.
+/// Measures a hole on sections across the planned axis, half a millimetre apart. A hole that widens an earlier one
+/// counts the bone that the earlier one removed within its circles. Nothing if no section has a whole circle, as after
+/// a scratch.   [worker] pure.
 [[nodiscard]] std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan,
                                                       const DrilledFraction& drilled);
 

@@ -326,7 +326,9 @@ void add_drilled(const bone::DrilledHole& hole, double width, StepRows& rows) {
         rows.row("excess-removal", hole.ideal > 0.0 ? hole.drilled / hole.ideal - 1.0 : 0.0, "%", 0.01,
                  rows.status_of("excess_removal"),
                  "Bone removed beyond what the same tool takes on the planned axis, of the bone that was left for it.");
-    excess.uncertainty = volume_uncertainty(width / rows.spacing());
+    // That of the whole hole, of the bone that was left.
+    excess.uncertainty =
+        volume_uncertainty(width / rows.spacing()) * (hole.ideal > 0.0 ? hole.whole / hole.ideal : 1.0);
     excess.revision = 2;  // revision 1 took bone that was drilled before as left
 }
 

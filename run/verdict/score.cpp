@@ -78,7 +78,9 @@ DeductionRow cause_of(const ScoreBand& band, const StepMonitor& monitor, const s
                 return {.step = state.step->id,
                         .kind = "goal",
                         .name = state.step->goals[g].name(),
-                        .detail = (state.left_depth ? "When the implant was left: " : "") +
+                        .detail = (state.left_depth  ? "When the implant was left: "
+                                   : state.is_done() ? "When the step had ended: "
+                                                     : "Not reached: ") +
                                   missed_goal(state.step->goals[g], state, monitor.measures()) + ".",
                         .at = state.end};
         if (!state.is_done()) return {.step = state.step->id, .kind = "step", .detail = "The step did not end."};
@@ -108,19 +110,18 @@ std::string words_of(const documents::ScoredMetric& scored, const std::optional<
            "; full " + text(scored.full) + ", none " + text(scored.none);
 }
 
-/// Returns what a part loses as its step has not reached all of its goals.
-std::string reached_text(double reached) {
-    return "Its step reached " + text::quantity_text(std::round(100.0 * reached) / 100.0, "%") + " of its goals.";
-}
+/// Returns a fraction as a text in whole percent; 100 % only if it is whole.
+std::string percent_text(double fraction) { return text::quantity_text(std::floor(100.0 * fraction) / 100.0, "%"); }
 
-/// Returns the same where the step may not have begun.
-std::string not_all_text(const StepState& state, double reached) {
-    return state.has_begun() ? reached_text(reached) : "The step did not begin.";
+/// Returns a text with the least fraction of a goal that a step has reached.
+std::string reached_text(const StepState& state, double reached) {
+    return state.has_begun() ? "The goal that is farthest from reached is at " + percent_text(reached) + "."
+                             : "The step did not begin.";
 }
 
 Part step_part(const StepState& state) {
     const double reached = reached_part(state);
-    return {.row = {.step = state.step->id, .kind = "step", .detail = not_all_text(state, reached), .at = state.end},
+    return {.row = {.step = state.step->id, .kind = "step", .detail = reached_text(state, reached), .at = state.end},
             .earned = reached};
 }
 
@@ -131,10 +132,10 @@ std::vector<Part> parts_by_metric(const StepMonitor& monitor, const documents::P
     double mean = 0.0;
     for (const StepState& state : monitor.steps())
         mean += reached_part(state) / static_cast<double>(monitor.steps().size());
-    const auto add = [&](const documents::ScoredMetric& scored, double reached) {
+    const auto add = [&](const documents::ScoredMetric& scored, double reached, const std::string& reached_words) {
         const std::optional<double> value = value_of(scored.metric, summary);
         std::string detail = words_of(scored, value);
-        if (reached < 1.0) detail += ". " + reached_text(reached);
+        if (reached < 1.0) detail += ". " + reached_words;
         parts.push_back(
             {.row = {.step = scored.step, .kind = "metric", .name = scored.metric, .detail = std::move(detail)},
              .weight = scored.weight,
@@ -145,14 +146,14 @@ std::vector<Part> parts_by_metric(const StepMonitor& monitor, const documents::P
         bool is_scored = false;
         for (const documents::ScoredMetric& scored : procedure.scoring)
             if (scored.step == state.step->id) {
-                add(scored, reached);
+                add(scored, reached, reached_text(state, reached));
                 parts.back().row.at = state.end;
                 is_scored = true;
             }
         if (!is_scored) parts.push_back(step_part(state));
     }
     for (const documents::ScoredMetric& scored : procedure.scoring)
-        if (scored.step.empty()) add(scored, mean);
+        if (scored.step.empty()) add(scored, mean, "On average the steps reached " + percent_text(mean) + ".");
     return parts;
 }
 
@@ -168,8 +169,8 @@ std::vector<Part> parts_by_limit(const StepMonitor& monitor) {
                                      .kind = "limit",
                                      .name = limit.limit->name(),
                                      .detail = limit.broken_at ? broken_limit(limit, monitor.measures())
-                                               : !is_measured  ? "It could not be measured."
-                                                               : not_all_text(state, reached),
+                                               : !is_measured && state.has_begun() ? "It could not be measured."
+                                                                                   : reached_text(state, reached),
                                      .at = limit.broken_at},
                              .earned = limit.broken_at || !is_measured ? 0.0 : reached});
         }

@@ -6,7 +6,7 @@
 
 #include "run/verdict/step_monitor.h"
 
-/// What a step has done wrong, in words with its figures. Verdict and deductions use the same.
+/// Texts for broken limits and missed goals, with their values. Verdict and deductions use the same.
 namespace kerf::run {
 
 /// Returns the reason of a broken limit and the worst value: "The drill went too deep. Depth: 39.4 mm."   [any] pure

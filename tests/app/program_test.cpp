@@ -114,8 +114,8 @@ TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
         EXPECT_FALSE(std::filesystem::exists(out)) << what;
     }
     EXPECT_TRUE(has(kerf("run " + pedicle_screw + " --hand nobody").err,
-                    "there is no rehearsal `nobody`. Write `expert`, `no-starting-hole`, `medial-breach`, `backed-out` "
-                    "or `overtightened`.\n"));
+                    "there is no rehearsal `nobody`. Write `expert`, `no-starting-hole`, `medial-breach`, "
+                    "`backed-out`, `overtightened`, `slow`, `hasty`, `too-deep` or 2 more.\n"));
 }
 
 TEST(Program, WhatCannotBeRunIsSaidBeforeTheBoneIsMade) {

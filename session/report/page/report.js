@@ -208,10 +208,11 @@ class Plot {
   drawMoments() {
     const g = this.g, taken = [];
     for (const moment of data.moments) {
-      const px = this.px(moment.time);
-      if (px < margin.left || px > this.width - margin.right) continue;
+      const exact = this.px(moment.time);
+      if (exact < margin.left || exact > this.width - margin.right) continue;
       let py = this.top + 11;
       const half = Math.max(9, g.measureText(moment.numbers).width / 2 + 4);
+      const px = Math.min(Math.max(exact, half), this.width - half);
       while (taken.some(([x, y, w]) => Math.abs(x - px) < half + w + 2 && Math.abs(y - py) < 20)) py += 20;
       taken.push([px, py, half]);
       g.fillStyle = inkOf("bad"); g.beginPath(); g.roundRect(px - half, py - 9, 2 * half, 18, 9); g.fill();
