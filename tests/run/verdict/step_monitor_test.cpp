@@ -262,10 +262,7 @@ TEST(StepMonitor, BoneHasComeApartWhenThereAreTwoBodies) {
 
 TEST(StepMonitor, ASecondStepMustPartTheBoneOnceMore) {
     Case scene;
-    scene.procedure.steps[0].goals = {{"separated", {}, {}}};
-    scene.procedure.steps.push_back(scene.procedure.steps[0]);
-    scene.procedure.steps[1].id = "other-side";
-    scene.frames.push_back(scene.frames[0]);
+    for (documents::Step& step : scene.procedure.steps) step.goals = {{"separated", {}, {}}};
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
     const Pose bodies[]{identity_pose(), identity_pose(), identity_pose()};
     const auto show = [&](double depth, std::size_t count) {
