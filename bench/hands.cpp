@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -21,6 +20,7 @@
 #include <vector>
 
 #include "app/make_bone.h"
+#include "bench/into_folder.h"
 #include "run/run_procedure.h"
 #include "studies/drawing/svg.h"
 #include "studies/rank_correlation.h"
@@ -168,12 +168,4 @@ int run(const std::string& folder) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    try {
-        if (argc > 1) std::filesystem::create_directories(argv[1]);
-        return ::run(argc > 1 ? argv[1] : "");
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-}
+int main(int argc, char** argv) { return kerf::run_into_folder(argc, argv, ::run); }

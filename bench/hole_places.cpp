@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -20,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/into_folder.h"
 #include "kerf/units.hpp"
 #include "run/run_procedure.h"
 #include "run/scene.h"
@@ -277,12 +277,4 @@ int run(const std::string& folder) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    try {
-        if (argc > 1) std::filesystem::create_directories(argv[1]);
-        return ::run(argc > 1 ? argv[1] : "");
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return 1;
-    }
-}
+int main(int argc, char** argv) { return kerf::run_into_folder(argc, argv, ::run); }

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "studies/scenes/signal_of.h"
@@ -69,10 +68,7 @@ public:
         while (turns > 0.0 ? turned_ < until : turned_ > until) tick(speed, push);
     }
     /// Forgets the forces so far.
-    void begin() {
-        trace_ = {};
-        trace_.energy.begin();
-    }
+    void begin() { trace_ = {}; }
     [[nodiscard]] const Trace& trace() const noexcept { return trace_; }
     [[nodiscard]] double torque() const noexcept { return torque_; }  ///< [N·m] of the bone against the screw
     [[nodiscard]] double turned() const noexcept { return turned_ / full_turn; }  ///< [turns]
