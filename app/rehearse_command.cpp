@@ -44,6 +44,12 @@ ExitCode run_hand(const run::Scene& scene, const std::string& hand, const Enviro
     return exit_pass;
 }
 
+/// Numbers of steps and limits.
+struct Gaps {
+    int uncovered = 0;  ///< that no rehearsal ends or breaks, and guards that one breaks
+    int guards = 0;     ///< limits that, as the procedure states, no hand breaks
+};
+
 /// What the rehearsals of a procedure have triggered.
 class Coverage {
 public:
@@ -53,22 +59,28 @@ public:
             for (const std::size_t limit : outcome.broken_limits[s]) broken_.emplace(s, limit);
         }
     }
-    /// Prints the steps that no rehearsal ended, and the limits that none broke. Returns their number. Leaves out
-    /// events that spoil a tool: no procedure writes them.
-    int print_gaps(const documents::Procedure& procedure) const {
-        int gaps = 0;
+    /// Prints the steps that no rehearsal ended, the limits that none broke, and the guards. Returns their numbers.
+    /// Leaves out events that spoil a tool: no procedure writes them.
+    Gaps print_gaps(const documents::Procedure& procedure) const {
+        Gaps gaps;
         for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
             const documents::Step& step = procedure.steps[s];
             if (!done_.contains(s)) {
                 print("  no rehearsal ends the step `" + step.id + "`\n");
-                ++gaps;
+                ++gaps.uncovered;
             }
             for (std::size_t i = 0; i < step.limits.size(); ++i) {
                 const documents::Limit& limit = step.limits[i];
-                if (broken_.contains({s, i}) || limit.quantity == "damage") continue;
-                print("  no rehearsal breaks the limit `" + limit.name() + "` of the step `" + step.id +
-                      "`: " + text::shown(limit.reason) + "\n");
-                ++gaps;
+                if (limit.quantity == "damage") continue;
+                const std::string name = "the limit `" + limit.name() + "` of the step `" + step.id + "`";
+                const bool is_broken = broken_.contains({s, i}), is_guard = !limit.guard.empty();
+                if (is_guard && is_broken)
+                    print("  a rehearsal breaks " + name + ", so its `guard:` is not true: remove the key\n");
+                else if (is_guard)
+                    print("  a guard is " + name + ": " + text::shown(limit.guard) + "\n");
+                else if (!is_broken)
+                    print("  no rehearsal breaks " + name + ": " + text::shown(limit.reason) + "\n");
+                (is_guard && !is_broken ? gaps.guards : gaps.uncovered) += is_guard || !is_broken;
             }
         }
         return gaps;
@@ -97,8 +109,11 @@ ExitCode rehearse_file(const std::string& file, const RehearseOptions& options, 
     }
     const int count = static_cast<int>(scene->procedure.rehearsals.size());
     print(file + formatted(": %d of %d rehearsals ended as expected\n", as_expected, count));
-    if (options.is_with_coverage)
-        print(file + formatted(": %d steps and limits are not covered\n", coverage.print_gaps(scene->procedure)));
+    if (options.is_with_coverage) {
+        const Gaps gaps = coverage.print_gaps(scene->procedure);
+        print(file + formatted(": %d steps and limits are not covered", gaps.uncovered) +
+              (gaps.guards > 0 ? formatted(", %d are guards\n", gaps.guards) : "\n"));
+    }
     return as_expected == count ? exit_pass : exit_not_passed;
 }
 

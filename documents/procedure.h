@@ -102,6 +102,7 @@ struct Limit {
     NamedSignal signal{};             ///< for "signal"
     std::string measure{};            ///< for "measure": id of a Measure
     Severity severity = Severity::serious;
+    std::string guard{};  ///< why no hand breaks it in the shipped scene; empty if one does
 
     /// Measured on the wall of the cut, in the step's plane.
     [[nodiscard]] bool is_of_wall() const noexcept {

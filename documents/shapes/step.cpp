@@ -68,6 +68,9 @@ const MapShape<Limit> limit{
      {optional, "severity", &Limit::severity,
       choice<Severity>({{"minor", Severity::minor}, {"serious", Severity::serious}, {"critical", Severity::critical}}),
       "How bad it is: it sets the band of the score. Harm that cannot be undone is critical.", "critical", "serious"},
+     {optional, "guard", &Limit::guard, text(),
+      "Why no hand breaks the limit in this anatomy. `--coverage` then counts it as a guard.",
+      "The collar stops the implant before."},
      {required, "reason", &Limit::reason, text(), "The sentence that a trainee reads when it happens.",
       "The hole is deeper than planned."}}};
 

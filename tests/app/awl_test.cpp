@@ -43,5 +43,7 @@ TEST(PedicleAwl, AimedAtTheCanalItIsResistedByThePediclesWallAndBreaksThat) {
     EXPECT_LT(max_thrust(run), 380.0) << "N: as much as 1 mm of cortex bears";
 }
 
+TEST(PedicleAwl, BesideTheMidlineItMissesThePediclesMiddle) { EXPECT_TRUE(outcome_of("lateral").is_as_expected); }
+
 }  // namespace
 }  // namespace kerf::app

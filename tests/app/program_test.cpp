@@ -481,6 +481,24 @@ TEST(Program, CoverageListsLimitsOfOneNameOneByOne) {
     EXPECT_TRUE(has(rehearsed.out, ": 1 steps and limits are not covered\n")) << rehearsed.out;
 }
 
+TEST(Program, CoverageListsGuardsApartAndReportsABrokenOne) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(kerf("new procedure my_hole --out " + folder.path() + "/mine").exit_code, 0);
+    const std::string file = folder.path() + "/mine/my_hole.yaml";
+    std::string text = contents_of(file);
+    const std::string limit = "      - {depth: {at_most: 30 mm}, ";
+    text.insert(text.find(limit) + limit.size(), "guard: The chuck stops the drill., ");
+    text.insert(text.find(limit),
+                "      - {depth: {at_most: 90 mm}, guard: The bone ends., reason: It is far behind.}\n");
+    std::ofstream(file) << text;
+    const Ended rehearsed = kerf("rehearse --coverage " + file);
+    EXPECT_TRUE(has(rehearsed.out, "a guard is the limit `depth` of the step `hole`: The bone ends.\n"))
+        << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, "a rehearsal breaks the limit `depth` of the step `hole`, so its `guard:`"))
+        << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, ": 1 steps and limits are not covered, 1 are guards\n")) << rehearsed.out;
+}
+
 TEST(Program, WithoutRehearsalsThereIsNothingToRehearse) {
     const TemporaryFolder folder;
     const std::string text = contents_of(pedicle_screw);
