@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "documents/loft.h"
 #include "kerf/math.hpp"
 #include "text/source.h"
 
@@ -31,13 +32,21 @@ struct SphereSolid {
     Vec3 centre{};
     double radius = 0.0;
 };  ///< [m]
-using Solid = std::variant<BoxSolid, TubeSolid, EllipticTubeSolid, SphereSolid>;
+/// |2x/width|^e + |2y/height|^e + |2z/length|^e = 1, with y in the direction `up` and z in the direction `along`.
+struct SuperellipsoidSolid {
+    Vec3 centre{};
+    double length = 0.0, width = 0.0, height = 0.0;  ///< [m] full axes
+    double exponent = 2.0;                           ///< [–]
+    Vec3 along{0, 0, 1}, up{0, 1, 0};
+};
+using Solid = std::variant<BoxSolid, TubeSolid, EllipticTubeSolid, SphereSolid, SuperellipsoidSolid, LoftSolid>;
 
 struct PhantomPart {
     std::string id;
     Solid solid;
     bool subtract = false;  ///< taken away from the parts listed before it
-    std::string source;     ///< where the figures come from
+    std::string source{};   ///< where the figures come from
+    double blend = 0.0;     ///< [m] radius of the fillet between it and the parts before it
 };
 
 struct Tissue {

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "documents/read_solids.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "documents/shapes/shapes.h"
 
@@ -24,6 +29,106 @@ EllipticTubeSolid read_elliptic_tube(const Node& node, const std::string& name, 
     return tube;
 }
 
+SuperellipsoidSolid read_superellipsoid(const Node& node, const std::string& name, Report& report) {
+    SuperellipsoidSolid solid;
+    MapReader map(node, shapes::superellipsoid, name, report);
+    shapes::superellipsoid.fill(map, solid);
+    const auto read = [&](const char* key, Vec3& into) {
+        const Node* found = map.find(key);
+        if (found != nullptr) into = read_vector(*found, map.name_of(key), map.need_of(key), report).value_or(into);
+        return found;
+    };
+    const Node* along = read("along", solid.along);
+    const Node* up = read("up", solid.up);
+    if (length(cross(normalized(solid.along), normalized(solid.up))) < 1e-3)
+        report.error(text::Code::degenerate,
+                     (up      ? up
+                      : along ? along
+                              : &node)
+                         ->span,
+                     name + ".up points along `along`, expected across it. Turn it.");
+    map.finish();
+    return solid;
+}
+
+/// Checks `up` of a loft: it is across the path everywhere.
+void check_path(LoftSolid& loft, const Node& sections, const Node* up, const std::string& name, Report& report) {
+    constexpr double shortest = 0.1e-3;  // [m] between sections
+    constexpr double min_across = 0.1;   // [–] sine of the angle between `up` and the path
+    for (std::size_t i = 1; i < loft.sections.size(); ++i)
+        if (length(loft.sections[i].at - loft.sections[i - 1].at) < shortest) {
+            report.error(
+                text::Code::degenerate, sections.children[i].span,
+                "This section lies where the one before lies: expected at least 0.1 mm between them. Move it.");
+            return;
+        }
+    lay_path(loft);
+    const bool is_across = std::all_of(loft.path.begin(), loft.path.end(), [&](const LoftFrame& frame) {
+        return length(cross(frame.along, normalized(loft.up))) >= min_across;
+    });
+    if (!is_across) {
+        report.error(text::Code::degenerate, up != nullptr ? up->span : sections.span,
+                     name + ".up points along the path somewhere, expected across it. Turn it.");
+        return;
+    }
+    if (const double found = crossing(loft); found >= 1.0)
+        report.error(text::Code::degenerate, sections.span,
+                     "The sections of " + name +
+                         " cross where its path bends: the bend's radius is smaller than half of the section there. "
+                         "Make the section smaller, or the path straighter.");
+}
+
+LoftSolid read_loft(const Node& node, const std::string& name, Report& report) {
+    constexpr std::size_t max_sections = 64;
+    LoftSolid loft;
+    MapReader map(node, shapes::loft, name, report);
+    shapes::loft.fill(map, loft);
+    const int errors_before = report.errors();
+    const Node* up = map.find("up");
+    if (up != nullptr) loft.up = read_vector(*up, map.name_of("up"), map.need_of("up"), report).value_or(loft.up);
+    const Node* sections = map.find("sections");
+    if (sections != nullptr) {
+        for (const Node& item : read_list(*sections, map.name_of("sections"), report)) {
+            if (loft.sections.size() == max_sections) break;
+            read_map(item, shapes::loft_section, map.name_of("sections"), loft.sections.emplace_back(), report);
+        }
+        if (loft.sections.size() < 2 || sections->children.size() > max_sections)
+            report.error(text::Code::out_of_range, sections->span,
+                         map.name_of("sections") + " has " + std::to_string(sections->children.size()) +
+                             " sections, expected 2 to " + std::to_string(max_sections) + ".");
+    }
+    map.finish();
+    if (report.errors() > errors_before || sections == nullptr || loft.sections.size() < 2) return {};
+    check_path(loft, *sections, up, name, report);
+    return loft;
+}
+
+Vec3 mirrored(Vec3 v) noexcept { return {-v.x, v.y, v.z}; }
+
+struct Mirror {
+    void operator()(BoxSolid& box) const { box.centre = mirrored(box.centre); }
+    void operator()(TubeSolid& tube) const { tube.from = mirrored(tube.from), tube.to = mirrored(tube.to); }
+    void operator()(EllipticTubeSolid& tube) const {
+        tube.from = mirrored(tube.from), tube.to = mirrored(tube.to), tube.up = mirrored(tube.up);
+    }
+    void operator()(SphereSolid& sphere) const { sphere.centre = mirrored(sphere.centre); }
+    void operator()(SuperellipsoidSolid& solid) const {
+        solid.centre = mirrored(solid.centre), solid.along = mirrored(solid.along), solid.up = mirrored(solid.up);
+    }
+    void operator()(LoftSolid& loft) const {
+        for (LoftSection& section : loft.sections) section.at = mirrored(section.at), section.turn = -section.turn;
+        loft.up = mirrored(loft.up);
+        if (!loft.path.empty()) lay_path(loft);
+    }
+};
+
+/// Returns a part on the other side of the plane x = 0.
+PhantomPart mirrored(PhantomPart part) {
+    part.id += "_mirrored";
+    std::visit(Mirror{}, part.solid);
+    return part;
+}
+
 /// The one solid that a map names by its key.
 Solid read_solid(MapReader& map, Report& report) {
     const Node* node = map.one_of();
@@ -44,6 +149,8 @@ TubeSolid read_tube(const Node& node, const std::string& name, Report& report) {
 Solid read_solid(const Node& node, const std::string& name, Report& report) {
     if (node.key == "tube") return read_tube(node, name, report);
     if (node.key == "elliptic_tube") return read_elliptic_tube(node, name, report);
+    if (node.key == "superellipsoid") return read_superellipsoid(node, name, report);
+    if (node.key == "loft") return read_loft(node, name, report);
     if (node.key == "sphere") {
         SphereSolid sphere;
         read_map(node, shapes::sphere, name, sphere, report);
@@ -80,8 +187,11 @@ std::vector<PhantomPart> read_parts(const Node& node, const std::string& where, 
                     text::Code::degenerate, subtract->span,
                     "The first part is subtracted from nothing. Put it behind the parts that it is subtracted from.");
         }
+        const Node* mirror = map.find("mirror");
+        const bool is_mirrored = mirror != nullptr && read_yes_no(*mirror, "mirror", report).value_or(false);
         map.finish();
         parts.push_back(std::move(part));
+        if (is_mirrored) parts.push_back(mirrored(parts.back()));
     }
     return parts;
 }

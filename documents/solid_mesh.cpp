@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "documents/solid_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <variant>
+
+#include "documents/superquadric.h"
 
 namespace kerf::documents {
 namespace {
@@ -75,7 +78,9 @@ void add(const EllipticTubeSolid& tube, Mesh& mesh) {
     add_tube(tube.from, tube.to, 0.5 * tube.width * cross(up, along), 0.5 * tube.height * up, mesh);
 }
 
-void add(const SphereSolid& sphere, Mesh& mesh) {
+/// Adds rings of a closed surface. `point` and `normal` map a direction onto them.
+template <class Point, class Normal>
+void add_ball(const Point& point, const Normal& normal, Mesh& mesh) {
     constexpr std::uint32_t rings = sides / 2;
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (std::uint32_t ring = 0; ring <= rings; ++ring) {
@@ -83,7 +88,7 @@ void add(const SphereSolid& sphere, Mesh& mesh) {
         for (std::uint32_t i = 0; i < sides; ++i) {
             const Vec3 c = on_circle(static_cast<double>(i) / sides);
             const Vec3 out = normalized(Vec3{slope.y * c.x, slope.y * c.y, -slope.x});
-            add_vertex(sphere.centre + sphere.radius * out, out, mesh);
+            add_vertex(point(out), normal(out), mesh);
         }
     }
     for (std::uint32_t ring = 0; ring < rings; ++ring)
@@ -92,6 +97,66 @@ void add(const SphereSolid& sphere, Mesh& mesh) {
             if (ring > 0) mesh.triangles.push_back({a, b, b + sides});
             if (ring + 1 < rings) mesh.triangles.push_back({a, b + sides, a + sides});
         }
+}
+
+void add(const SphereSolid& sphere, Mesh& mesh) {
+    add_ball([&](Vec3 out) { return sphere.centre + sphere.radius * out; }, [](Vec3 out) { return out; }, mesh);
+}
+
+void add(const SuperellipsoidSolid& solid, Mesh& mesh) {
+    const Vec3 z = normalized(solid.along), y = normalized(solid.up - dot(solid.up, z) * z), x = cross(y, z);
+    const Superellipsoid shape{{0.5 * solid.width, 0.5 * solid.height, 0.5 * solid.length}, solid.exponent};
+    const auto in_bone = [&](Vec3 v) { return v.x * x + v.y * y + v.z * z; };
+    const auto on_surface = [&](Vec3 out) {
+        const Vec3 scaled{out.x * shape.half.x, out.y * shape.half.y, out.z * shape.half.z};
+        return (1.0 / shape.at(scaled).value) * scaled;
+    };
+    add_ball([&](Vec3 out) { return solid.centre + in_bone(on_surface(out)); },
+             [&](Vec3 out) { return in_bone(normalized(shape.at(on_surface(out)).gradient)); }, mesh);
+}
+
+/// Returns how far the surface is inside of a flat end's corner, `from_end` before it [m].
+double rounded_by(double rim, double from_end) noexcept {
+    const double in_rim = std::max(0.0, rim - from_end);
+    return rim - std::sqrt(std::max(0.0, rim * rim - in_rim * in_rim));
+}
+
+void add(const LoftSolid& loft, Mesh& mesh) {
+    if (loft.path.empty()) return;
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const double whole = loft.path.back().from_start;
+    const auto on_ring = [&](const LoftFrame& frame, std::uint32_t i) {
+        const double inset = rounded_by(loft.rim, std::min(frame.from_start, whole - frame.from_start));
+        const Vec3 c = on_circle(static_cast<double>(i) / sides);
+        const auto stretched = [&](double x) { return std::copysign(std::pow(std::abs(x), 2.0 / frame.exponent), x); };
+        const double y = stretched(c.y), x = stretched(c.x) * (1.0 - frame.taper * y);
+        return frame.at + (x * std::max(0.0, frame.half_width - inset)) * frame.side +
+               (y * std::max(0.0, frame.half_height - inset)) * frame.up;
+    };
+    const auto ring_count = static_cast<std::uint32_t>(loft.path.size());
+    for (std::uint32_t ring = 0; ring < ring_count; ++ring)
+        for (std::uint32_t i = 0; i < sides; ++i) add_vertex(on_ring(loft.path[ring], i), {}, mesh);
+    const std::uint32_t low = add_vertex(loft.path.front().at, {}, mesh),
+                        high = add_vertex(loft.path.back().at, {}, mesh);
+    // `side` × `up` is `along`: seen from the end, a ring runs anticlockwise.
+    for (std::uint32_t ring = 0; ring + 1 < ring_count; ++ring)
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const std::uint32_t a = first + ring * sides + i, b = first + ring * sides + (i + 1) % sides;
+            mesh.triangles.push_back({a, b, b + sides});
+            mesh.triangles.push_back({a, b + sides, a + sides});
+        }
+    const std::uint32_t last = first + (ring_count - 1) * sides;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        mesh.triangles.push_back({low, first + (i + 1) % sides, first + i});
+        mesh.triangles.push_back({high, last + i, last + (i + 1) % sides});
+    }
+    for (std::size_t t = mesh.triangles.size() - 2u * sides * ring_count; t < mesh.triangles.size(); ++t) {
+        const auto& triangle = mesh.triangles[t];
+        const Vec3 normal = cross(mesh.vertices[triangle[1]] - mesh.vertices[triangle[0]],
+                                  mesh.vertices[triangle[2]] - mesh.vertices[triangle[0]]);
+        for (const std::uint32_t corner : triangle) mesh.normals[corner] = mesh.normals[corner] + normal;
+    }
+    for (std::size_t v = first; v < mesh.vertices.size(); ++v) mesh.normals[v] = normalized(mesh.normals[v]);
 }
 
 }  // namespace

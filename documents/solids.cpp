@@ -5,6 +5,8 @@
 #include <cmath>
 #include <variant>
 
+#include "documents/superquadric.h"
+
 namespace kerf::documents {
 
 namespace {
@@ -34,9 +36,19 @@ Along along(Vec3 from, Vec3 to, Vec3 p) noexcept {
     return {axis, length(to - from), at, p - from - at * axis};
 }
 
+/// The axes of a superellipsoid.
+struct Placed {
+    Vec3 side, up, along;  ///< unit
+    Vec3 half;             ///< [m] in these directions
+};
+Placed placed_in(const SuperellipsoidSolid& solid) noexcept {
+    const Vec3 z = normalized(solid.along), y = normalized(solid.up - dot(solid.up, z) * z);
+    return {cross(y, z), y, z, {0.5 * solid.width, 0.5 * solid.height, 0.5 * solid.length}};
+}
+
 }  // namespace
 
-double distance_to(const Solid& solid, Vec3 p) noexcept {
+double distance_to(const Solid& solid, Vec3 p, double limit) noexcept {
     return std::visit(
         Overloaded{[&](const BoxSolid& box) {
                        const Vec3 d = p - box.centre;
@@ -62,8 +74,27 @@ double distance_to(const Solid& solid, Vec3 p) noexcept {
                        return capped(std::max(wall, -std::min(rx, ry)),
                                      std::abs(a.at - 0.5 * a.length) - 0.5 * a.length);
                    },
-                   [&](const SphereSolid& sphere) { return length(p - sphere.centre) - sphere.radius; }},
+                   [&](const SphereSolid& sphere) { return length(p - sphere.centre) - sphere.radius; },
+                   [&](const SuperellipsoidSolid& body) {
+                       const Placed of = placed_in(body);
+                       const Vec3 d = p - body.centre, local{dot(d, of.side), dot(d, of.up), dot(d, of.along)};
+                       return nearest_on(Superellipsoid{of.half, body.exponent}, local, limit).distance;
+                   },
+                   [&](const LoftSolid& loft) { return distance_to(loft, p, limit); }},
         solid);
+}
+
+double united(double a, double b, double radius) noexcept {
+    const double nearer = std::min(a, b);
+    if (radius <= 0.0 || std::max(a, b) >= radius) return nearer;
+    const double fillet = std::max(radius, nearer) - std::hypot(std::max(radius - a, 0.0), std::max(radius - b, 0.0));
+    const double largest_gain = (std::sqrt(2.0) - 1.0) * radius;  // where both surfaces meet at a right angle
+    return std::max(fillet, nearer - largest_gain);
+}
+
+double joined_with(double so_far, const PhantomPart& part, Vec3 p, double limit) noexcept {
+    const double one = distance_to(part.solid, p, limit);
+    return part.subtract ? -united(-so_far, one, part.blend) : united(so_far, one, part.blend);
 }
 
 double distance_to_any(const std::vector<Solid>& solids, Vec3 p) noexcept {
@@ -79,10 +110,7 @@ double distance_to(const Tissue& tissue, double depth, Vec3 p) noexcept {
 
 double distance_to(const PhantomSource& phantom, Vec3 p) noexcept {
     double d = HUGE_VAL;
-    for (const auto& part : phantom.parts) {
-        const double one = distance_to(part.solid, p);
-        d = part.subtract ? std::max(d, -one) : std::min(d, one);
-    }
+    for (const auto& part : phantom.parts) d = joined_with(d, part, p);
     return d;
 }
 
@@ -97,7 +125,17 @@ Box bounds_of(const Solid& solid) noexcept {
                    },
                    [&](const TubeSolid& t) { return tube(t.from, t.to, t.radius); },
                    [&](const EllipticTubeSolid& t) { return tube(t.from, t.to, 0.5 * std::max(t.width, t.height)); },
-                   [&](const SphereSolid& s) { return tube(s.centre, s.centre, s.radius); }},
+                   [&](const SphereSolid& s) { return tube(s.centre, s.centre, s.radius); },
+                   [](const SuperellipsoidSolid& body) {
+                       const Placed of = placed_in(body);
+                       const auto reach = [&](double x, double y, double z) {
+                           return std::abs(x) * of.half.x + std::abs(y) * of.half.y + std::abs(z) * of.half.z;
+                       };
+                       const Vec3 r{reach(of.side.x, of.up.x, of.along.x), reach(of.side.y, of.up.y, of.along.y),
+                                    reach(of.side.z, of.up.z, of.along.z)};
+                       return Box{body.centre - r, body.centre + r};
+                   },
+                   [](const LoftSolid& loft) { return loft.bounds; }},
         solid);
 }
 

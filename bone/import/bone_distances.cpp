@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "documents/solids.h"
 
@@ -23,6 +26,59 @@ void InRegion::fill(const BrickLattice& lattice, DistanceRange needed, BrickDist
     for (double& y : inside.y) y = std::clamp(y, region_->low.y, region_->high.y);
     for (double& z : inside.z) z = std::clamp(z, region_->low.z, region_->high.z);
     distance_->fill(inside, needed, distances);
+}
+
+PhantomDistance::PhantomDistance(std::vector<documents::PhantomPart> parts) : parts_(std::move(parts)) {
+    for (const documents::PhantomPart& part : parts_) bounds_.push_back(documents::bounds_of(part.solid));
+    near_.reserve(parts_.size());
+}
+
+double PhantomDistance::reach_of_near(DistanceRange needed) const noexcept {
+    double reach = std::max(needed.high, -needed.low);
+    for (std::size_t n = 1; n < near_.size(); ++n) reach = std::max(reach, parts_[near_[n]].blend);
+    return reach;
+}
+
+void PhantomDistance::find_near(Vec3 p, double radius, DistanceRange needed) {
+    near_.resize(parts_.size());
+    std::iota(near_.begin(), near_.end(), std::size_t{0});
+    const auto keep_within = [&](const auto& distance) {
+        const double reach = reach_of_near(needed) + radius;
+        std::erase_if(near_, [&](std::size_t n) { return distance(n) > reach; });
+    };
+    keep_within([&](std::size_t n) {
+        const Box& box = bounds_[n];
+        return length(Vec3{std::max({box.low.x - p.x, p.x - box.high.x, 0.0}),
+                           std::max({box.low.y - p.y, p.y - box.high.y, 0.0}),
+                           std::max({box.low.z - p.z, p.z - box.high.z, 0.0})});
+    });
+    if (radius > 0.0 && near_.size() > 1)
+        keep_within([&](std::size_t n) {
+            constexpr double overestimate = 1.05;  // [–] that a solid's distance may have
+            return documents::distance_to(parts_[n].solid, p) / overestimate;
+        });
+    limit_ = reach_of_near(needed);
+}
+
+double PhantomDistance::distance_to_near(Vec3 p) const noexcept {
+    double distance = HUGE_VAL;
+    for (const std::size_t n : near_) distance = documents::joined_with(distance, parts_[n], p, limit_);
+    return distance;
+}
+
+double PhantomDistance::at(Vec3 p, DistanceRange needed) {
+    find_near(p, 0.0, needed);
+    return distance_to_near(p);
+}
+
+void PhantomDistance::fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) {
+    const Vec3 low{lattice.x.front(), lattice.y.front(), lattice.z.front()},
+        high{lattice.x.back(), lattice.y.back(), lattice.z.back()};
+    find_near(0.5 * (low + high), 0.5 * length(high - low), needed);
+    std::size_t n = 0;
+    for (const double z : lattice.z)
+        for (const double y : lattice.y)
+            for (const double x : lattice.x) distances[n++] = distance_to_near({x, y, z});
 }
 
 double NearestSurface::at(Vec3 p, DistanceRange needed) {

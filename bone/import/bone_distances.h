@@ -30,6 +30,26 @@ private:
     const Region* region_;
 };
 
+/// Distance to a phantom. It samples only the parts that can change a distance in the needed range.
+class PhantomDistance final : public DistanceSource {
+public:
+    explicit PhantomDistance(std::vector<documents::PhantomPart> parts);
+    [[nodiscard]] double at(Vec3 p, DistanceRange needed) override;
+    void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override;
+
+private:
+    /// Lists in `near_` the parts that matter within `radius` of a point, and sets `limit_`.
+    void find_near(Vec3 p, double radius, DistanceRange needed);
+    /// Returns how far from a part a distance can depend on it: as far as the range, or as a fillet of near parts.
+    [[nodiscard]] double reach_of_near(DistanceRange needed) const noexcept;
+    [[nodiscard]] double distance_to_near(Vec3 p) const noexcept;
+
+    std::vector<documents::PhantomPart> parts_;
+    std::vector<Box> bounds_;        ///< [m] of each part
+    std::vector<std::size_t> near_;  ///< indices of parts
+    double limit_ = 0.0;             ///< [m] up to which their distances are needed exactly
+};
+
 /// Distance to the nearest of several surfaces.
 class NearestSurface final : public DistanceSource {
 public:

@@ -48,18 +48,20 @@ Box phantom_bounds(const documents::PhantomSource& phantom) {
     return bounds;
 }
 
-/// Returns the distance to the added parts, or to the subtracted ones.
-double distance_to_parts(const documents::PhantomSource& phantom, bool subtract, Vec3 p) {
-    double distance = HUGE_VAL;
+/// Returns the added parts, or the subtracted ones as if they were added.
+std::vector<documents::PhantomPart> parts_of(const documents::PhantomSource& phantom, bool subtract) {
+    std::vector<documents::PhantomPart> parts;
     for (const auto& part : phantom.parts)
-        if (part.subtract == subtract) distance = std::min(distance, distance_to(part.solid, p));
-    return distance;
+        if (part.subtract == subtract) parts.emplace_back(part).subtract = false;
+    return parts;
 }
 
-/// Returns whether parts are subtracted and none is added after them. Then bone is all added parts less all subtracted
-/// ones.
+/// Returns whether parts are subtracted without a fillet, and none is added after them. Then bone is all added parts
+/// less all subtracted ones.
 bool subtracts_last(const documents::PhantomSource& phantom) {
     return !phantom.parts.empty() && phantom.parts.back().subtract &&
+           std::none_of(phantom.parts.begin(), phantom.parts.end(),
+                        [](const documents::PhantomPart& p) { return p.subtract && p.blend > 0.0; }) &&
            std::is_partitioned(phantom.parts.begin(), phantom.parts.end(),
                                [](const documents::PhantomPart& p) { return !p.subtract; });
 }
@@ -275,16 +277,14 @@ public:
         else if (mesh)
             source_ = std::make_unique<MeshDistances>(*surface_tree_);
         else if (has_rooms_)
-            source_ =
-                std::make_unique<FunctionDistance>([&phantom](Vec3 p) { return distance_to_parts(phantom, false, p); });
+            source_ = std::make_unique<PhantomDistance>(parts_of(phantom, false));
         else
-            source_ = std::make_unique<FunctionDistance>([&phantom](Vec3 p) { return distance_to(phantom, p); });
+            source_ = std::make_unique<PhantomDistance>(phantom.parts);
         if (!room_trees_.empty())
             source_of_rooms_ =
                 std::make_unique<NearestSurface>(std::vector<MeshDistances>(room_trees_.begin(), room_trees_.end()));
         else
-            source_of_rooms_ =
-                std::make_unique<FunctionDistance>([&phantom](Vec3 p) { return distance_to_parts(phantom, true, p); });
+            source_of_rooms_ = std::make_unique<PhantomDistance>(parts_of(phantom, true));
         // Beyond the region that was read, bone continues as it is at the region's face.
         outer_.emplace(*source_, region);
         rooms_.emplace(*source_of_rooms_, region);
@@ -384,7 +384,7 @@ text::Result<Body> make_body(const documents::Anatomy& written, double spacing, 
     if (!ct && !mesh) {
         ProgressSource outside_for_walls = reporting(outside, walls);
         const double most = (min_wall_voxels + 1.0) * spacing;
-        if (!check_thin_walls(phantom_walls(grid, as_function(outside_for_walls), most), spacing, anatomy, diagnostics))
+        if (!check_thin_walls(phantom_walls(grid, outside_for_walls, most), spacing, anatomy, diagnostics))
             return diagnostics;
     }
     const auto field_of = [&](DistanceSource& distance, const std::string& what) {

@@ -2,17 +2,24 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "bone/surface/thickness.h"
+#include "core/field/grid/distance_source.h"
 #include "core/field/grid/grid.h"
 
 namespace kerf::bone {
 
 /// Returns the thickness of a phantom's bone under its surface, straight inwards, once for each grid sample at the
-/// surface; thicknesses beyond `most` [m] count as infinite. Crests are left out, as in `measure_walls`.
-/// @param distance  body frame [m] → [m], negative inside, never steeper than 1   [main] pure.
-[[nodiscard]] std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<double(Vec3)>& distance,
-                                                    double most);
+/// surface; thicknesses beyond `limit` [m] count as infinite. Crests are left out, as in `measure_walls`.
+[[nodiscard]] std::vector<WallSample> phantom_walls(const Grid& grid, DistanceSource& distance, double limit);
+
+/// The same for a function. @param distance  body frame [m] → [m], negative inside, never steeper than 1   [main]
+[[nodiscard]] inline std::vector<WallSample> phantom_walls(const Grid& grid, std::function<double(Vec3)> distance,
+                                                           double limit) {
+    FunctionDistance source(std::move(distance));
+    return phantom_walls(grid, source, limit);
+}
 
 }  // namespace kerf::bone

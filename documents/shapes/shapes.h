@@ -55,6 +55,9 @@ extern const MapShape<BoxSolid> box;
 extern const MapShape<TubeSolid> tube;
 extern const MapShape<EllipticTubeSolid> elliptic_tube;
 extern const MapShape<SphereSolid> sphere;
+extern const MapShape<SuperellipsoidSolid> superellipsoid;
+extern const MapShape<LoftSection> loft_section;
+extern const MapShape<LoftSolid> loft;
 extern const Shape tissue_solid, zone_solid;
 extern const MapShape<PhantomPart> part;
 

@@ -81,6 +81,12 @@ private:
             return "false";  // `subtract: true` has nothing to take away from
         if (levels <= 0)
             return has_tissues ? "[{id: cortical, thickness: 1 mm, density: 1.85 g/cm3}" + base + "]" : key.example;
+        if (shape.id == "loft" && key.name == "sections") {  // needs two, at different positions
+            const std::string one = value(key.value, key.example, levels - 1);
+            std::string other_one = one;
+            replace_all("-13.4 mm", "13.4 mm", other_one);
+            return one.substr(0, one.size() - 1) + ", " + other_one.substr(1);
+        }
         const std::string text = value(key.value, key.example, levels - 1);
         return has_tissues ? text.substr(0, text.size() - 1) + base + "]" : text;
     }

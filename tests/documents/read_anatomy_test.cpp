@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "documents/solids.h"
 #include "kerf/units.hpp"
 #include "tests/documents/marked_text.h"
 
@@ -72,6 +73,70 @@ TEST(ReadAnatomy, ReadsASphere) {
     EXPECT_TRUE(sphere.centre == (Vec3{1.0_mm, 2.0_mm, 3.0_mm}));
     EXPECT_EQ(sphere.radius, 20.0_mm);
 }
+
+const char* const boxed = "box: {centre: 0 0 0 mm, size: 40 30 20 mm}";
+
+TEST(ReadAnatomy, ReadsALoftWithAFilletOnBothSides) {
+    text::Diagnostics diagnostics;
+    const auto anatomy =
+        read_anatomy_text(
+            "bone.yaml",
+            replaced(replaced(faultless, boxed,
+                              "loft: {up: 0 -1 0, rim: 1.5 mm, sections: [{at: 1 0 -9 mm, width: 40 mm, height: 30 mm, "
+                              "exponent: 2.2}, {at: 1 0 9 mm, width: 38 mm, height: 30 mm}]}"),
+                     "up: 0 0 1}}", "up: 0 0 1}, blend: 3 mm, mirror: true}"))
+            .take(diagnostics);
+    ASSERT_TRUE(anatomy) << to_text(diagnostics);
+    const auto& loft = std::get<LoftSolid>(anatomy->phantom.parts[0].solid);
+    ASSERT_EQ(loft.sections.size(), 2u);
+    EXPECT_EQ(loft.sections[0].exponent, 2.2);
+    EXPECT_EQ(loft.sections[1].exponent, 2.0);
+    EXPECT_EQ(loft.rim, 1.5_mm);
+    EXPECT_FALSE(loft.path.empty());
+    ASSERT_EQ(anatomy->phantom.parts.size(), 4u);
+    const PhantomPart &arch = anatomy->phantom.parts[1], &other = anatomy->phantom.parts[2];
+    EXPECT_EQ(arch.blend, 3.0_mm);
+    EXPECT_EQ(other.blend, 3.0_mm);
+    EXPECT_EQ(other.id, "arch_mirrored");
+}
+TEST(ReadAnatomy, MirrorsEachKindOfSolid) {
+    for (const std::string solid :
+         {"box: {centre: 9 1 2 mm, size: 4 3 2 mm}", "tube: {from: 9 0 0 mm, to: 3 5 6 mm, radius: 2 mm}",
+          "elliptic_tube: {from: 9 0 0 mm, to: 3 5 6 mm, width: 4 mm, height: 3 mm, up: 0.5 0 1}",
+          "sphere: {centre: 9 1 2 mm, radius: 3 mm}",
+          "loft: {up: 0.3 0 1, sections: [{at: 9 0 0 mm, width: 4 mm, height: 3 mm}, {at: 5 3 2 mm, width: 6 mm, "
+          "height: 3 mm}, {at: 1 9 2 mm, width: 2 mm, height: 3 mm}]}"}) {
+        text::Diagnostics diagnostics;
+        const auto anatomy =
+            read_anatomy_text("bone.yaml", replaced(faultless, boxed, solid + ", mirror: true")).take(diagnostics);
+        ASSERT_TRUE(anatomy) << to_text(diagnostics);
+        const Solid &one = anatomy->phantom.parts[0].solid, &other = anatomy->phantom.parts[1].solid;
+        for (const Vec3 p : {Vec3{8.0_mm, 1.0_mm, 1.0_mm}, Vec3{4.0_mm, 4.0_mm, 3.0_mm}, Vec3{6.0_mm, 7.0_mm, 0.0}})
+            EXPECT_NEAR(distance_to(one, p), distance_to(other, {-p.x, p.y, p.z}), 1e-12) << solid;
+    }
+}
+TEST(ReadAnatomy, RefusesALoftWithoutShape) {
+    const auto refused = [](text::Code code, const std::string& loft) { expect_refused(code, boxed, loft); };
+    refused(text::Code::out_of_range, "loft: {up: 0 0 1, sections: «[»{at: 0 0 0 mm, width: 4 mm, height: 3 mm}]}");
+    refused(
+        text::Code::degenerate,
+        "loft: {up: 0 0 1, sections: [{at: 0 0 0 mm, width: 4 mm, height: 3 mm}, «{»at: 0 0 0 mm, width: 4 mm, height: "
+        "3 mm}]}");
+    refused(
+        text::Code::degenerate,
+        "loft: {up: «0 0 1», sections: [{at: 0 0 0 mm, width: 4 mm, height: 3 mm}, {at: 0 0 9 mm, width: 4 mm, height: "
+        "3 mm}]}");
+    refused(text::Code::degenerate, "loft: {up: 0 0 1, sections: «[»{at: 0 0 0 mm, width: 40 mm, height: 3 mm}, {at: "
+                                    "10 0 0 mm, width: 40 mm, height: "
+                                    "3 mm}, {at: 10 10 0 mm, width: 40 mm, height: 3 mm}]}");
+    refused(text::Code::missing_key,
+            "«loft»: {sections: [{at: 0 0 0 mm, width: 4 mm, height: 3 mm}, {at: 0 0 9 mm, width: 4 "
+            "mm, height: 3 mm}]}");
+    refused(text::Code::out_of_range, "loft: {up: 0 1 0, sections: [{at: 0 0 0 mm, width: 4 mm, height: 3 mm, "
+                                      "exponent: «0.5»}, {at: 0 0 9 mm, width: 4 "
+                                      "mm, height: 3 mm}]}");
+}
+
 TEST(ReadAnatomy, RefusesASphereWithoutRadius) {
     expect_refused(text::Code::missing_key, "box: {centre: 0 0 0 mm, size: 40 30 20 mm}",
                    "«sphere»: {centre: 1 2 3 mm}");
