@@ -109,12 +109,14 @@ ExitCode rehearse_file(const std::string& file, const RehearseOptions& options, 
     }
     const int count = static_cast<int>(scene->procedure.rehearsals.size());
     print(file + formatted(": %d of %d rehearsals ended as expected\n", as_expected, count));
+    int uncovered = 0;
     if (options.is_with_coverage) {
         const Gaps gaps = coverage.print_gaps(scene->procedure);
+        uncovered = gaps.uncovered;
         print(file + formatted(": %d steps and limits are not covered", gaps.uncovered) +
               (gaps.guards > 0 ? formatted(", %d are guards\n", gaps.guards) : "\n"));
     }
-    return as_expected == count ? exit_pass : exit_not_passed;
+    return as_expected == count && uncovered == 0 ? exit_pass : exit_not_passed;
 }
 
 /// Runs the standing bad hands against a procedure. None may pass.

@@ -23,6 +23,7 @@ constexpr double above_bone = -5.0_mm;   // where a hand stays outside
 constexpr double scratch = 1.0_mm;       // how deep one goes that withdraws at once
 constexpr double beside = 5.0_mm;        // off the plan
 constexpr double times_faster = 5.0;     // of a hasty hand: feed and push
+constexpr double part_begun = 0.6;       // of the depth of the first step, off the plan
 constexpr double part_turned_out = 0.6;  // of the turns that drove an implant in
 
 bool releases(const Waypoint& at) {
@@ -107,6 +108,21 @@ void miss(Rehearsal& hand, double by) {
     for (Waypoint& at : hand.path) at.off_plan = by;
 }
 
+/// Works off the plan first, less deep than the first step needs, and then as planned.
+void begin_beside(Rehearsal& hand) {
+    std::vector<Waypoint> beside_plan;
+    for (const Waypoint& at : hand.path) {
+        if (at.step != hand.path.front().step) break;
+        Waypoint first = at;
+        first.off_plan = beside;
+        if (first.depth > 0.0) first.depth *= part_begun;
+        first.turn *= part_begun;
+        std::erase_if(first.inputs, [](const HandInput& input) { return input.kind != HandInput::Kind::drive; });
+        beside_plan.push_back(std::move(first));
+    }
+    hand.path.insert(hand.path.begin(), beside_plan.begin(), beside_plan.end());
+}
+
 /// Switches the motor off at each waypoint. Returns whether any tool has one.
 bool switch_off(const documents::Procedure& procedure, const ComponentCatalog& catalog, Rehearsal& hand) {
     bool has_any = false;
@@ -161,6 +177,10 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
     add("beside", far + "off its plane, or towards the midline if it has none", "",
         [](Rehearsal& hand) { miss(hand, beside); });
     add("other-side", far + "to the other side", "", [](Rehearsal& hand) { miss(hand, -beside); });
+    add("begun-beside",
+        "begins " + text::quantity_text(beside, "mm") + " beside the plan, " + text::quantity_text(part_begun, "%") +
+            " as deep as its first step goes, and then works like `" + good->id + "`",
+        "", &begin_beside);
     return cheats;
 }
 

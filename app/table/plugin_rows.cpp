@@ -105,7 +105,7 @@ std::vector<Command> plugin_commands() {
          .arguments = {{.name = "KIND",
                         .value = one_of("", {"plugin", "procedure"}),
                         .help = "plugin (a burr that builds and runs), or procedure (with its anatomy, a "
-                                "good hand and two bad ones)",
+                                "good hand and three bad ones)",
                         .is_required = true,
                         .member = in<T>(&T::kind)},
                        {.name = "NAME",

@@ -63,7 +63,7 @@ const MapShape<Limit> limit{
      {one_of, "measure", map(measure_bound), "A measure of the bone, measured when the step has ended.",
       "{of: cortex, at_least: 2 mm}"},
      {one_of, "plunge", map(plunge_bound), "How far the tip plunges behind a far face.", "{at_most: 5 mm}"},
-     {one_of, "time_in_air", map(air_bound), "How long the tip advances without bone in front of it.",
+     {one_of, "time_in_air", map(air_bound), "How long the tip, once in bone, advances without bone in front of it.",
       "{at_most: 1 s}"},
      {optional, "severity", &Limit::severity,
       choice<Severity>({{"minor", Severity::minor}, {"serious", Severity::serious}, {"critical", Severity::critical}}),

@@ -452,7 +452,8 @@ void StepMonitor::follow(const Observation& now, double depth, double hand, doub
     constexpr double give = 0.1e-3, well_inside = 0.5e-3;
     TipProgress& advance = state.advance;
     const bool is_at_front = depth >= advance.front - give;
-    if (is_at_front && !now.is_bone_ahead) {
+    advance.has_met_bone = advance.has_met_bone || now.is_bone_ahead;
+    if (is_at_front && advance.has_met_bone && !now.is_bone_ahead) {
         advance.in_air += dt;
         advance.depth_in_air += std::max(0.0, depth - advance.front);
     }

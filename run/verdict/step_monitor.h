@@ -69,7 +69,8 @@ struct Observation {
 /// Progress of the tip without bone ahead of it.
 struct TipProgress {
     double front = 0.0;         ///< [m] maximum depth of the tip, along the axis
-    double in_air = 0.0;        ///< [s] of progress at the front without bone ahead
+    bool has_met_bone = false;  ///< bone was ahead of the tip itself, not only of a cutting edge
+    double in_air = 0.0;        ///< [s] of progress at the front without bone ahead, after that
     double depth_in_air = 0.0;  ///< [m] gained in that time
     double plunge = 0.0;        ///< [m] maximum distance beyond a face through which it left the bone
     double hand_plunge = 0.0;   ///< [m] travel of the hand in that time, along the axis

@@ -90,7 +90,7 @@ std::string how_far(const LimitState& limit, const std::vector<documents::Measur
     if (quantity == "clearance")
         return limit.worst < 0.0
                    ? sentence(" Deepest: ", 1, [](double value, int decimals) { return mm_text(-value, decimals); })
-                   : "";
+                   : length(" Nearest: ");
     if (quantity == "depth") return length(" Depth: ");
     if (quantity == "thrust") return with_steps(" Thrust: ", "N", 0);
     if (quantity == "plane_angle" || quantity == "hole_angle" || quantity == "reduction_angle" ||

@@ -167,7 +167,7 @@ Json approaches_json(const RunSummary& summary, const DrawnSurface& bone) {
     Json list = Json::array();
     for (const ApproachRow& row : marked_approaches(summary))
         list.push_back(
-            {{"text", approach_text(row)}, {"at", mm_json(row.at - bone.centre)}, {"isBad", row.clearance < 0.0}});
+            {{"text", approach_text(row)}, {"at", mm_json(row.at - bone.centre)}, {"isBad", is_bad(row, summary)}});
     return list;
 }
 

@@ -31,6 +31,13 @@ std::vector<ApproachRow> marked_approaches(const RunSummary& summary) {
     return marked;
 }
 
+bool is_bad(const ApproachRow& row, const RunSummary& summary) {
+    const std::string metric = row.step + ".clearance." + row.zone;
+    return row.clearance < 0.0 ||
+           std::any_of(summary.metrics.begin(), summary.metrics.end(),
+                       [&](const MetricRow& one) { return one.id == metric && one.status == "broken"; });
+}
+
 std::string zone_legend_html(const RunSummary& summary) {
     if (summary.zones.empty()) return {};
     std::string html = "<div class=\"legend\"><span>Zone:</span>";
@@ -45,7 +52,7 @@ std::string approaches_html(const RunSummary& summary) {
     if (rows.empty()) return {};
     std::string html = "<ul class=\"approaches\">";
     for (const ApproachRow& row : rows)
-        html += std::string("<li><span class=\"") + (row.clearance < 0.0 ? "broken\">✗ " : "ok\">○ ") +
+        html += std::string("<li><span class=\"") + (is_bad(row, summary) ? "broken\">✗ " : "ok\">○ ") +
                 html_escaped(approach_text(row)) + "</span> <span class=\"soft\">in step</span> <code>" +
                 html_escaped(row.step) + "</code> <span class=\"soft\">at " + sensible_number(row.time) +
                 "\u00a0s</span></li>";

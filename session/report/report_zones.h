@@ -20,6 +20,9 @@ namespace kerf::session {
 /// Returns the approaches that the page marks: of each zone the closest one, and each one into it.   [any]
 [[nodiscard]] std::vector<ApproachRow> marked_approaches(const RunSummary& summary);
 
+/// Returns whether an approach is into a zone, or breaks a limit on the distance to it.   [any]
+[[nodiscard]] bool is_bad(const ApproachRow& row, const RunSummary& summary);
+
 /// Returns the legend of the zones' colours as HTML; empty without zones.   [any]
 [[nodiscard]] std::string zone_legend_html(const RunSummary& summary);
 

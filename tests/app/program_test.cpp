@@ -454,11 +454,11 @@ TEST(Program, ANewProcedureCoversItsLimitsAndNoBadHandPassesIt) {
     const Ended rehearsed = kerf("rehearse --coverage " + file);
     EXPECT_EQ(rehearsed.exit_code, 0) << rehearsed.err;
     EXPECT_TRUE(
-        has(rehearsed.out, "3 of 3 rehearsals ended as expected\n" + file + ": 0 steps and limits are not covered\n"))
+        has(rehearsed.out, "4 of 4 rehearsals ended as expected\n" + file + ": 0 steps and limits are not covered\n"))
         << rehearsed.out;
     const Ended cheated = kerf("rehearse --cheats " + file);
     EXPECT_EQ(cheated.exit_code, 0) << cheated.out;
-    EXPECT_TRUE(has(cheated.out, "0 of 7 bad hands pass")) << cheated.out;
+    EXPECT_TRUE(has(cheated.out, "0 of 8 bad hands pass")) << cheated.out;
 }
 
 TEST(Program, CheatsAndCoverageExcludeEachOther) {

@@ -45,6 +45,15 @@ TEST(Cheats, AreMadeOfTheFirstHandThatPasses) {
         EXPECT_EQ(cheat(cheats, "beside").rehearsal.path[i].off_plan, 5.0_mm);
     for (std::size_t i = 0; i < expert.path.size(); ++i)
         EXPECT_EQ(cheat(cheats, "other-side").rehearsal.path[i].off_plan, -5.0_mm);
+    const auto& twice = cheat(cheats, "begun-beside").rehearsal.path;
+    const std::size_t begun = twice.size() - expert.path.size();
+    EXPECT_EQ(begun, static_cast<std::size_t>(std::count_if(expert.path.begin(), expert.path.end(),
+                                                            [](const auto& at) { return at.step == 0; })));
+    for (std::size_t i = 0; i < begun; ++i) {
+        EXPECT_EQ(twice[i].off_plan, 5.0_mm);
+        EXPECT_DOUBLE_EQ(twice[i].depth, expert.path[i].depth * (expert.path[i].depth > 0.0 ? 0.6 : 1.0));
+    }
+    EXPECT_EQ(twice[begun].off_plan, 0.0);
     EXPECT_EQ(cheat(cheats, "drive-off").rehearsal.path.front().inputs.front().id, "spindle_speed");
     EXPECT_EQ(cheat(cheats, "drive-off").rehearsal.path.front().inputs.front().value, 0.0);
 }

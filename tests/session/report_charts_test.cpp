@@ -195,6 +195,17 @@ TEST(Zones, ShowTheSmallestClearanceIfNoneWasEntered) {
     EXPECT_TRUE(has(approaches_html(with_canal(1.5e-3)), "ok\">○ 1.5\u00a0mm from spinal canal</span>"));
 }
 
+TEST(Zones, MarkAnApproachThatBreaksALimitAsBad) {
+    RunSummary summary = with_canal(1.5e-3);
+    MetricRow clearance;
+    clearance.id = "pilot-hole.clearance.spinal_canal";
+    clearance.scope = "pilot-hole";
+    clearance.value = 1.5e-3;
+    clearance.status = "broken";
+    summary.metrics.push_back(clearance);
+    EXPECT_TRUE(has(approaches_html(summary), "broken\">✗ 1.5\u00a0mm from spinal canal</span>"));
+}
+
 TEST(Zones, ARunWithoutThemHasNoLegend) {
     EXPECT_EQ(zone_legend_html(test::synthetic_summary()), "");
     EXPECT_EQ(approaches_html(test::synthetic_summary()), "");

@@ -17,9 +17,9 @@ namespace kerf::test {
 inline run::Scene scene_with(const std::vector<std::string>& settings) {
     text::Diagnostics diagnostics;
     run::DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
-    // Tests replace the limits that these two rehearsals name.
+    // Tests replace the limits that these rehearsals name.
     request.changes.settings = {"accuracy.spacing=0.5 mm", "time_limit=15 s", "rehearsals.hasty=~",
-                                "rehearsals.lateral-exit=~"};
+                                "rehearsals.drilled-twice=~", "rehearsals.lateral-exit=~"};
     request.changes.settings.insert(request.changes.settings.end(), settings.begin(), settings.end());
     auto documents = run::check_documents(request, test::plugins()).take(diagnostics);
     auto made = documents ? make_scene(std::move(*documents)).take(diagnostics) : std::nullopt;

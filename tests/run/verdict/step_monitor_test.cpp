@@ -409,6 +409,21 @@ TEST(StepMonitor, TimeInAirCountsAtTheFrontOnly) {
     EXPECT_TRUE(passage.is_broken(1));
 }
 
+// On a slanted face the edge of a drill cuts while its tip is still in air.
+TEST(StepMonitor, TimeInAirCountsOnceTheTipHasMetBone) {
+    Passage passage;
+    for (double depth = -1.0_mm; depth < 2.0_mm; depth += 0.001_mm)
+        passage.monitor->observe({.time = passage.time += 1e-3,
+                                  .world_from_tool = {{0, 0, depth}, {1, 0, 0, 0}},
+                                  .is_running = true,
+                                  .is_resisted = depth > 0.0,
+                                  .is_bone_ahead = depth >= 1.0_mm,
+                                  .tip_inside = depth - 1.0_mm},
+                                 passage.scene.drill);
+    EXPECT_EQ(passage.advance().in_air, 0.0);
+    EXPECT_FALSE(passage.is_broken(1));
+}
+
 TEST(StepMonitor, AStillToolHarmsNothing) {
     Watch run;
     run.show(13.0_mm, 1.5_mm, false, true);
