@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grades of ten screws that are put wrong on purpose into the vertebra of procedures/pedicle-screw.yaml, and of one
-// that is not.
+// Grades of ten screws that are put wrong on purpose into a vertebra of boxes by procedures/pedicle-screw.yaml, and of
+// one that is not.
 //
 //     bench_screw_grades [FOLDER]   prints the table; writes screw-grades.svg into the folder
 //
@@ -42,7 +42,9 @@ constexpr std::array screws{
 
 run::Scene vertebra(const PluginRegistry& plugins) {
     text::Diagnostics diagnostics;
-    auto scene = run::make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml", "", plugins).take(diagnostics);
+    auto scene = run::make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml",
+                                 KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml", plugins)
+                     .take(diagnostics);
     if (!scene) throw std::runtime_error(to_text(diagnostics));
     return std::move(*scene);
 }

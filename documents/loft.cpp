@@ -124,6 +124,24 @@ Box bounds_of(const std::vector<LoftFrame>& path) noexcept {
     return bounds;
 }
 
+/// Returns the index of the frame that is nearest to a point: first among every few of them, then around the best.
+std::size_t nearest_frame(const std::vector<LoftFrame>& path, Vec3 p) noexcept {
+    constexpr std::size_t stride = 6;
+    std::size_t nearest = 0;
+    double smallest = HUGE_VAL;
+    const auto look_at = [&](std::size_t i) {
+        const Vec3 to = p - path[i].at;
+        if (const double square = dot(to, to); square < smallest) {
+            smallest = square;
+            nearest = i;
+        }
+    };
+    for (std::size_t i = 0; i < path.size(); i += stride) look_at(i);
+    const std::size_t around = nearest, last = std::min(around + stride, path.size() - 1);
+    for (std::size_t i = around - std::min(around, stride); i <= last; ++i) look_at(i);
+    return nearest;
+}
+
 }  // namespace
 
 void lay_path(LoftSolid& loft) {
@@ -177,15 +195,7 @@ double crossing(const LoftSolid& loft) noexcept {
 double distance_to(const LoftSolid& loft, Vec3 p, double limit) noexcept {
     const double outside = box_distance(loft.bounds, p);
     if (outside > no_closer) return outside;
-    std::size_t nearest = 0;
-    double smallest = HUGE_VAL;
-    for (std::size_t i = 0; i < loft.path.size(); ++i) {
-        const Vec3 to = p - loft.path[i].at;
-        if (const double square = dot(to, to); square < smallest) {
-            smallest = square;
-            nearest = i;
-        }
-    }
+    const std::size_t nearest = nearest_frame(loft.path, p);
     const auto ahead = [&](std::size_t i) { return dot(p - loft.path[i].at, loft.path[i].along); };
     std::size_t first = nearest;
     if (nearest > 0 && (ahead(nearest) < 0.0 || nearest + 1 == loft.path.size())) first = nearest - 1;
@@ -202,7 +212,11 @@ double distance_to(const LoftSolid& loft, Vec3 p, double limit) noexcept {
     const Vec3 to = p - frame.at;
     const double wall = wall_distance(frame, dot(to, frame.side), dot(to, frame.up), max_lean * limit);
 
-    const double rim = std::min(loft.rim, std::min(frame.half_width, frame.half_height));
+    // A rim as round as the section's sharpest end would leave a crest there.
+    constexpr double roundest = 0.7;  // [–] of that end's radius
+    const double smaller = std::min(frame.half_width, frame.half_height),
+                 larger = std::max(frame.half_width, frame.half_height);
+    const double rim = std::min(loft.rim, roundest * smaller * smaller / larger);
     const double w = wall + rim, e = over + rim;
     const double distance = std::min(std::max(w, e), 0.0) + std::hypot(std::max(w, 0.0), std::max(e, 0.0)) - rim;
     return distance;

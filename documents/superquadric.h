@@ -30,15 +30,18 @@ struct Superellipse {
     [[nodiscard]] Level at(Vec3 p) const noexcept {
         constexpr double narrowest = 0.1;  // [–] of a: a tapered width ends above the curve
         const double tapered = 1.0 - taper * p.y / half_height, width = half_width * std::max(tapered, narrowest);
-        const double x = std::abs(p.x) / width, y = std::abs(p.y) / half_height;
-        const double px = power(x, exponent), py = power(y, exponent), sum = px + py;
-        if (sum <= 0.0) return {};
+        const double x = std::abs(p.x) / width, y = std::abs(p.y) / half_height, larger = std::max(x, y);
+        if (larger <= 0.0) return {};
+        // In units of the larger one, so that one power is 1.
+        const double u = x / larger, v = y / larger;
+        const double pu = u < 1.0 ? power(u, exponent) : 1.0, pv = v < 1.0 ? power(v, exponent) : 1.0, sum = pu + pv;
         const double level = exponent == 2.0 ? std::sqrt(sum) : std::pow(sum, 1.0 / exponent);
         const double rest = level / sum;  // level^(1 − e)
-        const double gx = x > 0.0 ? std::copysign(rest * px / x / width, p.x) : 0.0;
-        const double gy = y > 0.0 ? std::copysign(rest * py / y / half_height, p.y) : 0.0;
-        const double by_taper = tapered > narrowest ? rest * px * taper * half_width / (half_height * width) : 0.0;
-        return {level, {gx, gy + by_taper, 0.0}};
+        const double gx = u > 0.0 ? std::copysign(rest * pu / u / width, p.x) : 0.0;
+        const double gy = v > 0.0 ? std::copysign(rest * pv / v / half_height, p.y) : 0.0;
+        const double by_taper =
+            tapered > narrowest ? larger * rest * pu * taper * half_width / (half_height * width) : 0.0;
+        return {larger * level, {gx, gy + by_taper, 0.0}};
     }
     [[nodiscard]] double smallest() const noexcept { return std::min(half_width, half_height); }
     [[nodiscard]] double largest() const noexcept { return std::max(half_width, half_height); }
@@ -97,6 +100,9 @@ template <class Quadric>
         normal = (1.0 / steepness) * here.gradient;
         const Vec3 landed = ((1.0 - here.value) / steepness) * normal;
         const Vec3 to = p - at, beside = to - dot(to, normal) * normal;
+        constexpr double upright = 0.1;  // [–] sine of an angle to the normal that changes the distance by 0.5 %
+        const bool is_upright = step > 0 && dot(beside, beside) <= upright * upright * dot(to, to);
+        if (is_upright) return {at + landed, normal, length(p - at - landed)};
         if (step == 0 || step > slides) {
             at = at + landed;
             continue;

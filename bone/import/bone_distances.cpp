@@ -75,10 +75,28 @@ void PhantomDistance::fill(const BrickLattice& lattice, DistanceRange needed, Br
     const Vec3 low{lattice.x.front(), lattice.y.front(), lattice.z.front()},
         high{lattice.x.back(), lattice.y.back(), lattice.z.back()};
     find_near(0.5 * (low + high), 0.5 * length(high - low), needed);
-    std::size_t n = 0;
-    for (const double z : lattice.z)
-        for (const double y : lattice.y)
-            for (const double x : lattice.x) distances[n++] = distance_to_near({x, y, z});
+    const double reach = limit_;
+    // Blocks of 3³ samples: where the middle one is so far out of the range that all are, it stands for all.
+    constexpr std::size_t edge = 3;
+    static_assert(stored_edge % edge == 0);
+    const auto at = [](std::size_t i, std::size_t j, std::size_t k) { return (k * stored_edge + j) * stored_edge + i; };
+    for (std::size_t k = 0; k < stored_edge; k += edge)
+        for (std::size_t j = 0; j < stored_edge; j += edge)
+            for (std::size_t i = 0; i < stored_edge; i += edge) {
+                const double in_block =
+                    length(Vec3{lattice.x[i + 2] - lattice.x[i], lattice.y[j + 2] - lattice.y[j],
+                                lattice.z[k + 2] - lattice.z[k]});  // at least from the middle to a corner
+                const Vec3 middle{lattice.x[i + 1], lattice.y[j + 1], lattice.z[k + 1]};
+                limit_ = reach + in_block;
+                const double there = distance_to_near(middle);
+                const bool is_outside = there > needed.high + in_block || there < needed.low - in_block;
+                limit_ = reach;
+                for (std::size_t n = 0; n < edge * edge * edge; ++n) {
+                    const std::size_t x = i + n % edge, y = j + n / edge % edge, z = k + n / (edge * edge);
+                    distances[at(x, y, z)] =
+                        is_outside ? there : distance_to_near({lattice.x[x], lattice.y[y], lattice.z[z]});
+                }
+            }
 }
 
 double NearestSurface::at(Vec3 p, DistanceRange needed) {

@@ -115,7 +115,7 @@ TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
     }
     EXPECT_TRUE(has(kerf("run " + pedicle_screw + " --hand nobody").err,
                     "there is no rehearsal `nobody`. Write `expert`, `no-starting-hole`, `medial-breach`, "
-                    "`backed-out`, `overtightened`, `slow`, `hasty`, `too-deep` or 2 more.\n"));
+                    "`backed-out`, `overtightened`, `slow`, `hasty`, `too-deep` or 3 more.\n"));
 }
 
 TEST(Program, WhatCannotBeRunIsSaidBeforeTheBoneIsMade) {
@@ -346,11 +346,10 @@ TEST(Program, ValidateLooksIntoEveryVariantAndMakesTheBoneWhenAsked) {
     EXPECT_EQ(kerf("validate " + file + " --set 'time_limit=2 s'").exit_code, 0);
 
     // The axis leaves the bone: nothing that the documents alone can tell
-    std::string anatomy = contents_of(folder / "anatomy/vertebra-phantom.yaml");
-    anatomy.replace(anatomy.find("-9.91 -6 5 mm"), 13, "9.91 -96 5 mm");
-    std::ofstream(folder / "anatomy/vertebra-phantom.yaml") << anatomy;
+    std::string anatomy = contents_of(folder / "anatomy/vertebra-l3.yaml");
+    anatomy.replace(anatomy.find("-10.1 -6 4 mm"), 13, "10.1 -96 4 mm");
     const std::string good = variant(folder, "1 mm/s", "1 mm/s");
-    std::ofstream(folder / "anatomy/vertebra-phantom.yaml") << anatomy;
+    std::ofstream(folder / "anatomy/vertebra-l3.yaml") << anatomy;
     EXPECT_EQ(kerf("validate " + good).exit_code, 0);
     const Ended with_bone = kerf("validate --bone " + good);
     EXPECT_EQ(with_bone.exit_code, 2);

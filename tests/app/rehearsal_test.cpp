@@ -134,7 +134,7 @@ TEST(PedicleScrew, TheExpertsScrewLiesInThePedicleAndItsTorqueRisesAsItGoesIn) {
     EXPECT_LT(peak, 3.2);
     EXPECT_LT(first_half, 0.8 * peak);
     EXPECT_GT(max_turned, 9.0_turns);
-    EXPECT_LT(max_slip, 0.001_mm);
+    EXPECT_LT(max_slip, 0.01_mm) << "a hundredth of the slip that is reported";
 }
 
 std::string status_of(const session::RunSummary& summary, const std::string& id) {

@@ -57,7 +57,7 @@ std::optional<run::Scene> scene_of(const std::string& anatomy) {
 }
 
 TEST(ScanReplay, APhantomsHashIsThatOfItsText) {
-    const auto scene = scene_of("");
+    const auto scene = scene_of(phantom_file);
     ASSERT_TRUE(scene);
     EXPECT_EQ(scene->anatomy_hash, session::hash_of_text(test::contents_of(phantom_file)));
     EXPECT_FALSE(scene->import.notes.empty());

@@ -12,11 +12,12 @@
 
 namespace kerf::test {
 
-/// Returns the shipped pedicle screw with changes, on a coarse grid and over after fifteen seconds: the drill has met
-/// bone.
+/// Returns the shipped pedicle screw with changes, in a bone of boxes on a coarse grid, and over after fifteen seconds:
+/// the drill has met bone.
 inline run::Scene scene_with(const std::vector<std::string>& settings) {
     text::Diagnostics diagnostics;
-    run::DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
+    run::DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml",
+                                 .anatomy = KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml"};
     // Tests replace the limits that these rehearsals name.
     request.changes.settings = {"accuracy.spacing=0.5 mm", "time_limit=15 s", "rehearsals.hasty=~",
                                 "rehearsals.drilled-twice=~", "rehearsals.lateral-exit=~"};
