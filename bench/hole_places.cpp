@@ -44,7 +44,8 @@ struct Bone {
     const char* anatomy;  ///< empty: the procedure's own
     const char* variant;
 };
-constexpr std::array phantoms{Bone{"phantom", "", ""}, Bone{"steep", "", "steep-facet"}};
+constexpr std::array phantoms{Bone{"phantom", KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml", ""},
+                              Bone{"steep", "", "steep-facet"}};
 constexpr std::array scans{Bone{"L3", KERF_SOURCE_DIR "/tests/real-data/l3.yaml", ""},
                            Bone{"T12", KERF_SOURCE_DIR "/tests/real-data/t12.yaml", ""}};
 

@@ -129,16 +129,16 @@ std::size_t nearest_frame(const std::vector<LoftFrame>& path, Vec3 p) noexcept {
     constexpr std::size_t stride = 6;
     std::size_t nearest = 0;
     double smallest = HUGE_VAL;
-    const auto look_at = [&](std::size_t i) {
+    const auto check = [&](std::size_t i) {
         const Vec3 to = p - path[i].at;
         if (const double square = dot(to, to); square < smallest) {
             smallest = square;
             nearest = i;
         }
     };
-    for (std::size_t i = 0; i < path.size(); i += stride) look_at(i);
+    for (std::size_t i = 0; i < path.size(); i += stride) check(i);
     const std::size_t around = nearest, last = std::min(around + stride, path.size() - 1);
-    for (std::size_t i = around - std::min(around, stride); i <= last; ++i) look_at(i);
+    for (std::size_t i = around - std::min(around, stride); i <= last; ++i) check(i);
     return nearest;
 }
 
