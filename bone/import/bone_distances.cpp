@@ -76,7 +76,7 @@ void PhantomDistance::fill(const BrickLattice& lattice, DistanceRange needed, Br
         high{lattice.x.back(), lattice.y.back(), lattice.z.back()};
     find_near(0.5 * (low + high), 0.5 * length(high - low), needed);
     const double reach = limit_;
-    // Blocks of 3³ samples: where the middle one is so far out of the range that all are, it stands for all.
+    // Blocks of 3³ samples: where the middle one is so far out of the range that all are, all take its distance.
     constexpr std::size_t edge = 3;
     static_assert(stored_edge % edge == 0);
     const auto at = [](std::size_t i, std::size_t j, std::size_t k) { return (k * stored_edge + j) * stored_edge + i; };
