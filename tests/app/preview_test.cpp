@@ -21,7 +21,7 @@ constexpr double font = 14.0;
 std::string preview_of(const std::string& procedure) {
     const test::TemporaryFolder folder;
     const test::Ended ended = test::kerf("preview " KERF_SOURCE_DIR "/procedures/" + procedure +
-                                         ".yaml --set 'accuracy.spacing=2 mm' --out " + (folder / "page.html"));
+                                         ".yaml --set 'accuracy.spacing=1 mm' --out " + (folder / "page.html"));
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
     return test::contents_of(folder / "page.html");
 }
