@@ -128,9 +128,10 @@ int main(int argc, char** argv) {
         const std::string grade = run::gertzbein_robbins(found.screw->least, found.screw->most);
         std::printf("%-16s %10.2f  %-18s %s\n", screws[i].name, found.screw->breach.worst() / 1.0_mm, grade.c_str(),
                     found.screw->heary_grade.c_str());
-        svg += tile_svg(scene, frame, screws[i], grade + ", " + found.screw->heary_grade,
-                        gap + static_cast<double>(i % across) * (tile + gap),
-                        40.0 + static_cast<double>(i / across) * (tile + 32.0));
+        const auto column = i % across, row = i / across;
+        svg +=
+            tile_svg(scene, frame, screws[i], grade + ", " + found.screw->heary_grade,
+                     gap + static_cast<double>(column) * (tile + gap), 40.0 + static_cast<double>(row) * (tile + 32.0));
     }
     if (argc < 2) return 0;
     const std::filesystem::path folder = argv[1];
