@@ -74,13 +74,16 @@ public:
                 if (limit.quantity == "damage") continue;
                 const std::string name = "the limit `" + limit.name() + "` of the step `" + step.id + "`";
                 const bool is_broken = broken_.contains({s, i}), is_guard = !limit.guard.empty();
-                if (is_guard && is_broken)
+                if (is_guard && is_broken) {
                     print("  a rehearsal breaks " + name + ", so its `guard:` is not true: remove the key\n");
-                else if (is_guard)
+                    ++gaps.uncovered;
+                } else if (is_guard) {
                     print("  a guard is " + name + ": " + text::shown(limit.guard) + "\n");
-                else if (!is_broken)
+                    ++gaps.guards;
+                } else if (!is_broken) {
                     print("  no rehearsal breaks " + name + ": " + text::shown(limit.reason) + "\n");
-                (is_guard && !is_broken ? gaps.guards : gaps.uncovered) += is_guard || !is_broken;
+                    ++gaps.uncovered;
+                }
             }
         }
         return gaps;

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/field/grid/box_distance.h"
 #include "documents/superquadric.h"
 
 namespace kerf::documents {
@@ -87,12 +88,6 @@ double wall_distance(const LoftFrame& frame, double x, double y, double limit) n
     const double lean = normal.x * nearest.at.x / frame.half_width * frame.widening +
                         normal.y * nearest.at.y / frame.half_height * frame.heightening;
     return nearest.distance / std::sqrt(1.0 + lean * lean);
-}
-
-double box_distance(const Box& box, Vec3 p) noexcept {
-    const Vec3 q{std::max({box.low.x - p.x, p.x - box.high.x, 0.0}), std::max({box.low.y - p.y, p.y - box.high.y, 0.0}),
-                 std::max({box.low.z - p.z, p.z - box.high.z, 0.0})};
-    return length(q);
 }
 
 double mix(double a, double b, double t) noexcept { return a + t * (b - a); }
@@ -193,7 +188,7 @@ double crossing(const LoftSolid& loft) noexcept {
 }
 
 double distance_to(const LoftSolid& loft, Vec3 p, double limit) noexcept {
-    const double outside = box_distance(loft.bounds, p);
+    const double outside = kerf::distance_to(loft.bounds, p);
     if (outside > no_closer) return outside;
     const std::size_t nearest = nearest_frame(loft.path, p);
     const auto ahead = [&](std::size_t i) { return dot(p - loft.path[i].at, loft.path[i].along); };

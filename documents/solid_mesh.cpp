@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "documents/solids.h"
 #include "documents/superquadric.h"
 
 namespace kerf::documents {
@@ -104,9 +105,9 @@ void add(const SphereSolid& sphere, Mesh& mesh) {
 }
 
 void add(const SuperellipsoidSolid& solid, Mesh& mesh) {
-    const Vec3 z = normalized(solid.along), y = normalized(solid.up - dot(solid.up, z) * z), x = cross(y, z);
-    const Superellipsoid shape{{0.5 * solid.width, 0.5 * solid.height, 0.5 * solid.length}, solid.exponent};
-    const auto in_bone = [&](Vec3 v) { return v.x * x + v.y * y + v.z * z; };
+    const SuperellipsoidAxes axes = axes_of(solid);
+    const Superellipsoid shape{axes.half, solid.exponent};
+    const auto in_bone = [&](Vec3 v) { return v.x * axes.side + v.y * axes.up + v.z * axes.along; };
     const auto on_surface = [&](Vec3 out) {
         const Vec3 scaled{out.x * shape.half.x, out.y * shape.half.y, out.z * shape.half.z};
         return (1.0 / shape.at(scaled).value) * scaled;

@@ -36,17 +36,12 @@ Along along(Vec3 from, Vec3 to, Vec3 p) noexcept {
     return {axis, length(to - from), at, p - from - at * axis};
 }
 
-/// The axes of a superellipsoid.
-struct Placed {
-    Vec3 side, up, along;  ///< unit
-    Vec3 half;             ///< [m] in these directions
-};
-Placed placed_in(const SuperellipsoidSolid& solid) noexcept {
+}  // namespace
+
+SuperellipsoidAxes axes_of(const SuperellipsoidSolid& solid) noexcept {
     const Vec3 z = normalized(solid.along), y = normalized(solid.up - dot(solid.up, z) * z);
     return {cross(y, z), y, z, {0.5 * solid.width, 0.5 * solid.height, 0.5 * solid.length}};
 }
-
-}  // namespace
 
 double distance_to(const Solid& solid, Vec3 p, double limit) noexcept {
     return std::visit(
@@ -76,7 +71,7 @@ double distance_to(const Solid& solid, Vec3 p, double limit) noexcept {
                    },
                    [&](const SphereSolid& sphere) { return length(p - sphere.centre) - sphere.radius; },
                    [&](const SuperellipsoidSolid& body) {
-                       const Placed of = placed_in(body);
+                       const SuperellipsoidAxes of = axes_of(body);
                        const Vec3 d = p - body.centre, local{dot(d, of.side), dot(d, of.up), dot(d, of.along)};
                        return nearest_on(Superellipsoid{of.half, body.exponent}, local, limit).distance;
                    },
@@ -127,7 +122,7 @@ Box bounds_of(const Solid& solid) noexcept {
                    [&](const EllipticTubeSolid& t) { return tube(t.from, t.to, 0.5 * std::max(t.width, t.height)); },
                    [&](const SphereSolid& s) { return tube(s.centre, s.centre, s.radius); },
                    [](const SuperellipsoidSolid& body) {
-                       const Placed of = placed_in(body);
+                       const SuperellipsoidAxes of = axes_of(body);
                        const auto reach = [&](double x, double y, double z) {
                            return std::abs(x) * of.half.x + std::abs(y) * of.half.y + std::abs(z) * of.half.z;
                        };

@@ -10,6 +10,14 @@
 /// Distances to the implicit solids that phantoms and zones are made of.
 namespace kerf::documents {
 
+/// Axes of a superellipsoid: unit vectors, and half of its size in their directions [m].
+struct SuperellipsoidAxes {
+    Vec3 side{}, up{}, along{};
+    Vec3 half{};
+};
+/// [any] pure.
+[[nodiscard]] SuperellipsoidAxes axes_of(const SuperellipsoidSolid& solid) noexcept;
+
 /// Signed distance [m], negative inside; exact for box, tube and sphere, a lower bound outside an elliptic tube; of a
 /// superellipsoid within 5 % and 0.02 mm; for a loft see documents/loft.h.   [any] pure.
 /// A distance of more than `limit` [m] may be smaller, but not than `limit`.

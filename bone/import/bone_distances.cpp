@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/field/grid/box_distance.h"
 #include "documents/solids.h"
 
 namespace kerf::bone {
@@ -46,12 +47,7 @@ void PhantomDistance::find_near(Vec3 p, double radius, DistanceRange needed) {
         const double reach = reach_of_near(needed) + radius;
         std::erase_if(near_, [&](std::size_t n) { return distance(n) > reach; });
     };
-    keep_within([&](std::size_t n) {
-        const Box& box = bounds_[n];
-        return length(Vec3{std::max({box.low.x - p.x, p.x - box.high.x, 0.0}),
-                           std::max({box.low.y - p.y, p.y - box.high.y, 0.0}),
-                           std::max({box.low.z - p.z, p.z - box.high.z, 0.0})});
-    });
+    keep_within([&](std::size_t n) { return kerf::distance_to(bounds_[n], p); });
     if (radius > 0.0 && near_.size() > 1)
         keep_within([&](std::size_t n) {
             constexpr double overestimate = 1.05;  // [–] that a solid's distance may have
