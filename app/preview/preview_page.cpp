@@ -15,6 +15,7 @@
 #include "session/recorder.h"
 #include "session/report/place_labels.h"
 #include "session/report/report_data.h"
+#include "text/palette.h"
 
 namespace kerf::app {
 namespace {
@@ -268,13 +269,16 @@ std::string notes_section(const run::Scene& scene) {
 }
 
 std::string key(const run::Scene& scene) {
-    const auto entry = [](const char* colour, const char* text) {
-        return std::string("<span><i style=\"background:") + colour + "\"></i>" + text + "</span>";
+    const auto entry = [](const std::string& colour, const std::string& text) {
+        return "<span><i style=\"background:" + colour + "\"></i>" + text + "</span>";
     };
-    return "<p class=\"key\">" + entry("#ede3cc", "bone, outermost tissue") + entry("#d99973", "the next tissue") +
-           entry("#db3329", "zone") + entry("#386bb8", "tool") + entry("#ffb826", "border of bone") +
-           entry("#0a7d4b", "point, with its tolerance") + entry("#1f6f9f", "axis") +
-           (scene.fragment ? entry("#cc8c40", "fragment, where it lies now") : "") +
+    std::string tissues;
+    for (std::size_t m = 0; m < scene.body.materials.size(); ++m)
+        tissues += entry(text::tissue_colour(scene.body.materials[m].id, m).hex(),
+                         session::html_escaped(scene.body.materials[m].id));
+    return "<p class=\"key\">" + tissues + entry("#db3329", "zone") + entry("#386bb8", "tool") +
+           entry("#ffb826", "border of bone") + entry("#0a7d4b", "point, with its tolerance") +
+           entry("#1f6f9f", "axis") + (scene.fragment ? entry("#cc8c40", "fragment, where it lies now") : "") +
            (scene.implants.empty() ? "" : entry("#737880", "implant, where it is planned")) +
            "</p><p class=\"soft\">Parts behind bone are paler.</p>";
 }

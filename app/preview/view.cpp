@@ -9,19 +9,17 @@
 
 #include "core/field/grid/body.h"
 #include "documents/solids.h"
+#include "text/palette.h"
 
 namespace kerf::app {
 namespace {
 
-/// Linear red, green, blue, 0 … 1.
+/// Red, green, blue, 0 … 1.
 using Colour = Vec3;
 
 constexpr Colour background{0.97, 0.975, 0.98}, zone_colour{0.86, 0.20, 0.16}, tool_colour{0.22, 0.42, 0.72},
     fragment_colour{0.80, 0.55, 0.25}, metal_colour{0.45, 0.47, 0.50}, air{0.10, 0.11, 0.13},
     border_line{1.0, 0.72, 0.15};
-/// Front to back, as tissues are listed.
-constexpr std::array<Colour, 4> tissues{
-    {{0.93, 0.89, 0.80}, {0.85, 0.60, 0.45}, {0.70, 0.72, 0.50}, {0.60, 0.60, 0.75}}};
 
 Colour mixed(Colour a, Colour b, double weight) { return a + weight * (b - a); }
 
@@ -38,7 +36,10 @@ Colour tissue_at(const Body& body, Vec3 p) {
     double weight[KERF_MAX_TISSUES];
     material_weights(body, locate(body, p), weight);
     Colour colour{};
-    for (std::size_t m = 0; m < body.materials.size(); ++m) colour = colour + weight[m] * tissues[m % tissues.size()];
+    for (std::size_t m = 0; m < body.materials.size(); ++m) {
+        const text::Colour own = text::tissue_colour(body.materials[m].id, m);
+        colour = colour + weight[m] / 255.0 * Vec3{double(own.red), double(own.green), double(own.blue)};
+    }
     return colour;
 }
 
@@ -143,8 +144,8 @@ Picture from_outside(const View& view, const run::Scene& scene, const std::vecto
                 const Vec3 at = from + bone * away;
                 // A face of the region shows the inside of the bone.
                 const bool is_face = bone - in_box.begin < 0.5 * h && depth_at(body, at) < -0.25 * h;
-                colour = is_face ? 0.92 * tissue_at(body, at + 0.5 * h * away)
-                                 : shaded(tissues[0], slope(body, at, h), away);
+                const Colour tissue = tissue_at(body, at + (is_face ? 0.5 : 0.1) * h * away);
+                colour = is_face ? 0.92 * tissue : shaded(tissue, slope(body, at, h), away);
             }
             const auto lay_over = [&](double at, double end, Colour over) {
                 if (at < end) colour = mixed(colour, over, !is_bone || at < bone ? 0.75 : 0.30);

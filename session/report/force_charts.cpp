@@ -92,15 +92,16 @@ void add_axes(const Ranges& ranges, const ChartedLoad& load, std::string& svg) {
 }
 
 /// Appends the tissue first met at each depth, behind the curves.
-void add_tissues(const StepSeries& series, const Ranges& ranges, std::string& svg) {
+void add_tissues(const StepSeries& series, const std::vector<std::string>& names, const Ranges& ranges,
+                 std::string& svg) {
     double deepest = -HUGE_VAL, begin = 0.0;
     int tissue = -1;
     const auto fill = [&] {
         const double from = ranges.x(std::max(begin, ranges.shallow)), to = ranges.x(deepest);
-        if (tissue >= 0 && to > from)
+        if (tissue >= 0 && static_cast<std::size_t>(tissue) < names.size() && to > from)
             svg += "<rect x=\"" + px(from) + "\" y=\"" + px(top) + "\" width=\"" + px(to - from) + "\" height=\"" +
                    px(height - top - bottom) + "\" fill=\"" +
-                   std::string(tissue_colour(static_cast<std::size_t>(tissue))) + "\" opacity=\"0.24\"/>";
+                   colour_of_tissue(names, static_cast<std::size_t>(tissue)) + "\" opacity=\"0.4\"/>";
     };
     for (const TickRow& row : series.rows) {
         const double depth = row.depth * 1e3;
@@ -306,12 +307,13 @@ std::vector<BoundLine> depth_lines(const RecordedStep& demands) {
 }
 
 std::string force_chart_svg(const StepSeries& series, const ChartedLoad& load, const RecordedStep& demands,
-                            const std::vector<Moment>& moments, const std::string& title) {
+                            const std::vector<Moment>& moments, const std::vector<std::string>& tissues,
+                            const std::string& title) {
     const std::vector<BoundLine> limits = load_lines(demands, load), depths = depth_lines(demands);
     const Ranges ranges = ranges_of(series, load, limits, depths);
     std::string svg = "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + px(width) + " " +
                       px(height) + "\" role=\"img\"><title>" + html_escaped(title) + "</title>";
-    add_tissues(series, ranges, svg);
+    add_tissues(series, tissues, ranges, svg);
     add_axes(ranges, load, svg);
     for (const bool is_inward : {false, true})  // motion inwards is in front
         for (const Stroke& stroke : series.strokes)
@@ -333,7 +335,8 @@ std::string force_charts_html(const RunSummary& summary, const DrawnRun& run, co
         html += "<h3>" + html_escaped(name) + " <code>" + html_escaped(step.id) + "</code></h3><div class=\"charts\">";
         for (const ChartedLoad& load : charted_loads(demands))
             html += "<figure>" +
-                    force_chart_svg(series, load, demands, moments, name + ": " + load.name + " over depth") +
+                    force_chart_svg(series, load, demands, moments, summary.tissues,
+                                    name + ": " + load.name + " over depth") +
                     legend_of(series, load_lines(demands, load), depth_lines(demands), greatest_of(series, load)) +
                     "</figure>";
         html += "</div>\n";

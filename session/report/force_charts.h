@@ -58,7 +58,7 @@ inline constexpr double mark_height = 18;
 /// of deductions at their moments.   [any]
 [[nodiscard]] std::string force_chart_svg(const StepSeries& series, const ChartedLoad& load,
                                           const RecordedStep& demands, const std::vector<Moment>& moments,
-                                          const std::string& title);
+                                          const std::vector<std::string>& tissues, const std::string& title);
 
 /// Returns the pictures of all steps that were reached, each with its legend, as HTML.   [any]
 [[nodiscard]] std::string force_charts_html(const RunSummary& summary, const DrawnRun& run,

@@ -116,7 +116,7 @@ std::string legend_html(const RunSummary& summary, const char* title) {
     if (summary.tissues.empty()) return {};
     std::string html = std::string("<div class=\"legend\"><span>") + title + ":</span>";
     for (std::size_t i = 0; i < summary.tissues.size(); ++i)
-        html += "<span><i style=\"background:" + std::string(tissue_colour(i)) + "\"></i>" +
+        html += "<span><i style=\"background:" + colour_of_tissue(summary.tissues, i) + "\"></i>" +
                 html_escaped(summary.tissues[i]) + "</span>";
     return html + "</div>";
 }

@@ -18,6 +18,7 @@
 #include "session/report/step_series.h"
 #include "session/report/timeline.h"
 #include "text/distinguishing_digits.h"
+#include "text/palette.h"
 #include "text/plain_numbers.h"
 #include "text/printable_lines.h"
 
@@ -279,16 +280,14 @@ double round_step(double range) {
     return 10.0 * power;
 }
 
-std::string_view tissue_colour(std::size_t tissue) noexcept {
-    constexpr std::array<std::string_view, 8> colours{"#e0bd82", "#c9785a", "#6f9fc8", "#82ad7c",
-                                                      "#a884b8", "#d3a0a8", "#93999e", "#5aa9a3"};
-    return colours[tissue % colours.size()];
+std::string colour_of_tissue(const std::vector<std::string>& names, std::size_t tissue) {
+    return text::tissue_colour(names[tissue], tissue).hex();
 }
 
 std::string report_data_json(const RunSummary& summary, const DrawnRun& run, const RecordedProcedure& procedure) {
     Json tissues = Json::array();
     for (std::size_t i = 0; i < summary.tissues.size(); ++i)
-        tissues.push_back({{"name", summary.tissues[i]}, {"colour", tissue_colour(i)}});
+        tissues.push_back({{"name", summary.tissues[i]}, {"colour", colour_of_tissue(summary.tissues, i)}});
     const std::vector<TickRow> drawn = run.plotted();
 
     const Json data{{"tissues", std::move(tissues)},

@@ -35,8 +35,8 @@ namespace kerf::session {
 /// Returns a round step for an axis: about a fifth of `range`.   [any]
 [[nodiscard]] double round_step(double range);
 
-/// Returns #rrggbb for a tissue index; −1 and large indices wrap around.   [any]
-[[nodiscard]] std::string_view tissue_colour(std::size_t tissue) noexcept;
+/// Returns #rrggbb for a tissue.   Pre: it is one of the names.   [any]
+[[nodiscard]] std::string colour_of_tissue(const std::vector<std::string>& names, std::size_t tissue);
 
 /// Returns the data for the page's script, as JSON that is safe inside <script>.   [any]
 /// @param procedure   bounds of the plots; without it they have none

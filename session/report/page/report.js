@@ -248,7 +248,7 @@ class Plot {
       const start = this.px(Math.max(begin, this.axis.view[0])), end = this.px(deepest), colour = colourOf(tissue);
       if (colour && end > start) { g.fillStyle = colour; g.fillRect(start, this.top, end - start, this.height); }
     };
-    g.globalAlpha = 0.24;
+    g.globalAlpha = 0.4;
     for (let i = from; i < to; ++i) {
       if (rows.depth[i] <= deepest) continue;
       if (rows.tissue[i] !== tissue) { fill(); begin = Math.max(deepest, rows.depth[from]); tissue = rows.tissue[i]; }
