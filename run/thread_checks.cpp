@@ -201,19 +201,62 @@ bool enters_through_hole(const AxisFrame& frame, double radius, const Body& body
     return in_bone > around / 2;
 }
 
+/// Where the bone around an axis is narrowest.
+struct Waist {
+    double width = HUGE_VAL;  ///< [m] through the axis
+    double depth = 0.0;       ///< [m]
+};
+
+/// Returns the narrowest bone around an axis between two depths, if it is narrower than `limit` [m].
+Waist waist_of(const AxisFrame& frame, const Body& body, double from, double to, double limit) {
+    constexpr int directions = 16;
+    constexpr double step_along = 0.5e-3;  // [m]
+    const double step = 0.25 * body.grid().spacing;
+    const Vec3 side = normalized(cross(frame.along, std::abs(frame.along.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+    const Vec3 up = cross(frame.along, side);
+    Waist waist;
+    for (double depth = from; depth <= to; depth += step_along) {
+        const Vec3 at = frame.entry + depth * frame.along;
+        for (int n = 0; n < directions; ++n) {
+            const double angle = n * std::numbers::pi / directions;
+            const Vec3 across = std::cos(angle) * side + std::sin(angle) * up;
+            const auto reach = [&](double sign) {
+                double far = 0.0;
+                while (far < limit && uncut_distance(body, locate(body, at + sign * far * across)) < 0.0) far += step;
+                return far;
+            };
+            if (const double width = reach(1.0) + reach(-1.0); width < limit && width < waist.width)
+                waist = {width, depth};
+        }
+    }
+    return waist;
+}
+
+/// Refuses a screw whose thread is wider than the bone around it, away from the surfaces at both ends.
+void check_room(const documents::Step& step, const ToolOutline& tool, const AxisFrame& frame, const Body& body,
+                double end, StepReport& report) {
+    const double thread = 2.0 * tool.thread_radius;
+    const Waist waist = waist_of(frame, body, thread, end - thread, thread);
+    if (waist.width < thread)
+        report.error(text::Code::screw_too_wide, "instrument",
+                     "The thread of `" + step.instrument + "` is wider than the bone along `" + step.axis + "`: got " +
+                         in_mm(thread) + ", expected at most " + in_mm(waist.width) + ", the width " +
+                         in_mm(waist.depth) + " deep. Take a thinner screw, or another anatomy.");
+}
+
 }  // namespace
 
 void check_screw_in_bone(const documents::Procedure& procedure, const std::vector<const ToolOutline*>& tools,
                          std::size_t step, const AxisFrame& frame, const Body& body, text::Diagnostics& diagnostics) {
     const ToolOutline& tool = *tools[step];
-    const documents::Step& asked = procedure.steps[step];
+    const documents::Step& planned = procedure.steps[step];
     if (!tool.has_thread()) return;
     StepReport report(procedure, step, diagnostics);
     const bool is_in_a_hole = enters_through_hole(frame, tool.thread_radius, body);
     if (before_step(procedure, tools, step).hole <= 0.0 && !is_in_a_hole)
         report.error(text::Code::no_hole, "instrument",
-                     "`" + asked.instrument + "` has a thread, and no step before `" + asked.id +
-                         "` drills a hole for it along `" + asked.axis +
+                     "`" + planned.instrument + "` has a thread, and no step before `" + planned.id +
+                         "` drills a hole for it along `" + planned.axis +
                          "`. Put one before it, with a drill about as wide as its core, " +
                          in_mm(2.0 * tip_core(tool)) + ".");
     if (!tool.is_implant() || is_in_a_hole) return;  // the entry is at the bottom of a hole
@@ -223,11 +266,12 @@ void check_screw_in_bone(const documents::Procedure& procedure, const std::vecto
     double last = 0.0;  // [m] of bone along the axis
     for (double depth = 0.0; depth <= seat + spacing; depth += spacing)
         if (uncut_distance(body, locate(body, frame.entry + depth * frame.along)) < 0.0) last = depth;
+    check_room(planned, tool, frame, body, std::min(seat, last), report);
     // [m] accepted protrusion of a tip that is planned to leave the far side [judgement].
     constexpr double proud = 15e-3;
-    if (last + spacing >= seat || (goal_depth(asked) > last && seat <= goal_depth(asked) + proud)) return;
+    if (last + spacing >= seat || (goal_depth(planned) > last && seat <= goal_depth(planned) + proud)) return;
     report.error(text::Code::screw_too_long, "instrument",
-                 "`" + asked.instrument + "` is " + in_mm(seat) + " long, and along `" + asked.axis +
+                 "`" + planned.instrument + "` is " + in_mm(seat) + " long, and along `" + planned.axis +
                      "` the bone ends after " + in_mm(last) +
                      ": seated, its tip would be out of it. Take one of at most " + in_mm(last) +
                      ", or ask for a depth beyond the far side.");

@@ -21,7 +21,8 @@ void check_threads(const documents::Procedure& procedure, const std::vector<cons
                    text::Diagnostics& diagnostics);
 
 /// Refuses a screw or tap without a hole, which may be drilled or in the bone (E0511). Refuses a screw that would leave
-/// the bone at the far end when its head seats, unless the goal is as deep (E0514).
+/// the bone at the far end when its head seats, unless the goal is as deep (E0514), or whose thread is wider than the
+/// bone around it (E0530).
 /// @param frame   of the step   [main]
 void check_screw_in_bone(const documents::Procedure& procedure, const std::vector<const ToolOutline*>& tools,
                          std::size_t step, const AxisFrame& frame, const Body& body, text::Diagnostics& diagnostics);
