@@ -12,6 +12,7 @@
 #include "app/describe.h"
 #include "app/findings.h"
 #include "app/import_source.h"
+#include "app/make_anatomy.h"
 #include "app/make_bone.h"
 #include "app/man_page.h"
 #include "app/new_folder.h"
@@ -32,6 +33,7 @@
 #include "session/report/report.h"
 #include "text/codes.h"
 #include "text/printable_lines.h"
+#include "text/write_file.h"
 
 namespace kerf::app::commands {
 
@@ -65,6 +67,10 @@ ExitCode expand(const ExpandOptions& options, const Environment& with) {
 }
 
 ExitCode describe(const DescribeOptions& options, const Environment& with) {
+    if (const std::string text = description_of_bone(options.component); !text.empty()) {
+        print(text);
+        return exit_pass;
+    }
     std::string error;
     const auto text = description_of(with.plugins, options.component, error);
     if (!text) return complain(error, exit_bad_input);
@@ -110,7 +116,12 @@ ExitCode import(const ImportSourceOptions& options, const Environment& /*with*/)
     return exit_pass;
 }
 
+namespace {
+
 ExitCode check_anatomy(const AnatomyOptions& options, const Environment& with) {
+    if (options.procedure.empty())
+        return complain("for which procedure? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`.",
+                        exit_bad_input);
     DocumentOptions documents;
     documents.anatomy = options.anatomy;
     text::Diagnostics diagnostics;
@@ -119,6 +130,28 @@ ExitCode check_anatomy(const AnatomyOptions& options, const Environment& with) {
     std::vector<Findings> findings{{options.anatomy, diagnostics}};
     print(findings_text(findings, options.format));
     return text::has_error(diagnostics) ? exit_bad_input : exit_pass;
+}
+
+ExitCode make_anatomy(const AnatomyOptions& options) {
+    const text::Result<documents::MadeBone> bone = make_bone_of(options);
+    if (!bone) {
+        print_error(to_text(bone.diagnostics()));
+        return exit_bad_input;
+    }
+    if (options.out.empty()) {
+        print(bone->text);
+        return exit_pass;
+    }
+    if (const std::string error = text::write_file(options.out, bone->text); !error.empty())
+        return complain(error, exit_bad_input);
+    print(made_bone_text(*bone) + options.out + "\n");
+    return exit_pass;
+}
+
+}  // namespace
+
+ExitCode anatomy(const AnatomyOptions& options, const Environment& with) {
+    return options.action == "make" ? make_anatomy(options) : check_anatomy(options, with);
 }
 
 ExitCode preview(const PreviewOptions& options, const Environment& with) {

@@ -27,7 +27,7 @@ namespace commands {
 [[nodiscard]] ExitCode explain(const ExplainOptions& options, const Environment& with);
 [[nodiscard]] ExitCode print_schema(const SchemaOptions& options, const Environment& with);
 [[nodiscard]] ExitCode import(const ImportSourceOptions& options, const Environment& with);
-[[nodiscard]] ExitCode check_anatomy(const AnatomyOptions& options, const Environment& with);
+[[nodiscard]] ExitCode anatomy(const AnatomyOptions& options, const Environment& with);
 [[nodiscard]] ExitCode report(const ReportOptions& options, const Environment& with);
 [[nodiscard]] ExitCode remesh(const RemeshOptions& options, const Environment& with);
 [[nodiscard]] ExitCode print_privacy(const PrivacyOptions& options, const Environment& with);

@@ -47,6 +47,7 @@ struct RehearseOptions : DocumentOptions {
     std::vector<std::string> procedures;
     bool is_with_cheats = false;    ///< bad hands instead of the rehearsals
     bool is_with_coverage = false;  ///< also what no rehearsal triggers
+    std::string seeds;              ///< "1..20": the first hand on as many bones; empty: the procedure's own bone
 };
 
 struct ExpandOptions : ChangeOptions {
@@ -81,9 +82,16 @@ struct ImportSourceOptions {
 };
 
 struct AnatomyOptions {
-    std::string action;  ///< "check"
-    std::string anatomy, procedure;
+    std::string action;   ///< check | make
+    std::string anatomy;  ///< of check: a file; of make: a kind of bone
+    // of check:
+    std::string procedure;
     std::string format = "text";  ///< text | json | github
+    // of make; empty: not given
+    std::string level, sex, height, age, seed;
+    bool is_osteoporotic = false;
+    std::vector<std::string> settings;  ///< "dimension=value" each
+    std::string out;                    ///< file; empty: the anatomy goes to stdout
 };
 
 struct ReportOptions {

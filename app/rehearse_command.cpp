@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // `kerf rehearse`.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,10 +18,14 @@
 #include "app/standard_streams.h"
 #include "run/cheats.h"
 #include "run/run_procedure.h"
+#include "text/codes.h"
+#include "text/printable.h"
 
 namespace kerf::app {
 
 namespace {
+
+constexpr std::uint32_t max_seeds = 1000;
 
 std::string expectation_of(const documents::Rehearsal& rehearsal) {
     if (rehearsal.expect != "fail") return rehearsal.expect;
@@ -150,6 +158,79 @@ ExitCode cheat_file(const std::string& file, const RehearseOptions& options, con
     return passing == 0 ? exit_pass : exit_not_passed;
 }
 
+struct Seeds {
+    std::uint32_t first = 0, last = 0;
+};
+
+/// Reads "1..20" or "7".
+std::optional<Seeds> read_seeds(const std::string& text) {
+    const std::size_t dots = text.find("..");
+    const auto number = [](std::string_view digits, std::uint32_t& value) {
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        return error == std::errc{} && end == digits.data() + digits.size();
+    };
+    Seeds seeds;
+    if (!number(std::string_view(text).substr(0, dots), seeds.first)) return std::nullopt;
+    seeds.last = seeds.first;
+    if (dots != std::string::npos && !number(std::string_view(text).substr(dots + 2), seeds.last)) return std::nullopt;
+    if (seeds.last < seeds.first || seeds.last - seeds.first >= max_seeds) return std::nullopt;
+    return seeds;
+}
+
+/// Runs the first hand that expects to pass on the bones of several people, and prints a table. A bone that the
+/// procedure does not suit is refused, which is no failure.
+ExitCode seeds_file(const std::string& file, const Seeds& seeds, const RehearseOptions& options,
+                    const Environment& with) {
+    int passing = 0, failing = 0, refused = 0;
+    for (std::uint32_t seed = seeds.first;; ++seed) {
+        RehearseOptions of_seed = options;
+        of_seed.settings.push_back("anatomy.seed=" + std::to_string(seed));
+        text::Diagnostics diagnostics;
+        const auto scene = make_scene(file, of_seed, with).take(diagnostics);
+        const std::string head = formatted("%8u  ", seed);
+        if (!scene) {
+            const auto error = std::find_if(diagnostics.begin(), diagnostics.end(), [](const text::Diagnostic& d) {
+                return d.level == text::Diagnostic::Level::error;
+            });
+            if (error == diagnostics.end() || error->code != text::code_text(text::Code::screw_too_wide)) {
+                print_error(to_text(diagnostics));
+                if (error != diagnostics.end() && error->code == text::code_text(text::Code::patch_nowhere))
+                    return complain(
+                        "`--seeds` needs a bone to make in place of a file. Write `anatomy: {make: vertebra, "
+                        "level: L3}` in " +
+                            file +
+                            ", or add `--set \"anatomy={make: vertebra, level: "
+                            "L3}\"`.",
+                        exit_bad_input);
+                return exit_bad_input;
+            }
+            print(head + "refused            " + error->message + "\n");
+            ++refused;
+        } else {
+            if (seed == seeds.first) print("    seed  verdict   score  " + scene->anatomy.title + ", and others\n");
+            const auto& hands = scene->procedure.rehearsals;
+            const auto good = std::find_if(hands.begin(), hands.end(),
+                                           [](const documents::Rehearsal& hand) { return hand.expect == "pass"; });
+            if (good == hands.end())
+                return complain(file + " has no rehearsal that expects to pass. Add one under `rehearsals:`, with "
+                                       "`expect: pass`.",
+                                exit_bad_input);
+            run::RunOutcome outcome;
+            if (const ExitCode code = run_hand(*scene, good->id, with, outcome); code != exit_pass) return code;
+            const session::RunSummary& summary = outcome.summary;
+            const bool passes = summary.verdict == session::Verdict::pass;
+            print(head + (passes ? "pass    " : "fail    ") + formatted("%6.0f  ", std::round(summary.score)) +
+                  scene->anatomy.title + "\n");
+            for (const std::string& reason : summary.reasons)
+                print("                           " + text::shown(reason) + "\n");
+            ++(passes ? passing : failing);
+        }
+        if (seed == seeds.last) break;
+    }
+    print(file + formatted(": %d passed, %d failed, %d refused before the run\n", passing, failing, refused));
+    return failing == 0 ? exit_pass : exit_not_passed;
+}
+
 }  // namespace
 
 namespace commands {
@@ -159,6 +240,18 @@ ExitCode rehearse(const RehearseOptions& options, const Environment& with) {
         return complain("`--coverage` is of the rehearsals, which `--cheats` does not run. Write one of both.",
                         exit_bad_input);
     ExitCode worst = exit_pass;
+    if (!options.seeds.empty()) {
+        const std::optional<Seeds> seeds = read_seeds(options.seeds);
+        if (!seeds)
+            return complain("`--seeds " + text::shown(options.seeds) + "`: expected two whole numbers, at most " +
+                                std::to_string(max_seeds) + " seeds, as in `--seeds 1..20`.",
+                            exit_bad_input);
+        if (options.is_with_cheats || options.is_with_coverage)
+            return complain("`--seeds` runs one good hand. Write it without `--cheats` and `--coverage`.",
+                            exit_bad_input);
+        for (const auto& file : options.procedures) worst = std::max(worst, seeds_file(file, *seeds, options, with));
+        return worst;
+    }
     for (const auto& file : options.procedures)
         worst = std::max(worst,
                          options.is_with_cheats ? cheat_file(file, options, with) : rehearse_file(file, options, with));

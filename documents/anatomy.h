@@ -49,12 +49,21 @@ struct PhantomPart {
     double blend = 0.0;     ///< [m] radius of the fillet between it and the parts before it
 };
 
+/// Where a tissue differs: within solids, and fading to nothing across `over` outside them.
+struct TissueRegion {
+    std::vector<Solid> solids{};
+    double over = 2e-3;      ///< [m]
+    double thickness = 0.0;  ///< [m] of a shell; 0: as elsewhere
+    double density = 0.0;    ///< [kg/m³] 0: as elsewhere
+};
+
 struct Tissue {
     std::string id;
     double density = 1850.0;  ///< [kg/m³]
     double thickness = 0.0;   ///< [m] a shell under the surface; 0: no shell
     std::string source;
     std::vector<Solid> solids{};  ///< it is in their union; empty: wherever its shell is, or everything that is left
+    std::vector<TissueRegion> regions{};  ///< the first one has precedence
 };
 
 /// How a landmark is found from the bone, near where it is written. What each shape is: bone/import/fit_landmarks.h.

@@ -13,6 +13,7 @@
 #include "documents/anatomy.h"
 #include "documents/hand_input.h"
 #include "documents/implant_plan.h"
+#include "documents/made/request.h"
 #include "documents/measure_plan.h"
 #include "kerf/math.hpp"
 #include "text/source.h"
@@ -245,9 +246,10 @@ struct Procedure {
     std::string variant;                       ///< id of the one that was chosen; empty: none
     std::vector<Variant> variants;
     std::vector<std::string> needs_landmarks, needs_zones, needs_tissues;
-    std::string anatomy_name;  ///< as it is written
-    std::string anatomy_file;  ///< resolved against the document's folder
-    double spacing = 0.25e-3;  ///< [m] of the cut field
+    std::optional<MakeRequest> made{};  ///< an anatomy to make; otherwise a file
+    std::string anatomy_name;           ///< as it is written
+    std::string anatomy_file;           ///< resolved against the document's folder
+    double spacing = 0.25e-3;           ///< [m] of the cut field
     Accuracy accuracy;
     Budget budget;
     std::string device;      ///< name of the device record the simulated hand holds

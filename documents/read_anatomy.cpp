@@ -14,8 +14,57 @@
 namespace kerf::documents {
 namespace {
 
+/// Reads the solids of a region: those of the parts with an id, on both sides, or its own.
+std::vector<Solid> read_region_solids(MapReader& map, const std::vector<PhantomPart>& parts, Report& report) {
+    const Node* node = map.one_of();
+    if (node == nullptr) return {};
+    if (node->key != "part") return read_solids(*node, map.name_of("solids"), report);
+    const std::optional<std::string> id = read_id(*node, map.name_of("part"), report);
+    if (!id) return {};
+    std::vector<Solid> solids;
+    std::vector<std::string> known;
+    for (const PhantomPart& part : parts) {
+        known.push_back(part.id);
+        if (part.id == *id || part.id == mirrored_id(*id)) solids.push_back(part.solid);
+    }
+    if (solids.empty())
+        refuse_unknown({.code = text::Code::unknown_word,
+                        .span = node->span,
+                        .subject = "The part `" + *id + "`",
+                        .word = *id,
+                        .known = std::move(known),
+                        .if_none = "this anatomy has no `phantom.parts`. Write `solids:`."},
+                       report);
+    return solids;
+}
+
+std::vector<TissueRegion> read_regions(const Node& node, bool has_shell, const std::vector<PhantomPart>& parts,
+                                       Report& report) {
+    std::vector<TissueRegion> regions;
+    for (const Node& item : read_list(node, "regions", report)) {
+        MapReader map(item, shapes::tissue_region, "region", report);
+        TissueRegion region;
+        shapes::tissue_region.fill(map, region);
+        region.solids = read_region_solids(map, parts, report);
+        const Node* thickness = map.find("thickness");
+        const Node* density = map.find("density");
+        if (thickness != nullptr) map.quantity("thickness", region.thickness);
+        if (density != nullptr) map.quantity("density", region.density);
+        if (thickness != nullptr && !has_shell)
+            report.error(text::Code::degenerate, thickness->key_span,
+                         "The tissue has no shell, so its regions have no thickness. Remove it.");
+        if (thickness == nullptr && density == nullptr)
+            report.error(text::Code::missing_key, item.span,
+                         "The region differs in nothing. Give it a `thickness`, a `density`, or both.");
+        map.finish();
+        regions.push_back(std::move(region));
+    }
+    return regions;
+}
+
 /// @param has_density_line   the density of the last tissue comes from the CT
-std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report& report) {
+std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, const std::vector<PhantomPart>& parts,
+                                 Report& report) {
     std::vector<Tissue> tissues;
     UniqueIds ids;
     const std::vector<Node>& items = read_list(node, "tissues", report);
@@ -40,6 +89,12 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report
         const Node* thickness = is_base || solids ? map.find("thickness") : map.required("thickness");
         if (thickness && !is_base) map.quantity("thickness", tissue.thickness);
         if (solids && !is_base) tissue.solids = read_solids(*solids, map.name_of("solids"), report);
+        if (const Node* regions = map.find("regions")) {
+            tissue.regions = read_regions(*regions, tissue.thickness > 0.0, parts, report);
+            if (is_base && has_density_line)
+                report.error(text::Code::degenerate, regions->key_span,
+                             "`ct.density` gives the density of the last tissue, place by place. Remove the regions.");
+        }
         if (is_base)
             for (const Node* own : {thickness, solids})
                 if (own)
@@ -105,7 +160,7 @@ Anatomy read_body(MapReader& map, const Document& document, Report& report) {
         phantom.finish();
     }
     if (const Node* node = map.find("tissues"))
-        anatomy.tissues = read_tissues(*node, anatomy.ct && anatomy.ct->density, report);
+        anatomy.tissues = read_tissues(*node, anatomy.ct && anatomy.ct->density, anatomy.phantom.parts, report);
     if (const Node* node = map.find("landmarks")) read_landmarks(*node, anatomy, report);
     if (const Node* node = map.find("zones")) anatomy.zones = read_zones(*node, anatomy.tissues, report);
     if (const Node* node = map.find("fracture"))
@@ -139,6 +194,10 @@ text::Result<Anatomy> sound(text::Result<AnatomyDraft> draft) {
 text::Result<AnatomyDraft> read_anatomy_draft(const std::string& file) {
     text::Result<std::string> text = read_text_file(file);
     return text ? draft_of_text(file, *std::move(text)) : text.diagnostics();
+}
+
+text::Result<AnatomyDraft> read_anatomy_draft_text(const std::string& file, std::string text) {
+    return draft_of_text(file, std::move(text));
 }
 
 text::Result<Anatomy> read_anatomy(const std::string& file) { return sound(read_anatomy_draft(file)); }

@@ -28,6 +28,9 @@ struct AnatomyDraft {
 /// the file holds no anatomy at all.   [main]
 text::Result<AnatomyDraft> read_anatomy_draft(const std::string& file);
 
+/// Reads an anatomy from text in memory as `read_anatomy_draft` does.   [main]
+text::Result<AnatomyDraft> read_anatomy_draft_text(const std::string& file, std::string text);
+
 /// Returns a place in an anatomy, as a reason. `keys` lead into the document, each within the one before; the place is
 /// that of the last one that exists: the value if it is a single one, else the key. Without any key it is the whole
 /// file.   [main]

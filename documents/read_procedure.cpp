@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "documents/made/read_request.h"
 #include "documents/names.h"
 #include "documents/patch.h"
 #include "documents/procedure_context.h"
@@ -133,8 +134,11 @@ private:
         });
         read_section("needs", shapes::needs);
         // Inside the document's folder, so that a procedure can be handed on, and cannot reach for other files.
-        if (const Node* node = map_.find("anatomy"))
-            procedure_.anatomy_name = read_path(*node, node->key, "the document's own folder", report_);
+        const Node* anatomy = map_.find("anatomy");
+        if (anatomy != nullptr && anatomy->kind == Node::Kind::map)
+            procedure_.made = read_make_request(*anatomy, "anatomy", report_);
+        else if (anatomy != nullptr)
+            procedure_.anatomy_name = read_path(*anatomy, anatomy->key, "the document's own folder", report_);
         if (!procedure_.anatomy_name.empty())
             procedure_.anatomy_file =
                 (std::filesystem::path(document.file()).parent_path() / procedure_.anatomy_name).generic_string();

@@ -124,7 +124,7 @@ struct Mirror {
 
 /// Returns a part on the other side of the plane x = 0.
 PhantomPart mirrored(PhantomPart part) {
-    part.id += "_mirrored";
+    part.id = mirrored_id(part.id);
     std::visit(Mirror{}, part.solid);
     return part;
 }

@@ -32,6 +32,9 @@ void read_ends(MapReader& map, Ends& ends, const std::string& name) {
 /// Reads a list of solids, as of a tissue.   [main]
 [[nodiscard]] std::vector<Solid> read_solids(const Node& node, const std::string& name, Report& report);
 
+/// Returns the id of the mirror image of a part.
+[[nodiscard]] inline std::string mirrored_id(const std::string& id) { return id + "_mirrored"; }
+
 /// Reads the solids that a phantom or an implant is made of. `where` is their name in messages.   [main]
 [[nodiscard]] std::vector<PhantomPart> read_parts(const Node& node, const std::string& where, Report& report);
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "documents/made/make_bone.h"
+#include "documents/made/vertebra_dimensions.h"
 #include "documents/shapes/shapes.h"
 #include "documents/signal_need.h"
 #include "text/quantity.h"
@@ -103,8 +105,21 @@ private:
         if (&shape == &shapes::instrument) add_components(schema["properties"], groups);
         if (&shape == &shapes::signal_bound || &shape == &shapes::signal_goal)
             add_signals(schema["properties"], groups);
+        if (&shape == &shapes::made_bone) schema["properties"]["set"].update(of_dimensions());
         if (!groups.empty()) schema["allOf"] = std::move(groups);
         return schema;
+    }
+
+    /// The dimensions of a made bone.
+    static Json of_dimensions() {
+        Json properties = Json::object();
+        MakeRequest any{.kind = made_kinds().front(), .level = vertebra_levels().front()};
+        for (const Dimension& dimension : population_of(any).dimensions) {
+            Json& of = properties[dimension.name] = {{"type", "string"}};
+            of["pattern"] = text::quantity_pattern({dimension.dimension, dimension.unit});
+            of["description"] = dimension.help;
+        }
+        return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
     }
 
     Json of_key(const KeyShape& key) {
@@ -131,8 +146,10 @@ private:
                 return {{"type", scalar_types}, {"pattern", id_pattern}};
             case Kind::version:
                 return {{"type", "string"}, {"pattern", R"(^[0-9]+\.[0-9]+\.[0-9]+$)"}};
-            case Kind::path:
-                return {{"type", "string"}, {"pattern", path_pattern}};
+            case Kind::path: {
+                const Json path{{"type", "string"}, {"pattern", path_pattern}};
+                return value.shape ? Json{{"anyOf", {path, reference(*value.shape)}}} : path;
+            }
             case Kind::yes_no:
                 return {{"enum", {true, false, "true", "false"}}};
             case Kind::word: {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <variant>
 
+#include "core/field/grid/box_distance.h"
 #include "documents/superquadric.h"
 
 namespace kerf::documents {
@@ -98,8 +99,50 @@ double distance_to_any(const std::vector<Solid>& solids, Vec3 p) noexcept {
     return d;
 }
 
+namespace {
+
+/// Returns a value of a tissue at a point: those of its regions over the one that it has elsewhere.
+double value_at(const Tissue& tissue, double elsewhere, double TissueRegion::*own, Vec3 p) noexcept {
+    double value = 0.0, left = 1.0;  // weight of everything behind
+    for (const TissueRegion& region : tissue.regions) {
+        if (region.*own <= 0.0) continue;
+        double far = HUGE_VAL;
+        for (const Solid& solid : region.solids)
+            if (kerf::distance_to(bounds_of(solid), p) < region.over)
+                far = std::min(far, distance_to(solid, p, region.over));
+        const double near = std::clamp(1.0 - far / region.over, 0.0, 1.0), weight = near * near * (3.0 - 2.0 * near);
+        value += left * weight * region.*own;
+        left *= 1.0 - weight;
+        if (left <= 0.0) break;
+    }
+    return value + left * elsewhere;
+}
+
+}  // namespace
+
+double thickness_at(const Tissue& tissue, Vec3 p) noexcept {
+    return value_at(tissue, tissue.thickness, &TissueRegion::thickness, p);
+}
+
+double thinnest(const Tissue& tissue) noexcept {
+    double min = tissue.thickness;
+    for (const TissueRegion& region : tissue.regions)
+        if (region.thickness > 0.0) min = std::min(min, region.thickness);
+    return min;
+}
+
+double thickest(const Tissue& tissue) noexcept {
+    double max = tissue.thickness;
+    for (const TissueRegion& region : tissue.regions) max = std::max(max, region.thickness);
+    return max;
+}
+
+double density_at(const Tissue& tissue, Vec3 p) noexcept {
+    return value_at(tissue, tissue.density, &TissueRegion::density, p);
+}
+
 double distance_to(const Tissue& tissue, double depth, Vec3 p) noexcept {
-    const double in_shell = tissue.thickness > 0.0 ? depth - tissue.thickness : -HUGE_VAL;
+    const double in_shell = tissue.thickness > 0.0 ? depth - thickness_at(tissue, p) : -HUGE_VAL;
     return tissue.solids.empty() ? in_shell : std::max(in_shell, distance_to_any(tissue.solids, p));
 }
 

@@ -26,6 +26,15 @@ struct SuperellipsoidAxes {
 /// To the union of solids; +infinity for none.
 [[nodiscard]] double distance_to_any(const std::vector<Solid>& solids, Vec3 point) noexcept;
 
+/// Returns the thickness of a tissue's shell [m], or the density of the base [kg/m³], at a point. From one region to
+/// the rest it passes smoothly.   [any] pure.
+[[nodiscard]] double thickness_at(const Tissue& tissue, Vec3 point) noexcept;
+[[nodiscard]] double density_at(const Tissue& tissue, Vec3 point) noexcept;
+
+/// Returns the smallest and the largest thickness of a tissue's shell [m].
+[[nodiscard]] double thinnest(const Tissue& tissue) noexcept;
+[[nodiscard]] double thickest(const Tissue& tissue) noexcept;
+
 /// To where a tissue is, which is no base [m]: its shell, its solids, or what both have in common.
 /// @param depth  [m] of the place under the surface that shells lie under
 [[nodiscard]] double distance_to(const Tissue& tissue, double depth, Vec3 point) noexcept;

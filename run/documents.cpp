@@ -10,6 +10,7 @@
 #include "bone/import/data_file.h"
 #include "bone/import/markups.h"
 #include "documents/check_needs.h"
+#include "documents/made/make_bone.h"
 #include "documents/read_anatomy.h"
 #include "documents/yaml/document.h"
 #include "documents/yaml/read_map.h"
@@ -192,14 +193,21 @@ std::string find_anatomy(const DocumentRequest& request, const documents::Proced
     return {};
 }
 
+/// Makes an anatomy. Messages give its name in place of a file.
+text::Result<documents::AnatomyDraft> read_made(const documents::MakeRequest& request) {
+    documents::MadeBone bone = documents::make_bone(request);
+    return documents::read_anatomy_draft_text(bone.name, std::move(bone.text));
+}
+
 /// Returns the readable part of the anatomy; nothing if it cannot be read at all.
 std::optional<documents::AnatomyDraft> read_the_anatomy(const DocumentRequest& request,
                                                         const documents::Procedure& procedure,
                                                         text::Diagnostics& diagnostics) {
-    const std::string file = find_anatomy(request, procedure, diagnostics);
-    if (file.empty()) return std::nullopt;
+    const bool is_made = request.anatomy.empty() && procedure.made.has_value();
+    const std::string file = is_made ? "" : find_anatomy(request, procedure, diagnostics);
+    if (file.empty() && !is_made) return std::nullopt;
     const std::size_t first = diagnostics.size();
-    auto draft = documents::read_anatomy_draft(file).take(diagnostics);
+    auto draft = (is_made ? read_made(*procedure.made) : documents::read_anatomy_draft(file)).take(diagnostics);
     const auto document = documents::document_of(procedure);
     const documents::Node* node = document->root.find("anatomy");
     if (request.anatomy.empty() && node != nullptr)

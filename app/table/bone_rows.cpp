@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/table/parameters.h"
 #include "app/table/rows.h"
+#include "documents/made/vertebra_dimensions.h"
 
 namespace kerf::app::table {
 
@@ -51,30 +52,58 @@ std::vector<Command> bone_commands() {
         rows.push_back(
             {.name = "anatomy",
              .group = "Bones",
-             .summary = "`kerf anatomy check A.yaml --for P.yaml`: check an anatomy with its bone and a procedure",
+             .summary = "Check an anatomy with its bone and a procedure, or make one from published dimensions",
              .arguments = {{.name = "ACTION",
-                            .value = one_of("", {"check"}),
-                            .help = "check",
+                            .value = one_of("", {"check", "make"}),
+                            .help = "check or make",
                             .is_required = true,
                             .member = in<T>(&T::action)},
                            {.name = "ANATOMY",
                             .value = yaml(),
-                            .help = "YAML file of the anatomy",
+                            .help = "check: YAML file of the anatomy; make: the kind of bone, `vertebra`",
                             .is_required = true,
                             .member = in<T>(&T::anatomy)}},
              .options = {{.name = "--for",
                           .value = yaml("PROCEDURE"),
-                          .help = "Procedure that the anatomy is for",
-                          .is_required = true,
+                          .help = "check: procedure that the anatomy is for; needed",
                           .member = in<T>(&T::procedure)},
-                         format_of<T>({"text", "json", "github"}, "text (default), json or github")},
-             .when_missing =
-                 "which anatomy, for which procedure? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`.",
+                         format_of<T>({"text", "json", "github"}, "check: text (default), json or github"),
+                         {.name = "--level",
+                          .value = one_of("LEVEL", documents::vertebra_levels()),
+                          .help = "make: level of the vertebra",
+                          .member = in<T>(&T::level)},
+                         {.name = "--sex",
+                          .value = one_of("SEX", {"f", "m"}),
+                          .help = "make: f or m",
+                          .default_value = "drawn with a seed; otherwise the mean of both",
+                          .member = in<T>(&T::sex)},
+                         {.name = "--height",
+                          .value = text("HEIGHT", "a length, as in `--height \"165 cm\"`"),
+                          .help = "make: of the person; sizes follow it",
+                          .member = in<T>(&T::height)},
+                         {.name = "--age",
+                          .value = text("YEARS", "a number of years, as in `--age 70`"),
+                          .help = "make: of the person; the density follows it",
+                          .default_value = "45",
+                          .member = in<T>(&T::age)},
+                         flag("--osteoporosis", "make: with the density of osteoporosis", in<T>(&T::is_osteoporotic)),
+                         settings_of<T>("make: Set a dimension, as in `--set pedicle.width=6mm`; may be repeated"),
+                         {.name = "--seed",
+                          .value = text("SEED", "a whole number, as in `--seed 7`"),
+                          .help = "make: number of the person whose bone is drawn",
+                          .default_value = "none: mean dimensions",
+                          .member = in<T>(&T::seed)},
+                         out_of<T>(file("a file, as in `--out bone.yaml`", ".yaml"),
+                                   "make: write the anatomy to this file", "standard output")},
+             .when_missing = "what? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`, or `kerf anatomy "
+                             "make vertebra --level L3`.",
              .examples = {{"kerf anatomy check my-bone.yaml --for pedicle-screw.yaml",
-                           "checks your anatomy with a shipped procedure"}},
+                           "checks your anatomy with a shipped procedure"},
+                          {"kerf anatomy make vertebra --level L4 --seed 7 -o made.yaml",
+                           "draws the fourth lumbar vertebra of person 7"}},
              .footer = "Exit code: 0 clean, 2 errors.",
              .defaults = T{},
-             .run = with_environment(&commands::check_anatomy)});
+             .run = with_environment(&commands::anatomy)});
     }
     return rows;
 }

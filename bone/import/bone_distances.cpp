@@ -123,7 +123,7 @@ void WithoutCavities::fill(const BrickLattice& lattice, DistanceRange needed, Br
 
 /// A shell of thickness t ends at depth t under the face. The border's distance is depth − t, the face's is −depth.
 DistanceRange TissueBorder::of_face(DistanceRange needed) const noexcept {
-    return {-(tissue_->thickness + needed.high), -(tissue_->thickness + needed.low)};
+    return {-(documents::thickest(*tissue_) + needed.high), -(documents::thinnest(*tissue_) + needed.low)};
 }
 
 double TissueBorder::at(Vec3 p, DistanceRange needed) {

@@ -21,6 +21,7 @@
 #include "bone/import/voxel_density.h"
 #include "bone/import/voxel_distance.h"
 #include "documents/read_anatomy.h"
+#include "documents/solids.h"
 #include "text/printable.h"
 
 namespace kerf::bone {
@@ -371,7 +372,7 @@ std::optional<CtBone> made(const documents::Anatomy& written, const Sources& sou
     const BoneMask mask = mask_at(ct.threshold, blank, anatomy, notes);
     bone.voxels = mask.count();
     double cortex = 0.0;
-    for (const auto& tissue : anatomy.tissues) cortex += tissue.thickness;
+    for (const auto& tissue : anatomy.tissues) cortex += documents::thickest(tissue);
     VoxelDistance found = distance_in_voxels(mask, ct.threshold, cortex + around_border);
     bone.distance = std::move(found.distance);
     notes.push_back("Border: between the voxels where the values cross " + rounded(ct.threshold, 0) + ", at " +

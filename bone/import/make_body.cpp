@@ -240,7 +240,10 @@ void note_tissues_and_axes(const documents::Anatomy& anatomy, const Body& body, 
         const Material& material = body.materials[static_cast<std::size_t>(&tissue - anatomy.tissues.data())];
         std::string note = "Tissue " + tissue.id + ": ";
         if (is_base) note += "what the others leave";
-        if (tissue.thickness > 0.0) note += rounded(tissue.thickness * 1e3, 2) + " mm, prescribed, not measured";
+        if (tissue.thickness > 0.0) {
+            const std::string min = rounded(thinnest(tissue) * 1e3, 2), max = rounded(thickest(tissue) * 1e3, 2);
+            note += (min == max ? max : min + " to " + max) + " mm, prescribed, not measured";
+        }
         if (!tissue.solids.empty())
             note += (tissue.thickness > 0.0 ? ", within " : "within ") + std::to_string(tissue.solids.size()) +
                     (tissue.solids.size() == 1 ? " solid" : " solids");
@@ -335,6 +338,22 @@ void set_scan_density(const CtBone& ct, const documents::DensityLine& line, cons
     if (!material.densities.is_empty()) material.density = material.densities.largest();
 }
 
+bool varies_in_density(const documents::Tissue& tissue) {
+    return std::any_of(tissue.regions.begin(), tissue.regions.end(),
+                       [](const documents::TissueRegion& region) { return region.density > 0.0; });
+}
+
+/// Sets the density of a tissue by its regions.
+void set_region_density(const documents::Tissue& tissue, bool is_base, const Body& body, Material& material) {
+    const auto may_hold = [&](std::size_t brick) {
+        return is_base ? may_hold_base(body, brick)
+                       : !body.surface.is_all_air(brick) && !material.border.is_all_air(brick);
+    };
+    material.densities =
+        DensityField::build(body.grid(), may_hold, [&](Vec3 p) { return documents::density_at(tissue, p); });
+    if (!material.densities.is_empty()) material.density = material.densities.largest();
+}
+
 constexpr const char* sheet_note =
     "Between the outside and a room in it the bone is thinner than three voxels: each side has a field of its own. "
     "Under one voxel, volumes and the exported surface lose it.";
@@ -367,7 +386,9 @@ text::Result<Body> make_body(const documents::Anatomy& written, double spacing, 
     const bool is_part = ct || (mesh && mesh->is_part);
     if (is_part) body.region = {bounds.low, bounds.high};
     BoneDistances distances(anatomy, ct ? &*ct : nullptr, mesh ? &*mesh : nullptr, spacing, body.region);
-    const bool has_densities = ct && anatomy.ct->density;
+    const bool has_scan_densities = ct && anatomy.ct->density;
+    const bool has_densities =
+        has_scan_densities || std::any_of(anatomy.tissues.begin(), anatomy.tissues.end(), varies_in_density);
     if (!check_memory(bounds, spacing, distances.borders(), has_densities, anatomy, diagnostics)) return diagnostics;
 
     const double margin = 6.0 * spacing;
@@ -396,10 +417,11 @@ text::Result<Body> make_body(const documents::Anatomy& written, double spacing, 
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
-        if (is_base && has_densities) set_scan_density(*ct, *anatomy.ct->density, body, material);
+        if (is_base && has_scan_densities) set_scan_density(*ct, *anatomy.ct->density, body, material);
         if (!is_base)
             material.border =
                 field_of(distances.border(body.materials.size()), "distances to the border of " + tissue.id);
+        if (varies_in_density(tissue)) set_region_density(tissue, is_base, body, material);
         body.materials.push_back(std::move(material));
     }
     check_landmarks(anatomy, body, diagnostics);

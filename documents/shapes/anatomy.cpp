@@ -15,6 +15,17 @@ const MapShape<Anatomy> anatomy_metadata{
     {{required, "id", &Anatomy::id, id(), "The name that results use.", "vertebra-phantom"},
      {required, "title", &Anatomy::title, text(), "The name that people read.", "Third lumbar vertebra"}}};
 
+const MapShape<TissueRegion> tissue_region{
+    "tissue_region",
+    "A region in which a tissue differs. The first one has precedence.",
+    {{one_of, "part", id(), "A part of the phantom.", "body"},
+     {one_of, "solids", list(map(tissue_solid)), "The union of these.",
+      "[{sphere: {centre: 0 0 0 mm, radius: 12 mm}}]"},
+     {any_of, "thickness", length(0.1_mm, 20.0_mm), "Of the shell there.", "0.45 mm"},
+     {any_of, "density", density(0.05_g_per_cm3, 3.0_g_per_cm3), "Of the tissue there.", "1.7 g/cm3"},
+     {optional, "over", &TissueRegion::over, length(0.1_mm, 50.0_mm),
+      "The distance outside it across which it passes into the rest.", "2 mm", "2 mm"}}};
+
 const MapShape<Tissue> tissue{
     "tissue",
     "The tissues of bone: shells from the surface inwards, or solids. The first one has precedence, the "
@@ -28,6 +39,8 @@ const MapShape<Tissue> tissue{
       "[{tube: {from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}}]"},
      {optional, "density", density(0.05_g_per_cm3, 3.0_g_per_cm3),
       "Needed, unless `ct.density` gives it to the last tissue.", "1.85 g/cm3"},
+     {optional, "regions", list(map(tissue_region)), "Where its thickness or its density differs.",
+      "[{solids: [{sphere: {centre: 0 0 0 mm, radius: 12 mm}}], thickness: 0.45 mm}]"},
      {optional, "source", &Tissue::source, text(), "The source of its figures.", "Silva et al. 1994."}}};
 
 const MapShape<Fracture> fracture_turn{

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "documents/made/make_bone.h"
+#include "documents/made/vertebra_dimensions.h"
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
@@ -75,6 +77,24 @@ const MapShape<ScoredMetric> scored_metric{
      {optional, "weight", &ScoredMetric::weight, number(0.0, 1000.0), "How much it counts beside the others.", "2",
       "1"}}};
 
+const MapShape<MakeRequest> made_bone{
+    "made_bone",
+    "A bone made from published dimensions.",
+    {{required, "make", &MakeRequest::kind, word(made_kinds()), "Its kind.", "vertebra"},
+     {required, "level", &MakeRequest::level, word(vertebra_levels()), "The level of a vertebra.", "L3"},
+     {optional, "sex", &MakeRequest::sex,
+      choice<MakeRequest::Sex>({{"f", MakeRequest::Sex::female}, {"m", MakeRequest::Sex::male}}),
+      "If not given, drawn; without a seed the mean of both.", "f"},
+     {optional, "height", &MakeRequest::stature, quantity(dimension::length, "cm", 1.3_m, 2.2_m), "Of the person.",
+      "165 cm"},
+     {optional, "age", &MakeRequest::age, number(20.0, 100.0), "Of the person, in years; it sets the density.", "70",
+      "45"},
+     {optional, "osteoporosis", &MakeRequest::is_osteoporotic, yes_no(), "It sets the density.", "true", "false"},
+     {optional, "seed", number(0.0, 999999.0),
+      "Number of the person: a whole number. Without it the bone has mean dimensions.", "7"},
+     {optional, "set", of_kind(Kind::parameters), "Dimensions that are not drawn; `kerf describe vertebra` lists them.",
+      "{pedicle.width: 8 mm}"}}};
+
 const Shape procedure{
     "procedure",
     "An operation, in terms of an anatomy's names.",
@@ -84,8 +104,9 @@ const Shape procedure{
       "{id: hole, title: A hole, version: 0.1.0, status: draft}"},
      {required, "needs", map(needs), "What the anatomy must have.",
       "{landmarks: [right_pedicle, midline, other_end], zones: [canal]}"},
-     {required, "anatomy", path(),
-      "The anatomy that it runs on without `--anatomy`: a file in this document's folder, or a shipped one.",
+     {required, "anatomy", path_or(made_bone),
+      "The anatomy that it runs on without `--anatomy`: a file in this document's folder, a shipped one, or a bone to "
+      "make.",
       "anatomy/vertebra-phantom.yaml"},
      {optional, "accuracy", map(accuracy), "The accuracy that the simulation needs.", "{spacing: 0.25 mm}"},
      {optional, "budget", map(budget), "The processor time that the simulation may use.", "{tick: 300 us}"},

@@ -15,6 +15,7 @@ namespace kerf::documents::shapes {
 extern const MapShape<Procedure> metadata, needs, accuracy, budget, haptics;
 extern const MapShape<Variant> variant;
 extern const MapShape<ScoredMetric> scored_metric;
+extern const MapShape<MakeRequest> made_bone;
 extern const Shape procedure;
 
 // instrument.cpp
@@ -77,6 +78,7 @@ extern const MapShape<MarkupsFile> markups;
 
 // anatomy.cpp
 extern const MapShape<Anatomy> anatomy_metadata;
+extern const MapShape<TissueRegion> tissue_region;
 extern const MapShape<Tissue> tissue;
 extern const MapShape<Fracture> fracture_turn, fracture;
 extern const Shape anatomy;

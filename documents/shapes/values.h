@@ -39,6 +39,8 @@ ChoiceOf<V> choice(const Words& words) {
     return shape;
 }
 
+inline ValueShape path_or(const Shape& shape) { return {.kind = Kind::path, .shape = &shape}; }
+
 inline ValueShape map(const Shape& shape) { return {.kind = Kind::map, .shape = &shape}; }
 template <class U>
 MapOf<U> map(const MapShape<U>& table, const char* name = "") {

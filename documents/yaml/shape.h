@@ -19,7 +19,7 @@ struct ValueShape {
         text,        ///< anything, in words
         id,          ///< one word of letters, digits, `.`, `_` and `-`
         version,     ///< `0.1.0`
-        path,        ///< of a file, relative
+        path,        ///< of a file, relative; or the map `shape`, if there is one
         yes_no,      ///< `true` or `false`
         word,        ///< one of `words`; or the map `shape`, if there is one
         quantity,    ///< a number and its unit, as `need` says
@@ -29,7 +29,7 @@ struct ValueShape {
         list,        ///< of `item`, not empty
         named,       ///< a map of `item` under ids that the author chooses
         renamed,     ///< a map of any names to ids
-        parameters,  ///< of the instrument's tool and force: their plugin says which there are
+        parameters,  ///< of the instrument's tool and force, or of a made bone: plugin or kind define them
         drives,      ///< of the instrument's tool, likewise
         patch,       ///< of the procedure itself: the paths of values, and what they are instead
         of_signal,   ///< a number in the unit of a signal: the step's law declares it

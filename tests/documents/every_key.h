@@ -51,6 +51,7 @@ private:
         for (const KeyShape& key : shape.keys)
             if (key.presence == Presence::one_of) names.push_back(key.name);
         // The two ways of an implant must not go with the two ways of the canal in its mesh.
+        if (&shape == &shapes::tissue_region && chosen_of(shapes::anatomy) != "phantom") return "solids";
         if (&shape == &shapes::implant) return names[choice / 12 % names.size()];
         return names[way(names.size(), &shape == &shapes::anatomy)];
     }
@@ -98,6 +99,8 @@ private:
                                         shape.item[0].kind != Kind::text && shape.item[0].kind != Kind::label);
         if (shape.kind == Kind::word && shape.shape != nullptr)
             return way(2, false) == 0 ? map(*shape.shape, levels) : shape.words[0];
+        if (shape.kind == Kind::path && shape.shape != nullptr)
+            return choice / 3 % 2 == 0 ? example : map(*shape.shape, levels);
         if (!has_maps) return example;
         if (shape.kind == Kind::map) return map(*shape.shape, levels);
         if (shape.kind == Kind::list) {

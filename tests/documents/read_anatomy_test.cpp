@@ -44,6 +44,36 @@ void expect_refused(text::Code code, std::string_view from, std::string_view to)
     expect_only(code, marked, diagnostics);
 }
 
+TEST(ReadAnatomy, ReadsRegionsOfTissues) {
+    text::Diagnostics diagnostics;
+    std::string text =
+        replaced(faultless, "{id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3, source: A book.}",
+                 "{id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3, regions: [{part: body, thickness: "
+                 "0.5 mm, over: 1 mm}]}");
+    text =
+        replaced(text, "density: 0.25 g/cm3}",
+                 "density: 0.25 g/cm3, regions: [{solids: [{sphere: {centre: 0 0 0 mm, radius: 5 mm}}], density: 0.2 "
+                 "g/cm3}]}");
+    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", text).take(diagnostics);
+    ASSERT_TRUE(anatomy) << to_text(diagnostics);
+    const TissueRegion& shell = anatomy->tissues.at(0).regions.at(0);
+    EXPECT_EQ(std::get<BoxSolid>(shell.solids.at(0)).size.x, 40.0_mm);
+    EXPECT_EQ(shell.thickness, 0.5_mm);
+    EXPECT_EQ(shell.over, 1.0_mm);
+    EXPECT_EQ(anatomy->tissues.at(1).regions.at(0).density, 200.0);
+}
+
+TEST(ReadAnatomy, RefusesRegionsThatSayNothing) {
+    const std::string cortical = "{id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3, source: A book.}";
+    const auto with_region = [](const std::string& region) {
+        return "{id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3, regions: [" + region + "]}";
+    };
+    expect_refused(text::Code::unknown_word, cortical, with_region("{part: «bodi», thickness: 1 mm}"));
+    expect_refused(text::Code::missing_key, cortical, with_region("«{»part: body}"));
+    expect_refused(text::Code::degenerate, "density: 0.25 g/cm3}",
+                   "density: 0.25 g/cm3, regions: [{part: body, density: 0.2 g/cm3, «thickness»: 1 mm}]}");
+}
+
 TEST(ReadAnatomy, GivesSiValues) {
     text::Diagnostics diagnostics;
     const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless).take(diagnostics);

@@ -41,5 +41,23 @@ TEST(SphereSolid, HasTheVolumeOfASphere) {
     EXPECT_NEAR(volume / exact, 1.0, 1e-3 /* counted in cubes of 0.5 mm */);
 }
 
+TEST(TissueRegion, PassesSmoothlyIntoTheRest) {
+    Tissue tissue;
+    tissue.thickness = 1.0_mm;
+    tissue.density = 300.0;
+    tissue.regions = {{{SphereSolid{{0, 0, 0}, 10.0_mm}}, 2.0_mm, 0.4_mm, 0.0},
+                      {{SphereSolid{{10.0_mm, 0, 0}, 10.0_mm}}, 2.0_mm, 0.8_mm, 200.0}};
+    EXPECT_DOUBLE_EQ(thickness_at(tissue, {0, 5.0_mm, 0}), 0.4_mm);
+    EXPECT_DOUBLE_EQ(thickness_at(tissue, {8.0_mm, 0, 0}), 0.4_mm) << "the first region has precedence";
+    EXPECT_DOUBLE_EQ(thickness_at(tissue, {15.0_mm, 0, 0}), 0.8_mm);
+    EXPECT_NEAR(thickness_at(tissue, {-11.0_mm, 0, 0}), 0.7_mm, 1e-9) << "half way";
+    EXPECT_NEAR(thickness_at(tissue, {11.0_mm, 0, 0}), 0.6_mm, 1e-9) << "half of the first over the second";
+    EXPECT_DOUBLE_EQ(thickness_at(tissue, {-13.0_mm, 0, 0}), 1.0_mm);
+    EXPECT_DOUBLE_EQ(density_at(tissue, {0, 0, 0}), 200.0) << "the first has no density of its own";
+    EXPECT_DOUBLE_EQ(density_at(tissue, {-5.0_mm, 0, 0}), 300.0);
+    EXPECT_DOUBLE_EQ(thinnest(tissue), 0.4_mm);
+    EXPECT_DOUBLE_EQ(thickest(tissue), 1.0_mm);
+}
+
 }  // namespace
 }  // namespace kerf::documents

@@ -72,5 +72,29 @@ TEST(MakeBody, PutsATissueWhereItsSolidsAre) {
     EXPECT_NE(report.notes.at(1).find("within 1 solid;"), std::string::npos) << report.notes.at(1);
 }
 
+TEST(MakeBody, MakesShellAndDensityByRegion) {
+    // Given a block whose shell is thin, and whose inside is light, where x is positive
+    documents::Anatomy anatomy = shelled_block();
+    const documents::Solid half = documents::BoxSolid{{20.0_mm, 0, 0}, {40.0_mm, 80.0_mm, 80.0_mm}};
+    anatomy.tissues[0].regions = {{{half}, 1.0_mm, 0.5_mm, 0.0}};
+    anatomy.tissues[1].regions = {{{half}, 1.0_mm, 0.0, 150.0}};
+    text::Diagnostics diagnostics;
+    ImportReport report;
+    const auto body = make_body(anatomy, 0.25_mm, &report).take(diagnostics);
+    ASSERT_TRUE(body) << to_text(diagnostics);
+    const auto to_border = [&](Vec3 at) { return body->materials[0].border.at(locate(*body, at)); };
+    const auto density = [&](Vec3 at) { return body->materials[1].densities.at(locate(*body, at), -1.0); };
+    for (const double x : {3.0_mm, 6.0_mm}) {
+        EXPECT_NEAR(to_border({x, 0, 9.2_mm}), 0.3_mm, 0.02_mm) << "0.8 mm deep, under a shell of 0.5 mm";
+        EXPECT_NEAR(to_border({-x, 0, 8.2_mm}), -0.2_mm, 0.02_mm) << "1.8 mm deep, in a shell of 2 mm";
+        EXPECT_NEAR(density({x, 0, 0}), 150.0, 0.01);
+        EXPECT_NEAR(density({-x, 0, 0}), 250.0, 0.01);
+    }
+    EXPECT_NEAR(density({-0.5_mm, 0, 0}), 200.0, 2.0) << "half way";
+    EXPECT_DOUBLE_EQ(body->materials[1].density, 250.0) << "the largest, which limits are checked with";
+    EXPECT_NE(report.notes.at(1).find("0.50 to 2.00 mm"), std::string::npos) << report.notes.at(1);
+    EXPECT_NE(report.notes.at(2).find("density by place"), std::string::npos) << report.notes.at(2);
+}
+
 }  // namespace
 }  // namespace kerf::bone

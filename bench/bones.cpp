@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made bones: the dimensions that are drawn against their source, and the dimensions of the bone against the requested
+// ones.
+//
+//     bench_bones [FOLDER]   prints the tables; writes bones-vertebrae.png
+//
+// About a minute. For training and research; not for diagnosis, planning or deciding treatment.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/preview/png.h"
+#include "app/preview/view.h"
+#include "bench/into_folder.h"
+#include "bone/import/make_body.h"
+#include "documents/made/make_bone.h"
+#include "documents/made/vertebra_dimensions.h"
+#include "documents/read_anatomy.h"
+#include "text/write_file.h"
+
+namespace {
+
+using namespace kerf;
+using documents::Dimension;
+using documents::MakeRequest;
+using Sex = MakeRequest::Sex;
+
+MakeRequest vertebra(const std::string& level, Sex sex = Sex::unsaid) {
+    MakeRequest request;
+    request.kind = "vertebra";
+    request.level = level;
+    request.sex = sex;
+    return request;
+}
+
+/// Mean and standard deviation of drawn values against those of the source.
+void print_draws() {
+    constexpr std::uint32_t people = 10000;
+    std::printf("10 000 draws of each level and sex: the dimension farthest from its source\n");
+    std::printf("level sex  redrawn [%%]  mean off by [%% of the mean]            SD off by [%%]\n");
+    for (const std::string& level : documents::vertebra_levels())
+        for (const Sex sex : {Sex::female, Sex::male}) {
+            const MakeRequest request = vertebra(level, sex);
+            const documents::Population population = documents::vertebra_population(request);
+            std::map<std::string, std::array<double, 2>> sums;
+            int redrawn = 0;
+            for (std::uint32_t seed = 0; seed < people; ++seed) {
+                MakeRequest person = request;
+                person.seed = seed;
+                const documents::DrawnBone bone = draw_bone(population, person);
+                redrawn += bone.redraws > 0;
+                for (const Dimension& d : population.dimensions) {
+                    const double off = bone.values[d.name] - d.mean;
+                    sums[d.name][0] += off / people, sums[d.name][1] += off * off / people;
+                }
+            }
+            std::string of_mean, of_sd;
+            double worst_mean = 0.0, worst_sd = 0.0;
+            for (const Dimension& d : population.dimensions) {
+                const auto [mean, square] = sums[d.name];
+                const bool is_angle = d.unit == "deg";  // whose mean may be 0
+                const double off = is_angle ? 0.0 : 100.0 * mean / d.mean;
+                const double sd_off = 100.0 * (std::sqrt(square - mean * mean) / d.sd - 1.0);
+                if (std::abs(off) > std::abs(worst_mean)) worst_mean = off, of_mean = d.name;
+                if (std::abs(sd_off) > std::abs(worst_sd)) worst_sd = sd_off, of_sd = d.name;
+            }
+            std::printf("%-5s %-4s %8.1f      %+5.1f  %-28s  %+5.1f  %s\n", level.c_str(),
+                        sex == Sex::female ? "f" : "m", 100.0 * redrawn / people, worst_mean, of_mean.c_str(), worst_sd,
+                        of_sd.c_str());
+        }
+}
+
+/// Dimensions measured on bones against the requested ones.
+void print_measures() {
+    constexpr std::uint32_t people = 50;
+    struct Off {
+        double sum = 0.0, worst = 0.0;
+        int within = 0, count = 0;
+        std::string unit{};
+    };
+    std::map<std::string, Off> offs;
+    for (const std::string& level : documents::vertebra_levels())
+        for (std::uint32_t seed = 0; seed < people; ++seed) {
+            MakeRequest request = vertebra(level);
+            request.seed = seed;
+            const documents::MadeBone bone = make_bone(request);
+            for (const documents::MeasuredDimension& measured : bone.measured) {
+                const auto d = std::find_if(bone.population.dimensions.begin(), bone.population.dimensions.end(),
+                                            [&](const Dimension& one) { return one.name == measured.name; });
+                const bool is_angle = d->unit == "deg";
+                const double off = (measured.value - bone.drawn.values[measured.name]) *
+                                   (is_angle ? 180.0 / 3.14159265358979323846 : 1e3);
+                Off& all = offs[measured.name];
+                all.unit = d->unit;
+                all.sum += off;
+                if (std::abs(off) > std::abs(all.worst)) all.worst = off;
+                all.within += std::abs(off) <= (is_angle ? 1.0 : 0.5);
+                ++all.count;
+            }
+        }
+    std::printf("\n50 people at each level: measured less requested\n");
+    std::printf("dimension                      mean   worst         within 0.5 mm or 1 deg [%%]\n");
+    for (const auto& [name, off] : offs)
+        std::printf("%-28s %+6.2f  %+6.2f  %-4s  %5.0f\n", name.c_str(), off.sum / off.count, off.worst,
+                    off.unit.c_str(), 100.0 * off.within / off.count);
+}
+
+/// Returns a bone from one side.
+app::Picture picture_of(const MakeRequest& request, Vec3 right, Vec3 up) {
+    constexpr double spacing = 0.5e-3, width = 0.105;
+    constexpr int height = 250;
+    const documents::MadeBone made = make_bone(request);
+    text::Diagnostics diagnostics;
+    auto anatomy = documents::read_anatomy_text(made.name, made.text).take(diagnostics);
+    if (!anatomy) throw std::runtime_error(to_text(diagnostics));
+    anatomy->zones.clear();
+    run::Scene scene;
+    auto body = bone::make_body(*anatomy, spacing).take(diagnostics);
+    if (!body) throw std::runtime_error(to_text(diagnostics));
+    scene.body = std::move(*body);
+    scene.anatomy = std::move(*anatomy);
+    app::View view{"", {0, 0.026, -0.002}, right, up, width, 240, height};
+    return from_outside(view, scene, {});
+}
+
+void put(const app::Picture& one, int column, int row, app::Picture& sheet) {
+    for (int y = 0; y < one.height; ++y)
+        std::copy_n(one.rgb.begin() + 3 * y * one.width, 3 * one.width,
+                    sheet.rgb.begin() + 3 * ((row * one.height + y) * sheet.width + column * one.width));
+}
+
+void draw_family(const std::string& folder) {
+    struct Side {
+        Vec3 right, up;
+    };
+    constexpr std::array sides{Side{{-1, 0, 0}, {0, -1, 0}}, Side{{0, 1, 0}, {0, 0, 1}}, Side{{-1, 0, 0}, {0, 0, 1}}};
+    const std::vector<std::string> levels{"L1", "L2", "L3", "L4", "L5"};
+    app::Picture sheet(5 * 240, 4 * 250);
+    for (int column = 0; column < 5; ++column) {
+        const MakeRequest mean = vertebra(levels[static_cast<std::size_t>(column)]);
+        for (int row = 0; row < 3; ++row) {
+            const Side& side = sides[static_cast<std::size_t>(row)];
+            put(picture_of(mean, side.right, side.up), column, row, sheet);
+        }
+        MakeRequest person = vertebra("L3");
+        person.seed = static_cast<std::uint32_t>(column) + 1;
+        put(picture_of(person, sides[0].right, sides[0].up), column, 3, sheet);
+    }
+    const std::string file = folder + "/bones-vertebrae.png";
+    if (const std::string error = text::write_file(file, png_of(sheet)); !error.empty())
+        throw std::runtime_error(error);
+    std::printf("\nwrote %s\n", file.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run_into_folder(argc, argv, [](const std::string& folder) {
+        print_draws();
+        print_measures();
+        if (!folder.empty()) draw_family(folder);
+        return 0;
+    });
+}
