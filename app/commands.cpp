@@ -119,6 +119,12 @@ ExitCode import(const ImportSourceOptions& options, const Environment& /*with*/)
 namespace {
 
 ExitCode check_anatomy(const AnatomyOptions& options, const Environment& with) {
+    const bool has_options_of_make = !options.level.empty() || !options.sex.empty() || !options.height.empty() ||
+                                     !options.age.empty() || !options.seed.empty() || options.is_osteoporotic ||
+                                     !options.settings.empty() || !options.out.empty();
+    if (has_options_of_make)
+        return complain("`kerf anatomy check` takes `--for` and `--format` alone. The other options belong to `make`.",
+                        exit_bad_input);
     if (options.procedure.empty())
         return complain("for which procedure? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`.",
                         exit_bad_input);
@@ -133,6 +139,8 @@ ExitCode check_anatomy(const AnatomyOptions& options, const Environment& with) {
 }
 
 ExitCode make_anatomy(const AnatomyOptions& options) {
+    if (!options.procedure.empty())
+        return complain("`--for` belongs to `kerf anatomy check`. Remove it.", exit_bad_input);
     const text::Result<documents::MadeBone> bone = make_bone_of(options);
     if (!bone) {
         print_error(to_text(bone.diagnostics()));

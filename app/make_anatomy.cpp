@@ -43,7 +43,7 @@ std::string request_text(const AnatomyOptions& options) {
 
 text::Result<documents::MadeBone> make_bone_of(const AnatomyOptions& options) {
     text::Diagnostics diagnostics;
-    auto document = documents::parse_document("--options", request_text(options)).take(diagnostics);
+    auto document = documents::parse_document("options of kerf anatomy make", request_text(options)).take(diagnostics);
     if (!document) return diagnostics;
     documents::Report report(*document, diagnostics);
     const std::optional<documents::MakeRequest> request = documents::read_make_request(document->root, "", report);
@@ -53,9 +53,9 @@ text::Result<documents::MadeBone> make_bone_of(const AnatomyOptions& options) {
 
 std::string made_bone_text(const documents::MadeBone& bone) {
     std::string text = bone.title + "\n" + documents::table_of_dimensions(bone, "  ");
-    if (bone.request.seed)
-        text += "drawn again " + std::to_string(bone.drawn.redraws) + (bone.drawn.redraws == 1 ? " time" : " times") +
-                ", because the bone would not have been plausible\n";
+    if (bone.drawn.redraws > 0)
+        text += "Drawn again " + std::to_string(bone.drawn.redraws) + (bone.drawn.redraws == 1 ? " time" : " times") +
+                ": the dimensions contradicted each other before.\n";
     return text;
 }
 

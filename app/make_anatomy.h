@@ -9,7 +9,8 @@
 
 namespace kerf::app {
 
-/// Makes the bone that the options of `kerf anatomy make` describe. Error: what is wrong with them.   [main]
+/// Makes the bone that the options of `kerf anatomy make` describe. Error: they describe no bone that can be made.
+/// [main]
 [[nodiscard]] text::Result<documents::MadeBone> make_bone_of(const AnatomyOptions& options);
 
 /// Returns a made bone's dimensions, requested and measured, and how often it was drawn again.   [any]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `kerf rehearse`.
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -25,7 +26,7 @@ namespace kerf::app {
 
 namespace {
 
-constexpr std::uint32_t max_seeds = 1000;
+constexpr std::uint32_t max_seed = 999999, max_seeds = 1000;
 
 std::string expectation_of(const documents::Rehearsal& rehearsal) {
     if (rehearsal.expect != "fail") return rehearsal.expect;
@@ -173,62 +174,95 @@ std::optional<Seeds> read_seeds(const std::string& text) {
     if (!number(std::string_view(text).substr(0, dots), seeds.first)) return std::nullopt;
     seeds.last = seeds.first;
     if (dots != std::string::npos && !number(std::string_view(text).substr(dots + 2), seeds.last)) return std::nullopt;
-    if (seeds.last < seeds.first || seeds.last - seeds.first >= max_seeds) return std::nullopt;
+    if (seeds.last < seeds.first || seeds.last > max_seed || seeds.last - seeds.first >= max_seeds) return std::nullopt;
     return seeds;
 }
 
-/// Runs the first hand that expects to pass on the bones of several people, and prints a table. A bone that the
-/// procedure does not suit is refused, which is no failure.
+/// Returns whether an error may concern one person alone: a screw that does not fit the bone, or set dimensions that
+/// contradict the drawn ones or the sex.
+bool depends_on_person(const text::Diagnostic& d) {
+    constexpr std::array codes{text::Code::screw_too_wide, text::Code::screw_too_long, text::Code::degenerate,
+                               text::Code::out_of_range};
+    return d.level != text::Diagnostic::Level::error ||
+           std::any_of(codes.begin(), codes.end(), [&](text::Code code) { return d.code == text::code_text(code); });
+}
+
+const documents::Rehearsal* find_good_hand(const documents::Procedure& procedure) {
+    const auto& hands = procedure.rehearsals;
+    const auto found = std::find_if(hands.begin(), hands.end(),
+                                    [](const documents::Rehearsal& hand) { return hand.expect == "pass"; });
+    return found != hands.end() ? &*found : nullptr;
+}
+
+/// Numbers of people by the result of the operation.
+struct SeedCounts {
+    int passing = 0, failing = 0, refused = 0;
+};
+
+/// Prints the row of a person whose bone the procedure does not suit. Returns `exit_bad_input` if the error concerns
+/// the procedure itself.
+ExitCode print_refusal(const std::string& head, const text::Diagnostics& diagnostics, SeedCounts& counts) {
+    if (!std::all_of(diagnostics.begin(), diagnostics.end(), depends_on_person)) {
+        print_error(to_text(diagnostics));
+        return exit_bad_input;
+    }
+    const auto error = std::find_if(diagnostics.begin(), diagnostics.end(), [](const text::Diagnostic& d) {
+        return d.level == text::Diagnostic::Level::error;
+    });
+    print(head + "refused          " + text::shown(error->message) + "\n");
+    ++counts.refused;
+    return exit_pass;
+}
+
+/// Runs a good hand on one person's bone, and prints its row.
+ExitCode run_person(const std::string& head, const run::Scene& scene, const std::string& hand, const Environment& with,
+                    SeedCounts& counts) {
+    run::RunOutcome outcome;
+    if (const ExitCode code = run_hand(scene, hand, with, outcome); code != exit_pass) return code;
+    const session::RunSummary& summary = outcome.summary;
+    const bool passes = summary.verdict == session::Verdict::pass;
+    print(head + (passes ? "pass    " : "fail    ") + formatted("%6.0f  ", std::round(summary.score)) +
+          scene.anatomy.title + "\n");
+    for (const std::string& reason : summary.reasons) print(std::string(27, ' ') + text::shown(reason) + "\n");
+    ++(passes ? counts.passing : counts.failing);
+    return exit_pass;
+}
+
+/// Runs the first hand that expects to pass on the bones of several people, and prints a table. A person whose bone the
+/// procedure does not suit counts as refused, which is no failure.
 ExitCode seeds_file(const std::string& file, const Seeds& seeds, const RehearseOptions& options,
                     const Environment& with) {
-    int passing = 0, failing = 0, refused = 0;
-    for (std::uint32_t seed = seeds.first;; ++seed) {
+    const auto documents = run::check_documents(request_of(file, options, with.here), with.plugins);
+    if (!documents) {
+        print_error(to_text(documents.diagnostics()));
+        return exit_bad_input;
+    }
+    if (!documents->procedure.made)
+        return complain("`--seeds` needs a bone to make: the anatomy of " + file +
+                            " is a file. Write `anatomy: {make: vertebra, level: L3}` there, or add "
+                            "`--set \"anatomy={make: vertebra, level: L3}\"`.",
+                        exit_bad_input);
+    const documents::Rehearsal* hand = find_good_hand(documents->procedure);
+    if (hand == nullptr)
+        return complain(file + " has no rehearsal that expects to pass. Add one under `rehearsals:`, with `expect: "
+                               "pass`.",
+                        exit_bad_input);
+    SeedCounts counts;
+    print("    seed  verdict   score  bone\n");
+    for (std::uint32_t seed = seeds.first; seed <= seeds.last; ++seed) {
         RehearseOptions of_seed = options;
         of_seed.settings.push_back("anatomy.seed=" + std::to_string(seed));
         text::Diagnostics diagnostics;
         const auto scene = make_scene(file, of_seed, with).take(diagnostics);
         const std::string head = formatted("%8u  ", seed);
-        if (!scene) {
-            const auto error = std::find_if(diagnostics.begin(), diagnostics.end(), [](const text::Diagnostic& d) {
-                return d.level == text::Diagnostic::Level::error;
-            });
-            if (error == diagnostics.end() || error->code != text::code_text(text::Code::screw_too_wide)) {
-                print_error(to_text(diagnostics));
-                if (error != diagnostics.end() && error->code == text::code_text(text::Code::patch_nowhere))
-                    return complain(
-                        "`--seeds` needs a bone to make in place of a file. Write `anatomy: {make: vertebra, "
-                        "level: L3}` in " +
-                            file +
-                            ", or add `--set \"anatomy={make: vertebra, level: "
-                            "L3}\"`.",
-                        exit_bad_input);
-                return exit_bad_input;
-            }
-            print(head + "refused            " + error->message + "\n");
-            ++refused;
-        } else {
-            if (seed == seeds.first) print("    seed  verdict   score  " + scene->anatomy.title + ", and others\n");
-            const auto& hands = scene->procedure.rehearsals;
-            const auto good = std::find_if(hands.begin(), hands.end(),
-                                           [](const documents::Rehearsal& hand) { return hand.expect == "pass"; });
-            if (good == hands.end())
-                return complain(file + " has no rehearsal that expects to pass. Add one under `rehearsals:`, with "
-                                       "`expect: pass`.",
-                                exit_bad_input);
-            run::RunOutcome outcome;
-            if (const ExitCode code = run_hand(*scene, good->id, with, outcome); code != exit_pass) return code;
-            const session::RunSummary& summary = outcome.summary;
-            const bool passes = summary.verdict == session::Verdict::pass;
-            print(head + (passes ? "pass    " : "fail    ") + formatted("%6.0f  ", std::round(summary.score)) +
-                  scene->anatomy.title + "\n");
-            for (const std::string& reason : summary.reasons)
-                print("                           " + text::shown(reason) + "\n");
-            ++(passes ? passing : failing);
-        }
-        if (seed == seeds.last) break;
+        if (scene && seed == seeds.first) print_error(to_text(diagnostics));
+        const ExitCode code =
+            scene ? run_person(head, *scene, hand->id, with, counts) : print_refusal(head, diagnostics, counts);
+        if (code != exit_pass) return code;
     }
-    print(file + formatted(": %d passed, %d failed, %d refused before the run\n", passing, failing, refused));
-    return failing == 0 ? exit_pass : exit_not_passed;
+    print(file + formatted(": %d passed, %d failed, %d refused before the run\n", counts.passing, counts.failing,
+                           counts.refused));
+    return counts.failing == 0 && counts.passing > 0 ? exit_pass : exit_not_passed;
 }
 
 }  // namespace
@@ -237,15 +271,18 @@ namespace commands {
 
 ExitCode rehearse(const RehearseOptions& options, const Environment& with) {
     if (options.is_with_cheats && options.is_with_coverage)
-        return complain("`--coverage` is of the rehearsals, which `--cheats` does not run. Write one of both.",
+        return complain("`--coverage` is of the rehearsals, which `--cheats` does not run. Write one of them.",
                         exit_bad_input);
     ExitCode worst = exit_pass;
     if (!options.seeds.empty()) {
         const std::optional<Seeds> seeds = read_seeds(options.seeds);
         if (!seeds)
-            return complain("`--seeds " + text::shown(options.seeds) + "`: expected two whole numbers, at most " +
-                                std::to_string(max_seeds) + " seeds, as in `--seeds 1..20`.",
+            return complain("`--seeds` is out of range: got `" + text::shown(options.seeds) +
+                                "`, expected FIRST..LAST, at most " + std::to_string(max_seeds) + " seeds up to " +
+                                std::to_string(max_seed) + ". Write `--seeds 1..20`.",
                             exit_bad_input);
+        if (!options.anatomy.empty())
+            return complain("`--seeds` makes bones, and `--anatomy` names a file. Write one of them.", exit_bad_input);
         if (options.is_with_cheats || options.is_with_coverage)
             return complain("`--seeds` runs one good hand. Write it without `--cheats` and `--coverage`.",
                             exit_bad_input);

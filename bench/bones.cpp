@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -95,8 +96,8 @@ void print_measures() {
                 const auto d = std::find_if(bone.population.dimensions.begin(), bone.population.dimensions.end(),
                                             [&](const Dimension& one) { return one.name == measured.name; });
                 const bool is_angle = d->unit == "deg";
-                const double off = (measured.value - bone.drawn.values[measured.name]) *
-                                   (is_angle ? 180.0 / 3.14159265358979323846 : 1e3);
+                const double off =
+                    (measured.value - bone.drawn.values[measured.name]) * (is_angle ? 180.0 / std::numbers::pi : 1e3);
                 Off& all = offs[measured.name];
                 all.unit = d->unit;
                 all.sum += off;

@@ -51,11 +51,14 @@ std::vector<TissueRegion> read_regions(const Node& node, bool has_shell, const s
         if (thickness != nullptr) map.quantity("thickness", region.thickness);
         if (density != nullptr) map.quantity("density", region.density);
         if (thickness != nullptr && !has_shell)
-            report.error(text::Code::degenerate, thickness->key_span,
-                         "The tissue has no shell, so its regions have no thickness. Remove it.");
+            report.error(
+                text::Code::degenerate, thickness->key_span,
+                "`thickness` has no effect in this region: the tissue has no shell. Remove `thickness`, or give the "
+                "tissue one.");
         if (thickness == nullptr && density == nullptr)
-            report.error(text::Code::missing_key, item.span,
-                         "The region differs in nothing. Give it a `thickness`, a `density`, or both.");
+            report.error(
+                text::Code::missing_key, item.span,
+                "The region changes nothing: got neither `thickness` nor `density`, expected at least one. Write one.");
         map.finish();
         regions.push_back(std::move(region));
     }
@@ -90,7 +93,7 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, const 
         if (thickness && !is_base) map.quantity("thickness", tissue.thickness);
         if (solids && !is_base) tissue.solids = read_solids(*solids, map.name_of("solids"), report);
         if (const Node* regions = map.find("regions")) {
-            tissue.regions = read_regions(*regions, tissue.thickness > 0.0, parts, report);
+            tissue.regions = read_regions(*regions, thickness != nullptr && !is_base, parts, report);
             if (is_base && has_density_line)
                 report.error(text::Code::degenerate, regions->key_span,
                              "`ct.density` gives the density of the last tissue, place by place. Remove the regions.");

@@ -26,9 +26,10 @@ struct SuperellipsoidAxes {
 /// To the union of solids; +infinity for none.
 [[nodiscard]] double distance_to_any(const std::vector<Solid>& solids, Vec3 point) noexcept;
 
-/// Returns the thickness of a tissue's shell [m], or the density of the base [kg/m³], at a point. From one region to
-/// the rest it passes smoothly.   [any] pure.
+/// Returns the thickness of a tissue's shell at a point [m]. It changes smoothly from a region to the rest.
+/// [any] pure.
 [[nodiscard]] double thickness_at(const Tissue& tissue, Vec3 point) noexcept;
+/// Returns the density of a tissue at a point [kg/m³]. It changes smoothly from a region to the rest.   [any] pure.
 [[nodiscard]] double density_at(const Tissue& tissue, Vec3 point) noexcept;
 
 /// Returns the smallest and the largest thickness of a tissue's shell [m].

@@ -217,6 +217,7 @@ Waist waist_of(const AxisFrame& frame, const Body& body, double from, double to,
     Waist waist;
     for (double depth = from; depth <= to; depth += step_along) {
         const Vec3 at = frame.entry + depth * frame.along;
+        if (uncut_distance(body, locate(body, at)) >= 0.0) continue;  // a gap on the axis has no width
         for (int n = 0; n < directions; ++n) {
             const double angle = n * std::numbers::pi / directions;
             const Vec3 across = std::cos(angle) * side + std::sin(angle) * up;

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// Colours of tissues and metal, the same in reports, previews and windows.
+/// Colours of tissues, the same in reports, previews and windows.
 namespace kerf::text {
 
 /// sRGB.
@@ -32,8 +32,7 @@ namespace palette {
 inline constexpr Colour cortical{0xe8, 0xdc, 0xc4};
 inline constexpr Colour cancellous{0xc5, 0x98, 0x7b};  ///< trabeculae and their pores together
 inline constexpr Colour marrow{0xd9, 0xb2, 0x5f}, dentine{0xe2, 0xcb, 0x9c}, enamel{0xf3, 0xf0, 0xe6},
-    cartilage{0xd5, 0xe3, 0xe6}, nerve{0xf2, 0xd9, 0x4e}, artery{0xc4, 0x28, 0x2d}, vein{0x3f, 0x62, 0xa8};
-inline constexpr Colour steel{0xb8, 0xbd, 0xc3}, titanium{0x8c, 0x8b, 0x92};
+    cartilage{0xd5, 0xe3, 0xe6};
 
 }  // namespace palette
 

@@ -70,7 +70,7 @@ std::vector<Command> bone_commands() {
                          format_of<T>({"text", "json", "github"}, "check: text (default), json or github"),
                          {.name = "--level",
                           .value = one_of("LEVEL", documents::vertebra_levels()),
-                          .help = "make: level of the vertebra",
+                          .help = "make: level of the vertebra: T11, T12, L1, L2, L3, L4 or L5",
                           .member = in<T>(&T::level)},
                          {.name = "--sex",
                           .value = one_of("SEX", {"f", "m"}),

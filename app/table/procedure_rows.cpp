@@ -110,8 +110,8 @@ std::vector<Command> procedure_commands() {
          .examples = {{"kerf rehearse pedicle-screw.yaml", "runs all rehearsals of a shipped procedure"},
                       {"kerf rehearse my.yaml --cheats", "shows whether a bad hand can pass a procedure"},
                       {"kerf rehearse my.yaml --seeds 1..20", "runs the operation on the bones of twenty people"}},
-         .footer = "Exit code: 0 all ended as expected, or no bad hand passed; 1 one did not, or one "
-                   "passed; 2 bad input; 3 fault or interrupted.",
+         .footer = "Exit code: 0 all ended as expected, no bad hand passed, or no person failed and one passed; 1 "
+                   "otherwise; 2 bad input; 3 fault or interrupted.",
          .defaults = RehearseOptions{},
          .run = with_environment(&commands::rehearse)});
     rows.push_back(

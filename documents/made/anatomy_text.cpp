@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include "kerf/assert.hpp"
+
 namespace kerf::documents {
 namespace {
 
@@ -35,6 +37,7 @@ bool needs_quotes(const std::string& text) {
 }  // namespace
 
 std::string with_decimals(double value, std::size_t digits) {
+    KERF_ASSERT(std::abs(value) < 1e12, "write finite numbers only");
     double scale = 1.0;
     for (std::size_t i = 0; i < digits; ++i) scale *= 10.0;
     const long long scaled = std::llround(value * scale), whole = static_cast<long long>(scale);

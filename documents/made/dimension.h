@@ -6,12 +6,22 @@
 #include <string>
 #include <string_view>
 
+#include "kerf/assert.hpp"
 #include "text/quantity.h"
 
 namespace kerf::documents {
 
 /// How a figure is known.
-enum class Evidence { read, computed, derived, recalled, assumed };
+enum class Evidence {
+    read,      ///< in the source
+    computed,  ///< an average over figures that were read
+    derived,   ///< from other figures by a formula
+    recalled,  ///< from memory; the source was not opened
+    assumed,   ///< without a source
+};
+
+/// A draw is cut at this many standard deviations. The cut lowers the deviation; so the one to draw from is larger.
+inline constexpr double truncation = 2.5, before_truncation = 1.048;
 
 /// A dimension of a bone over people of one sex at one level. All SI.
 struct Dimension {
@@ -35,7 +45,11 @@ class DimensionValues {
 public:
     void set(const std::string& name, double value) { values_[name] = value; }
     /// Pre: there is such a dimension.
-    [[nodiscard]] double operator[](std::string_view name) const { return values_.find(name)->second; }
+    [[nodiscard]] double operator[](std::string_view name) const {
+        const auto found = values_.find(name);
+        KERF_ASSERT(found != values_.end(), "name a dimension of this bone");
+        return found->second;
+    }
 
 private:
     std::map<std::string, double, std::less<>> values_;

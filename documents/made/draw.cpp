@@ -16,8 +16,8 @@ constexpr double stature_to_size = 0.6;  // [–] correlation
 constexpr int max_attempts = 1000;       // of a bone
 constexpr int max_draws = 100;           // of one dimension
 
-/// A truncation at ± 2.5 SD lowers the SD by 4.5 %; so the one to draw from is larger.
-constexpr double before_truncation = 1.048;
+/// Rounds to 0.1 µm and the like, so that the last bits of the C library do not reach the text.
+double rounded(double value) noexcept { return std::round(value * 1e7) * 1e-7; }
 
 double rest_of(double correlation) noexcept { return std::sqrt(1.0 - correlation * correlation); }
 
@@ -25,10 +25,10 @@ double rest_of(double correlation) noexcept { return std::sqrt(1.0 - correlation
 class Person {
 public:
     Person(const Population& population, const MakeRequest& request)
-        : of_(population), noise_(request.seed.value_or(0)), has_noise_(request.seed.has_value()) {
+        : population_(population), noise_(request.seed.value_or(0)), has_noise_(request.seed.has_value()) {
         size_ = has_noise_ ? noise_.at("size", 0) : 0.0;
         if (request.stature)
-            size_ = stature_to_size * (*request.stature - of_.mean_stature) / of_.sd_stature +
+            size_ = stature_to_size * (*request.stature - population_.mean_stature) / population_.sd_stature +
                     rest_of(stature_to_size) * size_;
     }
 
@@ -45,19 +45,20 @@ public:
 
 private:
     [[nodiscard]] double deviation_of(const Dimension& dimension, int draw) const {
-        double own = of_own(dimension, draw);
+        double own = own_variation(dimension, draw);
         if (!dimension.partner.empty())
-            for (const Dimension& partner : of_.dimensions)
+            for (const Dimension& partner : population_.dimensions)
                 if (partner.name == dimension.partner)
-                    own = dimension.shared * of_own(partner, draw - draw % max_draws) + rest_of(dimension.shared) * own;
+                    own = dimension.shared * own_variation(partner, draw - draw % max_draws) +
+                          rest_of(dimension.shared) * own;
         return dimension.loading * size_ + rest_of(dimension.loading) * own;
     }
 
     /// Returns the variation of a dimension beyond that of size. Along the spine it is a chain from level to level;
     /// only the last link is drawn again.
-    [[nodiscard]] double of_own(const Dimension& dimension, int draw) const {
+    [[nodiscard]] double own_variation(const Dimension& dimension, int draw) const {
         if (!has_noise_) return 0.0;
-        const std::vector<std::string>& levels = of_.levels;
+        const std::vector<std::string>& levels = population_.levels;
         if (levels.empty()) return noise_.at(dimension.name, draw);
         const auto at_level = [&](std::size_t level) {
             return noise_.at(levels[level] + "/" + dimension.name, level + 1 == levels.size() ? draw : 0);
@@ -69,7 +70,7 @@ private:
         return chain;
     }
 
-    const Population& of_;
+    const Population& population_;
     NormalSource noise_;
     bool has_noise_;
     double size_ = 0.0;
@@ -90,9 +91,9 @@ DrawnBone draw_bone(const Population& population, const MakeRequest& request) {
     for (int attempt = 0; attempt < attempts; ++attempt) {
         for (const Dimension& dimension : population.dimensions) {
             const std::optional<double> fixed = fixed_value(request, dimension.name);
-            bone.values.set(dimension.name, fixed ? *fixed : person.value_of(dimension, attempt));
+            bone.values.set(dimension.name, fixed ? *fixed : rounded(person.value_of(dimension, attempt)));
         }
-        bone.contradiction = population.implausible(bone.values);
+        bone.contradiction = population.find_contradiction(bone.values);
         bone.redraws = attempt;
         if (bone.contradiction.empty()) break;
     }

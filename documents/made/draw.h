@@ -10,15 +10,15 @@
 
 namespace kerf::documents {
 
-/// Returns what makes a bone implausible; empty if nothing does.
-using Plausible = std::function<std::string(const DimensionValues&)>;
+/// Returns the contradiction between the dimensions of a bone; empty: none.
+using FindContradiction = std::function<std::string(const DimensionValues&)>;
 
 /// The population that a bone is drawn from.
 struct Population {
-    std::vector<Dimension> dimensions;  ///< of one sex
-    std::vector<std::string> levels{};  ///< of the spine, from the first that is made to this one; empty: no levels
+    std::vector<Dimension> dimensions;            ///< of one sex
+    std::vector<std::string> levels{};            ///< of the spine, from T11 to this one; empty: no spine
     double mean_stature = 0.0, sd_stature = 0.0;  ///< [m]
-    Plausible implausible;                        ///< judges the dimensions together
+    FindContradiction find_contradiction;
 };
 
 struct DrawnBone {
@@ -27,10 +27,13 @@ struct DrawnBone {
     std::string contradiction{};  ///< why no plausible bone was found; empty: one was
 };
 
-/// Draws the dimensions of a bone; without a seed their means, at the request's stature. Size: one factor s for each
-/// person, z = l s + sqrt(1 − l²) e for a dimension whose loading is l; e is drawn until z lies within the dimension's
-/// bounds. A bone that is implausible as a whole is drawn again with the same s, up to 1000 times. Fixed dimensions are
-/// replaced before the bone is judged.   [any] pure
+/// Returns the dimensions of one bone. Without a seed these are the means, shifted by the requested stature.
+///
+///     z = l s + √(1 − l²) e
+///
+/// z: deviation from the mean; s: size of the person; l: loading; e: own variation, shared with the partner and with
+/// the neighbouring levels. e is drawn again until the value lies within its bounds. A bone whose dimensions contradict
+/// each other is drawn again with the same s, up to 1000 times. Fixed dimensions are set before.   [any] pure
 [[nodiscard]] DrawnBone draw_bone(const Population& population, const MakeRequest& request);
 
 }  // namespace kerf::documents

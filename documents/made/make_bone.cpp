@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "documents/made/anatomy_text.h"
@@ -20,7 +21,7 @@ using Sex = MakeRequest::Sex;
 
 /// Returns a value in the unit that messages use, with digits that suit it.
 std::string shown(double value, const Dimension& dimension) {
-    const double in_unit = dimension.unit == "deg"     ? value * 180.0 / 3.14159265358979323846
+    const double in_unit = dimension.unit == "deg"     ? value * 180.0 / std::numbers::pi
                            : dimension.unit == "mm"    ? value * 1e3
                            : dimension.unit == "g/cm3" ? value * 1e-3
                                                        : value;
@@ -49,23 +50,31 @@ std::string title_of(const MakeRequest& request) {
     std::string text = "Vertebra " + request.level + " of " + person_text(request);
     if (request.seed)
         text += ", number " + std::to_string(*request.seed);
-    else
+    else if (!request.stature && request.fixed.empty())
         text += ", with mean dimensions";
     return text;
 }
 
+/// Returns an id that names what was given.
 std::string name_of(const MakeRequest& request) {
-    return request.kind + "-" + lower(request.level) + (request.seed ? "-seed-" + std::to_string(*request.seed) : "");
+    std::string name = request.kind + "-" + lower(request.level);
+    if (request.sex != Sex::unsaid) name += request.sex == Sex::female ? "-f" : "-m";
+    if (request.stature) name += "-" + with_decimals(100.0 * *request.stature, 0) + "cm";
+    if (request.age) name += "-age" + with_decimals(*request.age, 0);
+    if (request.is_osteoporotic) name += "-osteoporosis";
+    if (!request.fixed.empty()) name += "-set";
+    return request.seed ? name + "-seed-" + std::to_string(*request.seed) : name;
 }
 
 /// Writes the whole document. The measures are those of the bone that it describes.
 std::string document_of(const MadeBone& bone, const std::string& body) {
-    std::string text = "# For training and research; not for diagnosis, planning or deciding treatment\n"
-                       "# SPDX-License-Identifier: Apache-2.0\n#\n# " +
-                       bone.title +
-                       ". Patient axes (LPS): x to the patient's left, y to posterior, z to\n# the head. The origin is "
-                       "the middle of the body. The right pedicle is at negative x.\n#\n" +
-                       table_of_dimensions(bone, "#   ");
+    std::string text =
+        "# For training and research; not for diagnosis, planning or deciding treatment\n"
+        "# SPDX-License-Identifier: Apache-2.0\n#\n# " +
+        bone.title +
+        ".\n# Patient axes (LPS): x to the patient's left, y to posterior, z to the head. The origin is the "
+        "middle of the\n# body. The right pedicle is at negative x.\n#\n" +
+        table_of_dimensions(bone, "#   ");
     text += "apiVersion: kerf/v1\nkind: Anatomy\nmetadata:\n  id: " + bone.name + "\n" +
             folded("title", bone.title, 2) + "\n";
     return text + body;
@@ -101,11 +110,11 @@ MadeBone make_bone(const MakeRequest& request) {
 }
 
 std::string table_of_dimensions(const MadeBone& bone, const std::string& margin) {
-    std::string text = margin + padded("dimension", 30) + padded("requested", 11) + padded("measured", 10) + "source\n";
+    std::string text = margin + padded("dimension", 33) + padded("requested", 11) + padded("measured", 10) + "source\n";
     for (const Dimension& dimension : bone.population.dimensions) {
         const auto found = std::find_if(bone.measured.begin(), bone.measured.end(),
                                         [&](const MeasuredDimension& m) { return m.name == dimension.name; });
-        text += margin + padded(dimension.name + " [" + dimension.unit + "]", 30) +
+        text += margin + padded(dimension.name + " [" + dimension.unit + "]", 33) +
                 padded(shown(bone.drawn.values[dimension.name], dimension), 11) +
                 padded(found != bone.measured.end() ? shown(found->value, dimension) : "", 10) + dimension.source +
                 " [" + word_for(dimension.evidence) + "]\n";

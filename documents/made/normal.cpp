@@ -2,6 +2,7 @@
 #include "documents/made/normal.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "core/field/fnv1a.h"
 
@@ -35,7 +36,7 @@ double NormalSource::uniform(std::string_view name, int attempt) const noexcept 
 double NormalSource::at(std::string_view name, int attempt) const noexcept {
     const std::uint64_t first = hash_of(seed_, name, attempt);
     const double radius = std::sqrt(-2.0 * std::log(1.0 - in_unit_interval(first)));  // Box and Muller
-    return radius * std::cos(6.283185307179586 * in_unit_interval(mixed(first)));
+    return radius * std::cos(2.0 * std::numbers::pi * in_unit_interval(mixed(first)));
 }
 
 }  // namespace kerf::documents

@@ -6,7 +6,7 @@
 
 namespace kerf::documents {
 
-/// Normally distributed numbers that depend only on their names: a new dimension does not change those of the others.
+/// Normally distributed numbers, each fixed by seed, name and attempt. A new dimension changes no other.
 class NormalSource {
 public:
     explicit NormalSource(std::uint32_t seed) : seed_(seed) {}

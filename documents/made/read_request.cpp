@@ -22,7 +22,8 @@ void read_seed(MapReader& map, MakeRequest& request) {
     if (map.report().errors() > errors) return;
     if (seed != std::floor(seed))
         map.report().error(text::Code::out_of_range, node->span,
-                           "The seed is " + text::excerpt(node->text) + ", expected a whole number from 0 to 999999.");
+                           "`seed` is not a whole number: got " + text::excerpt(node->text) +
+                               ", expected 0 … 999999. Write `seed: 7`.");
     else
         request.seed = static_cast<std::uint32_t>(seed);
 }
@@ -67,7 +68,8 @@ std::optional<MakeRequest> read_make_request(const Node& node, const std::string
     const std::string contradiction = draw_bone(population, request).contradiction;
     if (contradiction.empty()) return request;
     report.error(text::Code::degenerate, (set != nullptr ? *set : node).span,
-                 "These dimensions contradict each other: " + contradiction + ". Change one of them.");
+                 "The dimensions contradict each other: " + contradiction +
+                     (set != nullptr ? ". Change a value in `set:`." : ". Take another `seed:` or `height:`."));
     return std::nullopt;
 }
 

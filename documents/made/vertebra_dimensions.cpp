@@ -54,6 +54,7 @@ struct AtAge {
 constexpr std::array densities{AtAge{25, 0.29, 0.28},   AtAge{45, 0.25, 0.24},  AtAge{55, 0.21, 0.215},
                                AtAge{65, 0.175, 0.195}, AtAge{75, 0.15, 0.175}, AtAge{85, 0.13, 0.155}};
 constexpr double default_age = 45.0;
+constexpr double osteoporotic = 0.11, max_osteoporotic = 133.0;  // [g/cm³], [kg/m³]: a QCT of 80 mg/cm³ over 0.6
 
 double density_at_age(double age, Sex sex) {
     const auto of = [&](const AtAge& at) {
@@ -70,13 +71,15 @@ double density_at_age(double age, Sex sex) {
 
 class Table {
 public:
-    Dimension& add(Dimension dimension, double floor) {
+    /// @param floor   least value that may be drawn or set [SI]
+    /// @param digit   to which bounds are rounded [SI]
+    Dimension& add(Dimension dimension, double floor, double digit) {
         Dimension& d = all.emplace_back(std::move(dimension));
-        const double parent = 1.048 * d.sd;  // as it is drawn
-        d.min_drawn = std::max(floor, d.mean - 2.5 * parent);
-        d.max_drawn = d.mean + 2.5 * parent;
-        d.min_set = std::max(floor, d.mean - 4.0 * parent);
-        d.max_set = d.mean + 4.0 * parent;
+        const double parent = before_truncation * d.sd, may_set = 4.0 * parent;
+        d.min_drawn = std::max(floor, d.mean - truncation * parent);
+        d.max_drawn = d.mean + truncation * parent;
+        d.min_set = std::max(floor, std::ceil((d.mean - may_set) / digit) * digit);
+        d.max_set = std::floor((d.mean + may_set) / digit) * digit;
         return d;
     }
     Dimension& length(const char* name, const char* help, double mean_mm, double sd_mm, double loading,
@@ -90,7 +93,7 @@ public:
                     .loading = loading,
                     .evidence = evidence,
                     .source = source},
-                   floor_mm * 1e-3);
+                   floor_mm * 1e-3, 0.01_mm);
     }
     Dimension& angle(const char* name, const char* help, double mean, double sd, Evidence evidence,
                      const char* source) {
@@ -102,7 +105,7 @@ public:
                     .sd = sd * 1.0_deg,
                     .evidence = evidence,
                     .source = source},
-                   -HUGE_VAL);
+                   -HUGE_VAL, 0.01_deg);
     }
 
     std::vector<Dimension> all;
@@ -150,7 +153,7 @@ std::vector<Dimension> dimensions_at(const Level& level, const MakeRequest& requ
                 0.45, Evidence::read, "Panjabi 1991, 1992; CTSpinoPelvic1K", is_lumbar ? 18.0 : 13.0)
         .is_along_spine = true;
     table.length("canal.depth", "Depth of the spinal canal, from front to back.", level.canal_depth,
-                 is_lowest ? 2.3 : 1.7, 0.1, Evidence::read, "mean of four series", 12.0);
+                 is_lowest ? 2.3 : 1.7, 0.1, Evidence::computed, "mean of four series", 12.0);
     table.length("pedicle.width", "Width of the pedicle where it is narrowest, outer cortex.",
                  of_sex(level.pedicle_width, effect.pedicles), level.pedicle_width_sd, 0.4, Evidence::computed,
                  is_lumbar ? "mean of 12 series" : "Zindrick 1987, Lien, Panjabi 1991", is_lowest ? 9.0 : 3.0);
@@ -175,7 +178,7 @@ std::vector<Dimension> dimensions_at(const Level& level, const MakeRequest& requ
     table.length("pedicle.cortex", "Thickness of the pedicle's cortex: the mean of its medial and lateral walls.",
                  level.pedicle_cortex, 0.15, 0.0, Evidence::derived, "outer less inner width, Makino; SD assumed", 0.4);
     const double density =
-        request.is_osteoporotic ? 0.11 : density_at_age(request.age.value_or(default_age), request.sex);
+        request.is_osteoporotic ? osteoporotic : density_at_age(request.age.value_or(default_age), request.sex);
     Dimension& cancellous = table.add({.name = "cancellous.density",
                                        .help = "Mean apparent density of the body's cancellous bone.",
                                        .dimension = dimension::density,
@@ -184,8 +187,8 @@ std::vector<Dimension> dimensions_at(const Level& level, const MakeRequest& requ
                                        .sd = request.is_osteoporotic ? 20.0 : 45.0,
                                        .evidence = Evidence::recalled,
                                        .source = "QCT by age, over 0.6; Morgan 2003"},
-                                      60.0);
-    if (request.is_osteoporotic) cancellous.max_drawn = cancellous.max_set = 133.0;
+                                      60.0, 1.0);
+    if (request.is_osteoporotic) cancellous.max_drawn = cancellous.max_set = max_osteoporotic;
     return std::move(table.all);
 }
 
@@ -197,7 +200,7 @@ double excess_of(const DimensionValues& v) {
            0.5 * v["lower_end_plate.width"];
 }
 
-std::string implausible_vertebra(const DimensionValues& v, const DimensionValues& mean, const Level& level) {
+std::string contradiction_of(const DimensionValues& v, const DimensionValues& mean, const Level& level) {
     const bool is_lumbar = level.name[0] == 'L';
     const double max_excess = excess_of(mean) + (std::string(level.name) == "L5" ? 6.0_mm : 4.5_mm);
     if (const double excess = excess_of(v); excess > max_excess)
@@ -218,8 +221,8 @@ std::string implausible_vertebra(const DimensionValues& v, const DimensionValues
         return "`upper_end_plate.depth` is out of range: got " + in(v["upper_end_plate.depth"], "mm") + ", expected " +
                in(0.8 * depth, "mm") + " to " + in(1.2 * depth, "mm") + " at this `upper_end_plate.width`";
     if (const double front = anterior_height(v); std::abs(front - v["body.height"]) > 0.3 * v["body.height"])
-        return "`body.wedge` gives the body a height of " + in(front, "mm") +
-               " in front, expected at most 30 % from `body.height`, " + in(v["body.height"], "mm");
+        return "`body.wedge` is out of range: the front of the body is " + in(front, "mm") + " high, expected " +
+               in(0.7 * v["body.height"], "mm") + " to " + in(1.3 * v["body.height"], "mm") + " at this `body.height`";
     if (const double min = v["upper_end_plate.width"] + (is_lumbar ? 20.0_mm : 4.0_mm);
         v["transverse_processes.width"] <= min)
         return "`transverse_processes.width` is out of range: got " + in(v["transverse_processes.width"], "mm") +
@@ -257,10 +260,10 @@ Population vertebra_population(const MakeRequest& request) {
     const double sign = sign_of(request.sex);
     population.mean_stature = 1.695 + 0.065 * sign;
     population.sd_stature = 0.0675 + 0.0025 * sign;
-    population.implausible = [&level, dimensions = population.dimensions](const DimensionValues& values) {
+    population.find_contradiction = [&level, dimensions = population.dimensions](const DimensionValues& values) {
         DimensionValues mean;
         for (const Dimension& dimension : dimensions) mean.set(dimension.name, dimension.mean);
-        return implausible_vertebra(values, mean, level);
+        return contradiction_of(values, mean, level);
     };
     return population;
 }

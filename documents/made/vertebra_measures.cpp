@@ -34,7 +34,7 @@ public:
         return HUGE_VAL;
     }
 
-    /// Returns both ends of what a point lies in, bone or none, along a line through it.
+    /// Both ends of the bone, or of the gap, around a point on a line.
     struct Chord {
         double behind = 0.0, ahead = 0.0;  ///< [m] from the point
         [[nodiscard]] double size() const noexcept { return behind + ahead; }
@@ -42,19 +42,13 @@ public:
     };
     [[nodiscard]] Chord across(Vec3 at, Vec3 along) const { return {to_border(at, -along), to_border(at, along)}; }
 
-    /// Returns the coordinate along a direction at which a line from outside meets bone first; −infinity if nowhere.
-    [[nodiscard]] double met_from(Vec3 outside, Vec3 along) const {
-        const double far = to_border(outside, along);
-        return std::isfinite(far) ? far : HUGE_VAL;
-    }
-
 private:
     const PhantomSource& bone_;
 };
 
-class Vertebra {
+class VertebraMeter {
 public:
-    Vertebra(const Anatomy& anatomy, const LandmarkAxis& pedicle, Vec3 in_canal)
+    VertebraMeter(const Anatomy& anatomy, const LandmarkAxis& pedicle, Vec3 in_canal)
         : lines_(anatomy.phantom),
           in_canal_(in_canal),
           pedicle_from_(pedicle.from),
@@ -69,12 +63,14 @@ public:
     }
 
 private:
-    void add(const char* name, double value) { found_.push_back({name, value}); }
+    void add(const char* name, double value) {
+        if (std::isfinite(value)) found_.push_back({name, value});
+    }
 
     /// Width of the body from outside, through its middle; its end-plates may be hollow there.
     [[nodiscard]] double width_at(double z) const {
-        const double left = lines_.met_from({-80.0_mm, 0, z}, {1, 0, 0}),
-                     right = lines_.met_from({80.0_mm, 0, z}, {-1, 0, 0});
+        const double left = lines_.to_border({-80.0_mm, 0, z}, {1, 0, 0}),
+                     right = lines_.to_border({80.0_mm, 0, z}, {-1, 0, 0});
         return std::isfinite(left) && std::isfinite(right) ? 160.0_mm - left - right : 0.0;
     }
     struct Depth {
@@ -83,16 +79,16 @@ private:
     };
     /// From the front, and from the canal.
     [[nodiscard]] Depth depth_at(double z) const {
-        const double front = lines_.met_from({0, -100.0_mm, z}, {0, 1, 0});
-        const double back = lines_.met_from({0, in_canal_.y, z}, {0, -1, 0});
+        const double front = lines_.to_border({0, -100.0_mm, z}, {0, 1, 0});
+        const double back = lines_.to_border({0, in_canal_.y, z}, {0, -1, 0});
         return std::isfinite(front) && std::isfinite(back) ? Depth{front - 100.0_mm, in_canal_.y - back} : Depth{};
     }
 
     void measure_body() {
         // The body lies between the highest and the lowest bone in front of the canal.
         const Depth middle = depth_at(0.0);
-        const auto height_over = [&](double y) { return 80.0_mm - lines_.met_from({0, y, 80.0_mm}, {0, 0, -1}); };
-        const auto height_under = [&](double y) { return lines_.met_from({0, y, -80.0_mm}, {0, 0, 1}) - 80.0_mm; };
+        const auto height_over = [&](double y) { return 80.0_mm - lines_.to_border({0, y, 80.0_mm}, {0, 0, -1}); };
+        const auto height_under = [&](double y) { return lines_.to_border({0, y, -80.0_mm}, {0, 0, 1}) - 80.0_mm; };
         struct Rim {
             double y = 0.0, z = 0.0;
         };
@@ -158,6 +154,7 @@ private:
         int count = 0;  // the middle of the narrow stretch: where exactly it is narrowest is chance
         for (int i = 0; i < stations; ++i)
             if (widths[static_cast<std::size_t>(i)] < 1.02 * narrowest) isthmus_ = isthmus_ + station(i), ++count;
+        if (count == 0) return;  // no bone on the axis
         isthmus_ = (1.0 / count) * isthmus_;
         add("pedicle.width", narrowest);
         add("pedicle.height", lines_.across(isthmus_, up).size());
@@ -175,11 +172,11 @@ private:
         double half = 0.0, tip = 0.0;
         for (double y = in_canal_.y - 10.0_mm; y <= in_canal_.y + 30.0_mm; y += 1.0_mm)
             for (double z = in_canal_.z - 16.0_mm; z <= in_canal_.z + 16.0_mm; z += 1.0_mm) {
-                const double far = lines_.met_from({-100.0_mm, y, z}, {1, 0, 0});
+                const double far = lines_.to_border({-100.0_mm, y, z}, {1, 0, 0});
                 if (std::isfinite(far)) half = std::max(half, 100.0_mm - far);
             }
         for (double z = in_canal_.z - 50.0_mm; z <= in_canal_.z; z += 1.0_mm) {
-            const double far = lines_.met_from({0, 110.0_mm, z}, {0, -1, 0});
+            const double far = lines_.to_border({0, 110.0_mm, z}, {0, -1, 0});
             if (std::isfinite(far)) tip = std::max(tip, 110.0_mm - far);
         }
         add("transverse_processes.width", 2.0 * half);
@@ -201,7 +198,7 @@ std::vector<MeasuredDimension> measured_vertebra(const Anatomy& anatomy) {
     const auto point = std::find_if(anatomy.points.begin(), anatomy.points.end(),
                                     [](const LandmarkPoint& p) { return p.id == "midline"; });
     if (axis == anatomy.axes.end() || point == anatomy.points.end() || anatomy.phantom.parts.empty()) return {};
-    return Vertebra(anatomy, *axis, point->at).measure();
+    return VertebraMeter(anatomy, *axis, point->at).measure();
 }
 
 }  // namespace kerf::documents

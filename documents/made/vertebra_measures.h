@@ -10,12 +10,13 @@
 namespace kerf::documents {
 
 struct MeasuredDimension {
-    std::string name;    ///< that of a dimension
+    std::string name;    ///< of the dimension
     double value = 0.0;  ///< SI
 };
 
-/// Measures a vertebra by straight lines through its bone, from the landmarks `right_pedicle` and `midline` alone. It
-/// knows nothing of how the bone was made. Empty without these landmarks.   [main]
+/// Returns the dimensions of a vertebra, measured by straight lines through its bone [SI]. It uses the landmarks
+/// `right_pedicle` and `midline`; without them the result is empty.   [main]
+/// Pre: patient axes, the origin in the middle of the body, both sides alike.
 [[nodiscard]] std::vector<MeasuredDimension> measured_vertebra(const Anatomy& anatomy);
 
 }  // namespace kerf::documents

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <variant>
 #include <vector>
 
@@ -13,15 +14,16 @@
 namespace kerf::documents {
 namespace {
 
-constexpr double core_density = 0.85 / 1.15;  // [–] of the middle of the body, in that of its rim
-constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr double core_density = 0.85 / 1.15;  // [–] density of the middle of the body over that at its rim
+constexpr double superior_process = 19.5;     // [mm] from the midline, at L3
+constexpr double degree = std::numbers::pi / 180.0;
 
 /// What the posterior elements of a level look like, beyond its dimensions [mm, deg, –].
 struct Arch {
     double interfacet;   ///< width over the articular processes, in widths of the upper end-plate
     double articular;    ///< height from tip to tip of the articular processes
     double slope;        ///< of the spinous process below the horizontal
-    double bulk;         ///< of the spinous and articular processes, in those of a lumbar vertebra
+    double bulk;         ///< [–] size of the processes, relative to a lumbar vertebra
     double canal_taper;  ///< of the canal's section: 0 is round
 };
 Arch arch_of(const std::string& level) {
@@ -42,9 +44,9 @@ double widest_of_tapered(double taper) {
 }
 
 /// All in mm and radians; x is that of the left half, written mirrored.
-class Vertebra {
+class VertebraWriter {
 public:
-    Vertebra(const std::string& level, const DimensionValues& v) : level_(level), arch_(arch_of(level)), v_(v) {
+    VertebraWriter(const std::string& level, const DimensionValues& v) : level_(level), arch_(arch_of(level)), v_(v) {
         const double front = 1e3 * anterior_height(v);
         middle_height_ = 0.5 * (mm("body.height") + front);
         wall_ = 0.25 * (mm("upper_end_plate.depth") + mm("lower_end_plate.depth"));
@@ -56,8 +58,10 @@ public:
                     std::min(0.15 * height, 0.5 * height - 0.5 * mm("pedicle.height") - 0.3)};
         pedicle_end_ = on_pedicle(8.5);
         tall_ = height / 26.7;
+        // The axis of the pedicle meets the lateral flank of the superior process, or passes next to it.
         const double facets = 1.26 * 0.5 * arch_.interfacet * mm("upper_end_plate.width");
-        wide_ = std::min(facets, pedicle_end_.x + 2.0) / 19.0;
+        const double axis = on_pedicle(canal_back_ - isthmus_.y).x;
+        wide_ = std::min(facets / 19.0, (axis - 0.66) / superior_process);
     }
 
     [[nodiscard]] std::string parts() const {
@@ -100,7 +104,7 @@ private:
     double tall_, wide_;  ///< [–] sizes of the arch, in those of a third lumbar vertebra
 };
 
-std::string Vertebra::body() const {
+std::string VertebraWriter::body() const {
     const double w0 = mm("lower_end_plate.width"), d0 = mm("lower_end_plate.depth"), w1 = mm("upper_end_plate.width"),
                  d1 = mm("upper_end_plate.depth"), half = 0.5 * middle_height_, wedge = v_["body.wedge"];
     const auto section = [&](double z, double width, double depth) {
@@ -118,7 +122,7 @@ std::string Vertebra::body() const {
                       "patients (morphable-lumbar-model)."});
 }
 
-std::string Vertebra::end_plates() const {
+std::string VertebraWriter::end_plates() const {
     const auto hollow = [&](const char* id, double sign, double depth, double width, double height) {
         const double tilt = sign * 0.5 * v_["body.wedge"];
         const Vec3 normal{0, -std::sin(tilt), std::cos(tilt)};
@@ -133,7 +137,7 @@ std::string Vertebra::end_plates() const {
            hollow("lower_end_plate", -1, 2.5, 1.35 * mm("lower_end_plate.width"), 1.35 * mm("lower_end_plate.depth"));
 }
 
-std::string Vertebra::pedicle() const {
+std::string VertebraWriter::pedicle() const {
     const double w = mm("pedicle.width"), h = mm("pedicle.height");
     return loft_part("pedicle",
                      {{0, 0, 1},
@@ -146,7 +150,7 @@ std::string Vertebra::pedicle() const {
                       "(morphable-lumbar-model)."});
 }
 
-std::string Vertebra::lamina() const {
+std::string VertebraWriter::lamina() const {
     const auto section = [&](double x, double behind, double z, double thickness, double height, double exponent) {
         return WrittenSection{{x * wide_, canal_back_ + behind, z * tall_}, thickness, height * tall_, exponent, 0};
     };
@@ -159,7 +163,7 @@ std::string Vertebra::lamina() const {
         {3, false, false, "Thickness 6 to 7 mm [recalled]."});
 }
 
-std::string Vertebra::spinous_process() const {
+std::string VertebraWriter::spinous_process() const {
     const double down = std::tan(arch_.slope * degree), size = arch_.bulk, tip_height = 22.0 * size * tall_, rim = 2.5;
     // Its end is square to its path, so the upper edge lies farthest behind.
     const double from = canal_back_ + 3.8,
@@ -175,7 +179,7 @@ std::string Vertebra::spinous_process() const {
         {4, false, false, "Height 23.5 mm at L3 (morphable-lumbar-model)."});
 }
 
-std::string Vertebra::transverse_process() const {
+std::string VertebraWriter::transverse_process() const {
     const Vec3 root = pedicle_end_ + Vec3{-0.3, -1, 1};
     const double backwards = is_lumbar() ? 0.2 : 0.6, upwards = 0.1, rim = 1.0;
     // Its end is square to its path, so an edge reaches farther than the middle.
@@ -195,7 +199,7 @@ std::string Vertebra::transverse_process() const {
         {3, true, false, "Height 8 to 11 mm."});
 }
 
-std::string Vertebra::articular_processes() const {
+std::string VertebraWriter::articular_processes() const {
     const double top = 0.4 * arch_.articular, bottom = -0.58 * arch_.articular, size = arch_.bulk;
     const auto section = [&](double x, double behind, double z, double width, double height, double exponent) {
         return WrittenSection{{-x * wide_, canal_back_ + behind, z}, size * width, size * height, exponent, 0};
@@ -203,8 +207,8 @@ std::string Vertebra::articular_processes() const {
     return loft_part("superior_articular_process",
                      {{0, 1, 0},
                       1,
-                      {section(19.5, -3.7, 0, 10, 9, 2), section(19.5, -1.7, 0.5 * top, 10, 11, 2.4),
-                       section(18.5, -0.7, top, 9, 10, 2.4)}},
+                      {section(superior_process, -3.7, 0, 10, 9, 2),
+                       section(superior_process, -1.7, 0.5 * top, 10, 11, 2.4), section(18.5, -0.7, top, 9, 10, 2.4)}},
                      {3, true, false, "Width over both processes: Masharawi. Height of the facet 18 mm."}) +
            loft_part("inferior_articular_process",
                      {{0, 1, 0},
@@ -216,7 +220,7 @@ std::string Vertebra::articular_processes() const {
                                                       "(morphable-lumbar-model; above L2 recalled)."});
 }
 
-WrittenLoft Vertebra::canal() const {
+WrittenLoft VertebraWriter::canal() const {
     // The fillets around it remove 0.3 mm more on each side, and the pedicles bound it.
     const double depth = mm("canal.depth"), far = 40.0;
     const double width = (mm("canal.width") - 0.8) / widest_of_tapered(arch_.canal_taper);
@@ -226,7 +230,7 @@ WrittenLoft Vertebra::canal() const {
     return {{0, 1, 0}, 0, {section(-far), section(far)}};
 }
 
-std::string Vertebra::canal_part() const {
+std::string VertebraWriter::canal_part() const {
     return loft_part("canal", canal(), {1, false, true, "A rounded triangle (morphable-lumbar-model)."});
 }
 
@@ -236,7 +240,7 @@ std::string elliptic_tube(Vec3 from, Vec3 to, double width, double height) {
 }
 
 /// The middle of the body, where cancellous bone is least dense [m].
-TissueRegion Vertebra::core() const {
+TissueRegion VertebraWriter::core() const {
     SuperellipsoidSolid solid;
     solid.length = 0.5e-3 * middle_height_;
     solid.width = 0.45e-3 * mm("lower_end_plate.width");
@@ -248,7 +252,7 @@ TissueRegion Vertebra::core() const {
 }
 
 /// Returns the mean density of the body over that of its bone near the end-plates [–].
-double Vertebra::mean_over_outer() const {
+double VertebraWriter::mean_over_outer() const {
     constexpr int samples = 20;  // along each axis
     Tissue cancellous;
     cancellous.density = 1.0;
@@ -267,7 +271,7 @@ double Vertebra::mean_over_outer() const {
     return sum / count;
 }
 
-std::string Vertebra::tissues() const {
+std::string VertebraWriter::tissues() const {
     const double cortex = mm("pedicle.cortex"), w = mm("pedicle.width"), h = mm("pedicle.height");
     const auto lateral = [&](double side) {
         const auto at = [&](double behind) {
@@ -285,11 +289,12 @@ std::string Vertebra::tissues() const {
     text += "      - thickness: " + rounded_text(0.6 * cortex) +
             " mm  # of the lateral wall of the pedicle\n        solids:\n" + lateral(-1) + lateral(1);
     text += region("pedicle", 1.4 * cortex);
-    text += folded("source",
-                   "Density: apparent density of cortical bone, 1.8 to 2.0 g/cm3. Body and pedicle: the dimensions "
-                   "above; the medial wall of the pedicle has 1.4 times the mean, the lateral one 0.6 times. "
-                   "Lamina and processes: 1.0 to 1.5 mm [recalled].",
-                   4);
+    text += folded(
+        "source",
+        "Density: apparent density of cortical bone, 1.8 to 2.0 g/cm3. Body and pedicle: the dimensions above; the "
+        "lateral wall of the pedicle has 0.6 times the mean, its other walls 1.4 times. Lamina and processes: "
+        "1.2 mm, of 1.0 to 1.5 mm [recalled].",
+        4);
     const double outer = 1e-3 * v_["cancellous.density"] / mean_over_outer();
     const TissueRegion middle = core();
     const auto& solid = std::get<SuperellipsoidSolid>(middle.solids[0]);
@@ -299,15 +304,15 @@ std::string Vertebra::tissues() const {
             " mm\n        solids:\n          - superellipsoid: {centre: 0 0 0 mm, length: " +
             rounded_text(1e3 * solid.length) + " mm, width: " + rounded_text(1e3 * solid.width) +
             " mm, height: " + rounded_text(1e3 * solid.height) + " mm}\n";
-    text +=
-        folded("source",
-               "The mean over the body is the dimension above: 15 % more at the end-plates and the pedicle roots, 15 % "
-               "less in the middle [recalled].",
-               4);
+    text += folded(
+        "source",
+        "The mean over the body is the dimension above. The middle has 0.74 times the density of the end-plates and "
+        "pedicle roots [recalled].",
+        4);
     return text;
 }
 
-std::string Vertebra::landmarks() const {
+std::string VertebraWriter::landmarks() const {
     const Vec3 along{outwards_, 1.0, upwards_};
     double ahead = 4.0 + 1.34 * wall_;
     while (ahead > 10.0 && !is_in_waist(isthmus_ - ahead * along)) ahead -= 0.5;  // along the side of a thoracic body
@@ -322,7 +327,7 @@ std::string Vertebra::landmarks() const {
            axis("right_pedicle", -1) + axis("left_pedicle", 1);
 }
 
-std::string Vertebra::zones() const {
+std::string VertebraWriter::zones() const {
     const auto tube = [](Vec3 from, Vec3 to, double radius) {
         return "    - {tube: {from: " + vector_text(from) + " mm, to: " + vector_text(to) +
                " mm, radius: " + rounded_text(radius) + " mm}}\n";
@@ -347,7 +352,7 @@ std::string Vertebra::zones() const {
 }  // namespace
 
 std::string vertebra_text(const std::string& level, const DimensionValues& values) {
-    const Vertebra vertebra(level, values);
+    const VertebraWriter vertebra(level, values);
     return "phantom:\n  parts:\n" + vertebra.parts() + "\n" + vertebra.tissues() + "\n" + vertebra.landmarks() + "\n" +
            vertebra.zones();
 }

@@ -81,7 +81,7 @@ Draws draws_of(const MakeRequest& request, std::uint32_t count) {
     return draws;
 }
 
-TEST(MadeBone, NormalNumbersAreNormal) {
+TEST(NormalSource, HasUnitVarianceAndIndependentNames) {
     std::vector<double> values;
     for (std::uint32_t seed = 0; seed < 20000; ++seed) values.push_back(NormalSource(seed).at("width", 0));
     const Moments found = moments_of(values);
@@ -205,6 +205,32 @@ TEST(MadeBone, IsAnAnatomyWithItsLandmarksAndZones) {
         }
 }
 
+TEST(MadeBone, HasItsDensityOnAverageAndItsCortex) {
+    for (const char* level : {"L1", "L5"}) {
+        const MadeBone bone = make_bone(vertebra(level));
+        const auto anatomy = read_anatomy_text(bone.name, bone.text);
+        ASSERT_TRUE(anatomy) << to_text(anatomy.diagnostics());
+        const Tissue &cortical = anatomy->tissues.at(0), &cancellous = anatomy->tissues.at(1);
+        double sum = 0.0;
+        int count = 0;
+        const Solid& body = anatomy->phantom.parts.at(0).solid;
+        const Box box = bounds_of(body);
+        for (double x = box.low.x; x < box.high.x; x += 1.5_mm)
+            for (double y = box.low.y; y < box.high.y; y += 1.5_mm)
+                for (double z = box.low.z; z < box.high.z; z += 1.5_mm)
+                    if (distance_to(body, {x, y, z}) < 0.0) sum += density_at(cancellous, {x, y, z}), ++count;
+        EXPECT_NEAR(sum / count, bone.drawn.values["cancellous.density"], 0.03 * sum / count) << level;
+
+        const LandmarkAxis& axis = anatomy->axes.at(0);  // the right one: lateral is at smaller x
+        const Vec3 along = normalized(axis.to - axis.from), side = normalized(cross(Vec3{0, 0, 1}, along));
+        const double half = 0.5 * bone.drawn.values["pedicle.width"], cortex = bone.drawn.values["pedicle.cortex"];
+        const Vec3 isthmus = axis.from + 25.5_mm / -along.y * along;
+        const Vec3 lateral = side.x < 0.0 ? side : -side;
+        EXPECT_NEAR(thickness_at(cortical, isthmus + half * lateral), 0.6 * cortex, 0.05_mm) << level;
+        EXPECT_NEAR(thickness_at(cortical, isthmus - half * lateral), 1.4 * cortex, 0.1_mm) << level;
+    }
+}
+
 TEST(MadeBone, TheShippedLumbarVertebraIsTheMeanOne) {
     std::ifstream file(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-l3.yaml");
     std::ostringstream shipped;
@@ -237,7 +263,7 @@ TEST(MadeBone, SetsDimensions) {
         << "what is set changes nothing else, unless the bone is drawn again";
 }
 
-TEST(MadeBone, RefusesWhatCannotBe) {
+TEST(MadeBone, RefusesImpossibleRequests) {
     const auto has = [](const std::string& text, const std::vector<std::string>& parts) {
         for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
     };
@@ -246,7 +272,7 @@ TEST(MadeBone, RefusesWhatCannotBe) {
     has(problem_with("{make: vertebra, level: L3, seed: 1.5}"), {"1.5", "whole number"});
     has(problem_with("{make: vertebra, level: L3, seed: -1}"), {"-1", "0"});
     has(problem_with("{make: vertebra, level: L3, set: {pedicle.widht: 6 mm}}"), {"pedicle.widht", "pedicle.width:"});
-    has(problem_with("{make: vertebra, level: L3, set: {pedicle.width: 60 mm}}"), {"60 mm", "17.2456 mm"});
+    has(problem_with("{make: vertebra, level: L3, set: {pedicle.width: 60 mm}}"), {"60 mm", "17.24 mm"});
     has(problem_with("{make: vertebra, level: L3, set: {pedicle.width: 6}}"), {"mm"});
     has(problem_with("{make: vertebra, level: L3, set: {pedicle.width: 17 mm, canal.width: 32 mm, "
                      "lower_end_plate.width: 44 mm}}"),
