@@ -62,11 +62,12 @@ run::Scene scene_of(const std::string& operation) {
     const std::string file = KERF_SOURCE_DIR "/procedures/" + operation + ".yaml";
     // The bones for which the hands were put in order. In that jaw `midline` lies on the side of the tongue, to which a
     // hand leans; in the shipped jaw it lies along the arch.
-    run::DocumentRequest request{.procedure = file,
-                                 .anatomy = operation == "dental-implant"  ? hands_folder + "jaw.yaml"
-                                            : operation == "pedicle-screw" ? KERF_SOURCE_DIR
-                                                "/procedures/anatomy/vertebra-phantom.yaml"
-                                                                           : ""};
+    run::DocumentRequest request{
+        .procedure = file,
+        .anatomy = operation == "dental-implant"  ? hands_folder + "jaw.yaml"
+                   : operation == "pedicle-screw" ? KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml"
+                   : operation == "amputation"    ? KERF_SOURCE_DIR "/procedures/anatomy/knee-phantom.yaml"
+                                                  : ""};
     request.changes.patches = {hands_folder + operation + ".yaml"};
     text::Diagnostics diagnostics;
     auto documents = run::check_documents(request, plugins()).take(diagnostics);

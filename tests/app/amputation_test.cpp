@@ -201,6 +201,7 @@ TEST(ReciprocatingAmputation, OneCutPartsThePhantomAndATwistFails) {
 struct RealBone {
     const char *name, *anatomy, *data, *variant;
     int last_cut;
+    std::vector<std::string> settings;  ///< what the shipped plan needs on it
 };
 class AmputationOfRealBone : public testing::TestWithParam<RealBone> {};
 
@@ -210,7 +211,7 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     if (const char* data = std::getenv("KERF_DATA");
         !data || !std::filesystem::exists(std::string(data) + "/" + bone.data))
         GTEST_SKIP() << "KERF_DATA names no folder with " << bone.data;
-    const run::Scene scene = test::scene_of(procedure_file, bone.variant, {},
+    const run::Scene scene = test::scene_of(procedure_file, bone.variant, bone.settings,
                                             std::string(KERF_SOURCE_DIR "/tests/real-data/") + bone.anatomy);
 
     // When the expert works on it
@@ -252,8 +253,15 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
 
 INSTANTIATE_TEST_SUITE_P(
     Of, AmputationOfRealBone,
-    testing::Values(RealBone{"femur", "femur-z013-amputation.yaml", "meshes/femur_left_vsd_z013.stl", "", 3},
-                    RealBone{"tibia", "leg-transtibial.yaml", "volumes/leg_right_vhp_female.mha", "transtibial", 2}),
+    testing::Values(RealBone{"femur",
+                             "femur-z013-amputation.yaml",
+                             "meshes/femur_left_vsd_z013.stl",
+                             "",
+                             3,
+                             {"paths.cut-1=[{step: cut-1, depth: -8 mm}, {depth: 26 mm}, {depth: -8 mm}]",
+                              "paths.cut-4=[{step: cut-4, depth: -8 mm}, {depth: 26 mm}, {depth: -8 mm}]"}},
+                    RealBone{
+                        "tibia", "leg-transtibial.yaml", "volumes/leg_right_vhp_female.mha", "transtibial", 2, {}}),
     [](const auto& of) { return of.param.name; });
 
 }  // namespace
