@@ -67,11 +67,12 @@ ExitCode expand(const ExpandOptions& options, const Environment& with) {
 }
 
 ExitCode describe(const DescribeOptions& options, const Environment& with) {
-    if (const std::string text = description_of_bone(options.component); !text.empty()) {
+    std::string error;
+    if (const std::string text = description_of_bone(options.component, error); !text.empty()) {
         print(text);
         return exit_pass;
     }
-    std::string error;
+    if (!error.empty()) return complain(error, exit_bad_input);
     const auto text = description_of(with.plugins, options.component, error);
     if (!text) return complain(error, exit_bad_input);
     print(*text);

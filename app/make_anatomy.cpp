@@ -7,6 +7,8 @@
 #include "documents/made/read_request.h"
 #include "documents/made/vertebra_dimensions.h"
 #include "documents/yaml/document.h"
+#include "documents/yaml/read_map.h"
+#include "text/source.h"
 
 namespace kerf::app {
 namespace {
@@ -47,7 +49,7 @@ text::Result<documents::MadeBone> make_bone_of(const AnatomyOptions& options) {
     if (!document) return diagnostics;
     documents::Report report(*document, diagnostics);
     const std::optional<documents::MakeRequest> request = documents::read_make_request(document->root, "", report);
-    if (!request) return diagnostics;
+    if (!request || text::has_error(diagnostics)) return diagnostics;
     return {documents::make_bone(*request), std::move(diagnostics)};
 }
 
@@ -59,7 +61,7 @@ std::string made_bone_text(const documents::MadeBone& bone) {
     return text;
 }
 
-std::string description_of_bone(const std::string& wanted) {
+std::string description_of_bone(const std::string& wanted, std::string& error) {
     const std::size_t slash = wanted.find('/');
     documents::MakeRequest request;
     request.kind = wanted.substr(0, slash);
@@ -67,7 +69,12 @@ std::string description_of_bone(const std::string& wanted) {
     const auto has = [](const std::vector<std::string>& names, const std::string& name) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
-    if (!has(documents::made_kinds(), request.kind) || !has(documents::vertebra_levels(), request.level)) return {};
+    if (!has(documents::made_kinds(), request.kind)) return {};
+    if (!has(documents::vertebra_levels(), request.level)) {
+        error = "the level of `" + text::shown(wanted) + "` is unknown: expected " +
+                documents::listed(documents::vertebra_levels()) + ". Write `kerf describe vertebra/L3`.";
+        return {};
+    }
     return wanted + "  (a bone to make)\n  `kerf anatomy make " + request.kind + " --level " + request.level +
            "` makes one. Means and standard deviations of adults; each sex has its own.\n  dimensions\n" +
            documents::described_dimensions(request);

@@ -16,7 +16,8 @@ namespace kerf::app {
 /// Returns a made bone's dimensions, requested and measured, and how often it was drawn again.   [any]
 [[nodiscard]] std::string made_bone_text(const documents::MadeBone& bone);
 
-/// Returns the dimensions of "vertebra" or "vertebra/L5"; empty if `wanted` is no kind of bone that can be made. [main]
-[[nodiscard]] std::string description_of_bone(const std::string& wanted);
+/// Returns the dimensions of "vertebra" or "vertebra/L5". Empty if `wanted` is no kind of bone that can be made, or if
+/// its level is unknown; then `error` lists the levels.   [main]
+[[nodiscard]] std::string description_of_bone(const std::string& wanted, std::string& error);
 
 }  // namespace kerf::app

@@ -155,7 +155,9 @@ private:
     }
 
     void add(Node& target, const ValueShape* shape, const Node& change, std::string_view path) {
-        const std::size_t dot = path.find('.');
+        // Names of parameters may hold dots.
+        const bool has_free_names = shape != nullptr && shape->kind == ValueShape::Kind::parameters;
+        const std::size_t dot = has_free_names ? std::string_view::npos : path.find('.');
         const std::string name(path.substr(0, dot));
         const bool is_named = shape != nullptr && shape->kind == ValueShape::Kind::named;
         if (target.kind == Node::Kind::list || (is_named && dot != std::string_view::npos)) {

@@ -44,6 +44,7 @@ inline constexpr Colour marrow{0xd9, 0xb2, 0x5f}, dentine{0xe2, 0xcb, 0x9c}, ena
         Colour colour;
     };
     constexpr std::array named{Named{"cortical", palette::cortical},     Named{"diaphysis", palette::cortical},
+                               Named{"condylar", palette::cortical},     Named{"canal_wall", palette::cortical},
                                Named{"cancellous", palette::cancellous}, Named{"marrow", palette::marrow},
                                Named{"dentine", palette::dentine},       Named{"root", palette::dentine},
                                Named{"enamel", palette::enamel},         Named{"crown", palette::enamel},

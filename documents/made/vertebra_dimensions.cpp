@@ -91,6 +91,7 @@ public:
                     .mean = mean_mm * 1e-3,
                     .sd = sd_mm * 1e-3,
                     .loading = loading,
+                    .is_along_spine = true,
                     .evidence = evidence,
                     .source = source},
                    floor_mm * 1e-3, 0.01_mm);
@@ -124,39 +125,35 @@ std::vector<Dimension> dimensions_at(const Level& level, const MakeRequest& requ
         return table.length(name, help, own, sd * own, 0.55, evidence, source);
     };
     size("upper_end_plate.width", "Width of the body's upper end-plate.", level.upper_width, effect.widths, width_sd,
-         Evidence::read, is_lumbar ? "Bonczar 2024" : "Panjabi 1991")
-        .is_along_spine = true;
+         Evidence::read, is_lumbar ? "Bonczar 2024" : "Panjabi 1991");
     size("upper_end_plate.depth", "Depth of the body's upper end-plate, from front to back.", level.upper_depth,
-         effect.depths, 0.07, Evidence::recalled, "Panjabi 1991, 1992")
-        .is_along_spine = true;
+         effect.depths, 0.07, Evidence::recalled, "Panjabi 1991, 1992");
     Dimension& lower_width = size("lower_end_plate.width", "Width of the body's lower end-plate.", level.lower_width,
                                   effect.widths, 0.07, Evidence::recalled, "Panjabi 1991, 1992");
-    lower_width.partner = "upper_end_plate.width", lower_width.shared = 0.7, lower_width.is_along_spine = true;
+    lower_width.partner = "upper_end_plate.width", lower_width.shared = 0.7;
     Dimension& lower_depth = size("lower_end_plate.depth", "Depth of the body's lower end-plate, from front to back.",
                                   level.lower_depth, effect.depths, 0.07, Evidence::recalled, "Panjabi 1991, 1992");
-    lower_depth.partner = "upper_end_plate.depth", lower_depth.shared = 0.7, lower_depth.is_along_spine = true;
-    table
-        .length("body.height", "Height of the body at its back.", of_sex(level.height, effect.heights), 2.1, 0.6,
-                Evidence::read, is_lumbar ? "Bonczar 2024" : "Panjabi 1991, 5 % more as in the living")
-        .is_along_spine = true;
+    lower_depth.partner = "upper_end_plate.depth", lower_depth.shared = 0.7;
+    table.length("body.height", "Height of the body at its back.", of_sex(level.height, effect.heights),
+                 is_lumbar ? 2.1 : 2.0, 0.6, Evidence::read,
+                 is_lumbar ? "Bonczar 2024" : "Panjabi 1991, 5 % more as in the living");
     const double wedge = request.sex == Sex::female ? level.wedge_women
                          : request.sex == Sex::male ? level.wedge_men
                                                     : 0.5 * (level.wedge_women + level.wedge_men);
     table.angle("body.wedge", "Angle between the end-plates; positive: the body is lower in front.", wedge, 2.5,
                 Evidence::read, "Masharawi (PMC2899959)");
-    table
-        .length("canal.width", "Width of the spinal canal, between the inner walls of the pedicles.",
-                of_sex(level.canal_width, effect.canal),
-                is_lowest   ? 3.5
-                : is_lumbar ? 2.3
-                            : 1.7,
-                0.45, Evidence::read, "Panjabi 1991, 1992; CTSpinoPelvic1K", is_lumbar ? 18.0 : 13.0)
-        .is_along_spine = true;
+    table.length("canal.width", "Width of the spinal canal, between the inner walls of the pedicles.",
+                 of_sex(level.canal_width, effect.canal), is_lowest ? 3.5 : 2.3, 0.45, Evidence::read,
+                 "Panjabi 1991, 1992; CTSpinoPelvic1K", is_lumbar ? 18.0 : 13.0);
     table.length("canal.depth", "Depth of the spinal canal, from front to back.", level.canal_depth,
-                 is_lowest ? 2.3 : 1.7, 0.1, Evidence::computed, "mean of four series", 12.0);
+                 is_lowest ? 2.3 : 1.7, 0.1, is_lumbar ? Evidence::computed : Evidence::recalled,
+                 is_lumbar ? "mean of four series" : "Panjabi 1991", 12.0);
     table.length("pedicle.width", "Width of the pedicle where it is narrowest, outer cortex.",
                  of_sex(level.pedicle_width, effect.pedicles), level.pedicle_width_sd, 0.4, Evidence::computed,
-                 is_lumbar ? "mean of 12 series" : "Zindrick 1987, Lien, Panjabi 1991", is_lowest ? 9.0 : 3.0);
+                 is_lowest   ? "between 12 series, 16.3 mm, and CT"
+                 : is_lumbar ? "mean of 12 series"
+                             : "mean of Zindrick 1987, Lien and Panjabi 1991",
+                 is_lowest ? 9.0 : 3.0);
     table.length("pedicle.height", "Height of the pedicle where it is narrowest.",
                  of_sex(level.pedicle_height, effect.pedicles), 1.5, 0.45, Evidence::recalled,
                  "Zindrick 1987, and series after Lien");
@@ -166,11 +163,13 @@ std::vector<Dimension> dimensions_at(const Level& level, const MakeRequest& requ
                 level.sagittal_angle, 3.0, Evidence::recalled, "Zindrick 1987");
     const double processes = of_sex(level.processes, effect.processes);
     table.length("transverse_processes.width", "From tip to tip of the transverse processes.", processes,
-                 0.08 * processes, 0.6, Evidence::computed, "CTSpinoPelvic1K and Panjabi 1992");
+                 0.08 * processes, 0.6, is_lumbar ? Evidence::computed : Evidence::recalled,
+                 is_lumbar ? "between CTSpinoPelvic1K and Panjabi 1992" : "composite of two sources");
+    const bool is_modelled = is_lumbar && std::string(level.name) != "L1";
     const double spinous = of_sex(level.spinous, effect.depths);
     table.length("spinous_process.length", "From the posterior wall of the body to the tip of the spinous process.",
-                 spinous, 0.08 * spinous, 0.55, is_lumbar ? Evidence::computed : Evidence::recalled,
-                 "morphable-lumbar-model");
+                 spinous, 0.08 * spinous, 0.55, is_modelled ? Evidence::computed : Evidence::recalled,
+                 is_modelled ? "morphable-lumbar-model; runs large" : "shorter than at L2");
     table.length("body.shell", "Thickness of the body's cortical shell.", 0.45, 0.08, 0.0, Evidence::read,
                  "Fazzalari 2006: 0.52 mm in front, 0.37 mm behind; the SD between people is assumed", 0.2);
     table.length("end_plates.thickness", "Thickness of the end-plates.", 0.5, 0.08, 0.0, Evidence::recalled,
@@ -185,6 +184,7 @@ std::vector<Dimension> dimensions_at(const Level& level, const MakeRequest& requ
                                        .unit = "g/cm3",
                                        .mean = density * 1e3,
                                        .sd = request.is_osteoporotic ? 20.0 : 45.0,
+                                       .is_along_spine = true,
                                        .evidence = Evidence::recalled,
                                        .source = "QCT by age, over 0.6; Morgan 2003"},
                                       60.0, 1.0);

@@ -146,8 +146,8 @@ private:
         // Where it is narrowest behind the wall of the body.
         const double to_wall = (wall_ - pedicle_from_.y) / along_.y;
         const Vec3 side = normalized(cross(Vec3{0, 0, 1}, along_)), up = normalized(cross(along_, side));
-        constexpr int stations = 49;
-        const auto station = [&](int i) { return pedicle_from_ + (to_wall - 0.25_mm * i) * along_; };
+        constexpr int stations = 31;  // from 1.5 to 9 mm behind the wall
+        const auto station = [&](int i) { return pedicle_from_ + (to_wall - 1.5_mm - 0.25_mm * i) * along_; };
         std::array<double, stations> widths{};
         for (int i = 0; i < stations; ++i) widths[static_cast<std::size_t>(i)] = lines_.across(station(i), side).size();
         const double narrowest = *std::min_element(widths.begin(), widths.end());

@@ -37,7 +37,9 @@ TEST(MadeAnatomy, IsDescribed) {
     EXPECT_EQ(described.exit_code, 0);
     EXPECT_TRUE(has(described.out, "pedicle.width")) << described.out;
     EXPECT_TRUE(has(described.out, "[recalled]"));
-    EXPECT_EQ(kerf("describe vertebra/C3").exit_code, 2);
+    const Ended unknown = kerf("describe vertebra/C3");
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_TRUE(has(unknown.err, "`L5`")) << unknown.err;
 }
 
 TEST(MadeAnatomy, RefusesWrongOptions) {
@@ -50,6 +52,7 @@ TEST(MadeAnatomy, RefusesWrongOptions) {
     refused("anatomy make rib --level L3", "rib");
     refused("anatomy make vertebra --level L3 --set pedicle.width=60mm", "set.pedicle.width is out of range");
     refused("anatomy make vertebra --level L3 --seed 1.5", "whole number");
+    refused("anatomy make vertebra --level L3 --set pedicle.width=6mm --set pedicle.width=7mm", "pedicle.width");
     refused("anatomy check " KERF_SOURCE_DIR "/procedures/anatomy/vertebra-l3.yaml", "for which procedure?");
     refused("rehearse " + pedicle_screw + " --seeds 1..2", "`--seeds` needs a bone to make");
     for (const char* seeds : {"3..1", "1..", "x", "1..100000", "-1"})
@@ -63,6 +66,7 @@ TEST(MadeAnatomy, RefusesWrongOptions) {
 TEST(MadeAnatomy, IsMadeWithinAProcedure) {
     const std::string made = " --set 'anatomy={make: vertebra, level: L2, seed: 3, set: {pedicle.width: 9 mm}}'";
     EXPECT_EQ(kerf("validate " + pedicle_screw + made).exit_code, 0);
+    EXPECT_EQ(kerf("validate " + pedicle_screw + made + " --set 'anatomy.set.canal.width=24 mm'").exit_code, 0);
     const Ended contradicting =
         kerf("validate " + pedicle_screw + " --set 'anatomy={make: vertebra, level: L2, set: {pedicle.width: 3 mm}}'");
     EXPECT_EQ(contradicting.exit_code, 2);
