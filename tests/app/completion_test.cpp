@@ -82,7 +82,7 @@ TEST_F(BashCompletion, OffersWords) {
         }
     EXPECT_EQ(offered({"run", "--mode", "e"}), Words{"exam"});
     EXPECT_EQ(offered({"schema", ""}), (Words{"anatomy", "procedure", "station"}));
-    EXPECT_EQ(offered({"anatomy", ""}), Words{"check"});
+    EXPECT_EQ(offered({"anatomy", ""}), (Words{"check", "make"}));
     EXPECT_EQ(offered({"new", ""}), (Words{"plugin", "procedure"}));
     EXPECT_EQ(offered({"completion", ""}), (Words{"bash", "fish", "zsh"}));
     EXPECT_EQ(offered({"check", "--level", ""}), (Words{"1", "2", "3", "4", "5"}));
