@@ -17,6 +17,7 @@
 #include "app/read_scene.h"
 #include "app/shown_run.h"
 #include "app/standard_streams.h"
+#include "documents/made/read_request.h"
 #include "run/cheats.h"
 #include "run/run_procedure.h"
 #include "text/codes.h"
@@ -26,7 +27,7 @@ namespace kerf::app {
 
 namespace {
 
-constexpr std::uint32_t max_seed = 999999, max_seeds = 1000;
+constexpr std::uint32_t max_seeds = 1000;
 
 std::string expectation_of(const documents::Rehearsal& rehearsal) {
     if (rehearsal.expect != "fail") return rehearsal.expect;
@@ -174,7 +175,8 @@ std::optional<Seeds> read_seeds(const std::string& text) {
     if (!number(std::string_view(text).substr(0, dots), seeds.first)) return std::nullopt;
     seeds.last = seeds.first;
     if (dots != std::string::npos && !number(std::string_view(text).substr(dots + 2), seeds.last)) return std::nullopt;
-    if (seeds.last < seeds.first || seeds.last > max_seed || seeds.last - seeds.first >= max_seeds) return std::nullopt;
+    if (seeds.last < seeds.first || seeds.last > documents::max_seed || seeds.last - seeds.first >= max_seeds)
+        return std::nullopt;
     return seeds;
 }
 
@@ -185,13 +187,6 @@ bool depends_on_person(const text::Diagnostic& d) {
                                text::Code::out_of_range};
     return d.level != text::Diagnostic::Level::error ||
            std::any_of(codes.begin(), codes.end(), [&](text::Code code) { return d.code == text::code_text(code); });
-}
-
-const documents::Rehearsal* find_good_hand(const documents::Procedure& procedure) {
-    const auto& hands = procedure.rehearsals;
-    const auto found = std::find_if(hands.begin(), hands.end(),
-                                    [](const documents::Rehearsal& hand) { return hand.expect == "pass"; });
-    return found != hands.end() ? &*found : nullptr;
 }
 
 /// Numbers of people by the result of the operation.
@@ -242,7 +237,7 @@ ExitCode seeds_file(const std::string& file, const Seeds& seeds, const RehearseO
                             " is a file. Write `anatomy: {make: vertebra, level: L3}` there, or add "
                             "`--set \"anatomy={make: vertebra, level: L3}\"`.",
                         exit_bad_input);
-    const documents::Rehearsal* hand = find_good_hand(documents->procedure);
+    const documents::Rehearsal* hand = run::find_good_hand(documents->procedure);
     if (hand == nullptr)
         return complain(file + " has no rehearsal that expects to pass. Add one under `rehearsals:`, with `expect: "
                                "pass`.",
@@ -279,7 +274,7 @@ ExitCode rehearse(const RehearseOptions& options, const Environment& with) {
         if (!seeds)
             return complain("`--seeds` is out of range: got `" + text::shown(options.seeds) +
                                 "`, expected FIRST..LAST, at most " + std::to_string(max_seeds) + " seeds up to " +
-                                std::to_string(max_seed) + ". Write `--seeds 1..20`.",
+                                std::to_string(documents::max_seed) + ". Write `--seeds 1..20`.",
                             exit_bad_input);
         if (!options.anatomy.empty())
             return complain("`--seeds` makes bones, and `--anatomy` names a file. Write one of them.", exit_bad_input);

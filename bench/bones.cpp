@@ -34,11 +34,7 @@ using documents::MakeRequest;
 using Sex = MakeRequest::Sex;
 
 MakeRequest vertebra(const std::string& level, Sex sex = Sex::unsaid) {
-    MakeRequest request;
-    request.kind = "vertebra";
-    request.level = level;
-    request.sex = sex;
-    return request;
+    return {.kind = "vertebra", .level = level, .sex = sex};
 }
 
 /// Mean and standard deviation of drawn values against those of the source.

@@ -140,11 +140,16 @@ bool switch_off(const documents::Procedure& procedure, const ComponentCatalog& c
 
 }  // namespace
 
-std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const ComponentCatalog& catalog) {
+const Rehearsal* find_good_hand(const documents::Procedure& procedure) {
     const auto good = std::find_if(procedure.rehearsals.begin(), procedure.rehearsals.end(),
                                    [](const Rehearsal& one) { return one.expect == "pass" && !one.path.empty(); });
+    return good != procedure.rehearsals.end() ? &*good : nullptr;
+}
+
+std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const ComponentCatalog& catalog) {
+    const Rehearsal* good = find_good_hand(procedure);
     std::vector<Cheat> cheats;
-    if (good == procedure.rehearsals.end()) return cheats;
+    if (good == nullptr) return cheats;
     const auto add = [&](const char* id, const std::string& strength, const char* why_not, const auto& spoil) {
         Cheat& cheat = cheats.emplace_back(Cheat{id, strength, why_not, *good});
         cheat.rehearsal.id = std::string("cheat:") + id;

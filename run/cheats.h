@@ -17,6 +17,9 @@ struct Cheat {
     documents::Rehearsal rehearsal{};
 };
 
+/// Returns the first rehearsal that expects to pass; null if there is none.   [any] pure
+[[nodiscard]] const documents::Rehearsal* find_good_hand(const documents::Procedure& procedure);
+
 /// Returns the standing bad hands for a procedure, made of its first rehearsal that expects to pass: idle, outside the
 /// bone, hasty, hammered, with its drives off, withdrawn at once, backed out, and off the plan. Nothing without such
 /// a rehearsal.   [any] pure

@@ -327,15 +327,21 @@ private:
     std::vector<TissueBorder> tissue_borders_;
 };
 
+/// Samples the density of a material [kg/m³] in the bricks that may hold it.
+void set_densities(const Body& body, const std::function<bool(std::size_t)>& may_hold,
+                   const std::function<double(Vec3)>& density, Material& material) {
+    material.densities = DensityField::build(body.grid(), may_hold, density);
+    if (!material.densities.is_empty()) material.density = material.densities.largest();
+}
+
 /// Sets the density of the last tissue by the scan's grey values.
 void set_scan_density(const CtBone& ct, const documents::DensityLine& line, const Body& body, Material& material) {
     material.density = std::max(line.floor, line.at_zero + line.per_unit * ct.mean_value);
     if (!ct.density) return;
     const double elsewhere = material.density;
-    material.densities = DensityField::build(
-        body.grid(), [&](std::size_t brick) { return may_hold_base(body, brick); },
-        [&](Vec3 p) { return ct.density->sample_trilinear(body.region.nearest(p), elsewhere); });
-    if (!material.densities.is_empty()) material.density = material.densities.largest();
+    set_densities(
+        body, [&](std::size_t brick) { return may_hold_base(body, brick); },
+        [&](Vec3 p) { return ct.density->sample_trilinear(body.region.nearest(p), elsewhere); }, material);
 }
 
 bool varies_in_density(const documents::Tissue& tissue) {
@@ -349,9 +355,8 @@ void set_region_density(const documents::Tissue& tissue, bool is_base, const Bod
         return is_base ? may_hold_base(body, brick)
                        : !body.surface.is_all_air(brick) && !material.border.is_all_air(brick);
     };
-    material.densities =
-        DensityField::build(body.grid(), may_hold, [&](Vec3 p) { return documents::density_at(tissue, p); });
-    if (!material.densities.is_empty()) material.density = material.densities.largest();
+    set_densities(
+        body, may_hold, [&](Vec3 p) { return documents::density_at(tissue, p); }, material);
 }
 
 constexpr const char* sheet_note =

@@ -22,8 +22,8 @@ void read_seed(MapReader& map, MakeRequest& request) {
     if (map.report().errors() > errors) return;
     if (seed != std::floor(seed))
         map.report().error(text::Code::out_of_range, node->span,
-                           "`seed` is not a whole number: got " + text::excerpt(node->text) +
-                               ", expected 0 … 999999. Write `seed: 7`.");
+                           "`seed` is not a whole number: got " + text::excerpt(node->text) + ", expected 0 … " +
+                               std::to_string(max_seed) + ". Write `seed: 7`.");
     else
         request.seed = static_cast<std::uint32_t>(seed);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,8 @@
 #include "documents/yaml/read_map.h"
 
 namespace kerf::documents {
+
+inline constexpr std::uint32_t max_seed = 999999;
 
 /// Reads which bone to make, and checks that it can be made. Nothing if it cannot; the reasons are reported.   [main]
 [[nodiscard]] std::optional<MakeRequest> read_make_request(const Node& node, const std::string& name, Report& report);

@@ -76,7 +76,9 @@ private:
     [[nodiscard]] double mm(const char* name) const { return 1e3 * v_[name]; }
     /// Returns the middle of the pedicle at a distance behind its narrowest section.
     [[nodiscard]] Vec3 on_pedicle(double behind) const { return isthmus_ + behind * Vec3{outwards_, 1.0, upwards_}; }
-    static Vec3 right(Vec3 at) { return {-at.x, at.y, at.z}; }
+    /// Returns a point on the left, side 1, or on the right, −1.
+    static Vec3 on_side(double side, Vec3 at) { return {side * at.x, at.y, at.z}; }
+    static Vec3 right(Vec3 at) { return on_side(-1.0, at); }
 
     [[nodiscard]] std::string body() const;
     [[nodiscard]] std::string end_plates() const;
@@ -274,10 +276,7 @@ double VertebraWriter::mean_over_outer() const {
 std::string VertebraWriter::tissues() const {
     const double cortex = mm("pedicle.cortex"), w = mm("pedicle.width"), h = mm("pedicle.height");
     const auto lateral = [&](double side) {
-        const auto at = [&](double behind) {
-            const Vec3 middle = on_pedicle(behind) + Vec3{0.5 * w, 0, 0};
-            return Vec3{side * middle.x, middle.y, middle.z};
-        };
+        const auto at = [&](double behind) { return on_side(side, on_pedicle(behind) + Vec3{0.5 * w, 0, 0}); };
         return "          - " + elliptic_tube(at(-7), at(7), 0.5 * w, h) + "\n";
     };
     const auto region = [](const char* part, double thickness) {
@@ -313,13 +312,12 @@ std::string VertebraWriter::tissues() const {
 }
 
 std::string VertebraWriter::landmarks() const {
-    const Vec3 along{outwards_, 1.0, upwards_};
     double ahead = 4.0 + 1.34 * wall_;
-    while (ahead > 10.0 && !is_in_waist(isthmus_ - ahead * along)) ahead -= 0.5;  // along the side of a thoracic body
+    while (ahead > 10.0 && !is_in_waist(on_pedicle(-ahead))) ahead -= 0.5;  // along the side of a thoracic body
     const auto axis = [&](const char* id, double side) {
-        const auto written = [&](Vec3 at) { return vector_text({side * at.x, at.y, at.z}); };
-        return std::string("    ") + id + ": {from: " + written(isthmus_ + 25.5 * along) +
-               " mm, to: " + written(isthmus_ - ahead * along) + " mm, tolerance: 1.5 mm}\n";
+        const auto written = [&](double behind) { return vector_text(on_side(side, on_pedicle(behind))); };
+        return std::string("    ") + id + ": {from: " + written(25.5) + " mm, to: " + written(-ahead) +
+               " mm, tolerance: 1.5 mm}\n";
     };
     return "landmarks:\n  points:\n    midline: {at: " + vector_text({0, wall_ + 7.5, isthmus_.z}) +
            " mm, tolerance: 1.5 mm}  # in the canal, level with both pedicles\n"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "documents/made/make_bone.h"
+#include "documents/made/read_request.h"
 #include "documents/made/vertebra_dimensions.h"
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
@@ -90,7 +91,7 @@ const MapShape<MakeRequest> made_bone{
      {optional, "age", &MakeRequest::age, number(20.0, 100.0), "Of the person, in years; it sets the density.", "70",
       "45"},
      {optional, "osteoporosis", &MakeRequest::is_osteoporotic, yes_no(), "It sets the density.", "true", "false"},
-     {optional, "seed", number(0.0, 999999.0),
+     {optional, "seed", number(0.0, max_seed),
       "Number of the person: a whole number. Without it the bone has mean dimensions.", "7"},
      {optional, "set", of_kind(Kind::parameters), "Dimensions that are not drawn; `kerf describe vertebra` lists them.",
       "{pedicle.width: 8 mm}"}}};

@@ -25,11 +25,7 @@ using namespace literals;
 using Sex = MakeRequest::Sex;
 
 MakeRequest vertebra(const std::string& level, Sex sex = Sex::unsaid) {
-    MakeRequest request;
-    request.kind = "vertebra";
-    request.level = level;
-    request.sex = sex;
-    return request;
+    return {.kind = "vertebra", .level = level, .sex = sex};
 }
 
 MakeRequest with_seed(MakeRequest request, std::uint32_t seed) {
