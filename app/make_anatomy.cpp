@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "documents/made/read_request.h"
-#include "documents/made/vertebra_dimensions.h"
 #include "documents/yaml/document.h"
 #include "documents/yaml/read_map.h"
 #include "text/source.h"
@@ -65,17 +64,23 @@ std::string description_of_bone(const std::string& wanted, std::string& error) {
     const std::size_t slash = wanted.find('/');
     documents::MakeRequest request;
     request.kind = wanted.substr(0, slash);
-    request.level = slash == std::string::npos ? "L3" : wanted.substr(slash + 1);
     const auto has = [](const std::vector<std::string>& names, const std::string& name) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
     if (!has(documents::made_kinds(), request.kind)) return {};
-    if (!has(documents::vertebra_levels(), request.level)) {
-        error = "the level of `" + text::shown(wanted) + "` is unknown: expected " +
-                documents::listed(documents::vertebra_levels()) + ". Write `kerf describe vertebra/L3`.";
+    const documents::BoneKind& kind = documents::bone_kind(request.kind);
+    request.level = slash == std::string::npos ? kind.example_level : wanted.substr(slash + 1);
+    if (kind.levels.empty() && slash != std::string::npos) {
+        error = "`" + kind.name + "` has no levels. Write `kerf describe " + kind.name + "`.";
         return {};
     }
-    return wanted + "  (a bone to make)\n  `kerf anatomy make " + request.kind + " --level " + request.level +
+    if (!kind.levels.empty() && !has(kind.levels, request.level)) {
+        error = "the level of `" + text::shown(wanted) + "` is unknown: expected " + documents::listed(kind.levels) +
+                ". Write `kerf describe " + kind.name + "/" + kind.example_level + "`.";
+        return {};
+    }
+    return wanted + "  (a bone to make)\n  `kerf anatomy make " + request.kind +
+           (request.level.empty() ? std::string() : " --level " + request.level) +
            "` makes one. Means and standard deviations of adults; each sex has its own.\n  dimensions\n" +
            documents::described_dimensions(request);
 }

@@ -22,7 +22,6 @@
 #include "bench/into_folder.h"
 #include "bone/import/make_body.h"
 #include "documents/made/make_bone.h"
-#include "documents/made/vertebra_dimensions.h"
 #include "documents/read_anatomy.h"
 #include "text/write_file.h"
 
@@ -33,19 +32,29 @@ using documents::Dimension;
 using documents::MakeRequest;
 using Sex = MakeRequest::Sex;
 
-MakeRequest vertebra(const std::string& level, Sex sex = Sex::unsaid) {
-    return {.kind = "vertebra", .level = level, .sex = sex};
+MakeRequest vertebra(const std::string& level) { return {.kind = "vertebra", .level = level}; }
+
+/// Returns one request for each kind and level.
+std::vector<MakeRequest> all_bones() {
+    std::vector<MakeRequest> all;
+    for (const documents::BoneKind& kind : documents::bone_kinds())
+        for (const std::string& level : kind.levels.empty() ? std::vector<std::string>{""} : kind.levels)
+            all.push_back({.kind = kind.name, .level = level});
+    return all;
 }
+
+std::string name_of(const MakeRequest& bone) { return bone.level.empty() ? bone.kind : bone.kind + "/" + bone.level; }
 
 /// Mean and standard deviation of drawn values against those of the source.
 void print_draws() {
     constexpr std::uint32_t people = 10000;
-    std::printf("10 000 draws of each level and sex: the dimension farthest from its source\n");
-    std::printf("level sex  redrawn [%%]  mean off by [%% of the mean]            SD off by [%%]\n");
-    for (const std::string& level : documents::vertebra_levels())
+    std::printf("10 000 draws of each bone and sex: the dimension farthest from its source\n");
+    std::printf("bone            sex  redrawn [%%]  mean off by [%% of the mean]            SD off by [%%]\n");
+    for (const MakeRequest& bone_request : all_bones())
         for (const Sex sex : {Sex::female, Sex::male}) {
-            const MakeRequest request = vertebra(level, sex);
-            const documents::Population population = documents::vertebra_population(request);
+            MakeRequest request = bone_request;
+            request.sex = sex;
+            const documents::Population population = documents::population_of(request);
             std::map<std::string, std::array<double, 2>> sums;
             int redrawn = 0;
             for (std::uint32_t seed = 0; seed < people; ++seed) {
@@ -68,7 +77,7 @@ void print_draws() {
                 if (std::abs(off) > std::abs(worst_mean)) worst_mean = off, of_mean = d.name;
                 if (std::abs(sd_off) > std::abs(worst_sd)) worst_sd = sd_off, of_sd = d.name;
             }
-            std::printf("%-5s %-4s %8.1f      %+5.1f  %-28s  %+5.1f  %s\n", level.c_str(),
+            std::printf("%-15s %-4s %8.1f      %+5.1f  %-28s  %+5.1f  %s\n", name_of(request).c_str(),
                         sex == Sex::female ? "f" : "m", 100.0 * redrawn / people, worst_mean, of_mean.c_str(), worst_sd,
                         of_sd.c_str());
         }
@@ -83,9 +92,9 @@ void print_measures() {
         std::string unit{};
     };
     std::map<std::string, Off> offs;
-    for (const std::string& level : documents::vertebra_levels())
+    for (const MakeRequest& bone_request : all_bones())
         for (std::uint32_t seed = 0; seed < people; ++seed) {
-            MakeRequest request = vertebra(level);
+            MakeRequest request = bone_request;
             request.seed = seed;
             const documents::MadeBone bone = make_bone(request);
             for (const documents::MeasuredDimension& measured : bone.measured) {
@@ -94,7 +103,7 @@ void print_measures() {
                 const bool is_angle = d->unit == "deg";
                 const double off =
                     (measured.value - bone.drawn.values[measured.name]) * (is_angle ? 180.0 / std::numbers::pi : 1e3);
-                Off& all = offs[measured.name];
+                Off& all = offs[request.kind + " " + measured.name];
                 all.unit = d->unit;
                 all.sum += off;
                 if (std::abs(off) > std::abs(all.worst)) all.worst = off;
@@ -102,10 +111,10 @@ void print_measures() {
                 ++all.count;
             }
         }
-    std::printf("\n50 people at each level: measured less requested\n");
-    std::printf("dimension                      mean   worst         within 0.5 mm or 1 deg [%%]\n");
+    std::printf("\n50 people of each kind and level: measured less requested\n");
+    std::printf("dimension                                mean   worst         within 0.5 mm or 1 deg [%%]\n");
     for (const auto& [name, off] : offs)
-        std::printf("%-28s %+6.2f  %+6.2f  %-4s  %5.0f\n", name.c_str(), off.sum / off.count, off.worst,
+        std::printf("%-38s %+6.2f  %+6.2f  %-4s  %5.0f\n", name.c_str(), off.sum / off.count, off.worst,
                     off.unit.c_str(), 100.0 * off.within / off.count);
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "documents/made/make_bone.h"
-#include "documents/made/vertebra_dimensions.h"
 #include "documents/shapes/shapes.h"
 #include "documents/signal_need.h"
 #include "text/quantity.h"
@@ -113,12 +112,13 @@ private:
     /// The dimensions of a made bone.
     static Json of_dimensions() {
         Json properties = Json::object();
-        MakeRequest any{.kind = made_kinds().front(), .level = vertebra_levels().front()};
-        for (const Dimension& dimension : population_of(any).dimensions) {
-            Json& of = properties[dimension.name] = {{"type", "string"}};
-            of["pattern"] = text::quantity_pattern({dimension.dimension, dimension.unit});
-            of["description"] = dimension.help;
-        }
+        for (const BoneKind& kind : bone_kinds())
+            for (const std::string& level : kind.levels.empty() ? std::vector<std::string>{""} : kind.levels)
+                for (const Dimension& dimension : kind.population({.kind = kind.name, .level = level}).dimensions) {
+                    Json& of = properties[dimension.name] = {{"type", "string"}};
+                    of["pattern"] = text::quantity_pattern({dimension.dimension, dimension.unit});
+                    of["description"] = dimension.help;
+                }
         return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
     }
 

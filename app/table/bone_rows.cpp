@@ -1,9 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/table/parameters.h"
 #include "app/table/rows.h"
-#include "documents/made/vertebra_dimensions.h"
+#include "documents/made/bone_kind.h"
 
 namespace kerf::app::table {
+namespace {
+
+/// Returns the kinds of bones that have levels, and these: "of a vertebra T11, T12".
+std::string text_of_levels() {
+    std::string text;
+    for (const documents::BoneKind& kind : documents::bone_kinds()) {
+        if (kind.levels.empty()) continue;
+        text += (text.empty() ? "of a " : "; of a ") + kind.name;
+        for (const std::string& level : kind.levels) text += (&level == &kind.levels.front() ? " " : ", ") + level;
+    }
+    return text;
+}
+
+}  // namespace
 
 std::vector<Command> bone_commands() {
     std::vector<Command> rows;
@@ -60,7 +74,7 @@ std::vector<Command> bone_commands() {
                             .member = in<T>(&T::action)},
                            {.name = "ANATOMY",
                             .value = yaml(),
-                            .help = "check: YAML file of the anatomy; make: the kind of bone, `vertebra`",
+                            .help = "check: YAML file of the anatomy; make: the kind of bone, as in `vertebra`",
                             .is_required = true,
                             .member = in<T>(&T::anatomy)}},
              .options = {{.name = "--for",
@@ -69,8 +83,8 @@ std::vector<Command> bone_commands() {
                           .member = in<T>(&T::procedure)},
                          format_of<T>({"text", "json", "github"}, "check: text (default), json or github"),
                          {.name = "--level",
-                          .value = one_of("LEVEL", documents::vertebra_levels()),
-                          .help = "make: level of the vertebra: T11, T12, L1, L2, L3, L4 or L5",
+                          .value = one_of("LEVEL", documents::made_levels()),
+                          .help = "make: level " + text_of_levels(),
                           .member = in<T>(&T::level)},
                          {.name = "--sex",
                           .value = one_of("SEX", {"f", "m"}),

@@ -55,11 +55,8 @@ std::string direction_text(Vec3 v) {
     return with_decimals(v.x, 4) + " " + with_decimals(v.y, 4) + " " + with_decimals(v.z, 4);
 }
 
-std::string folded(const std::string& key, const std::string& text, int indent) {
-    const std::string head = spaces(indent) + key + ": ";
-    if (head.size() + text.size() + 2 <= line_length)
-        return head + (needs_quotes(text) ? "\"" + text + "\"" : text) + "\n";
-    std::string lines = head + ">-\n", line = spaces(indent + 2);
+std::string wrapped(const std::string& text, const std::string& margin) {
+    std::string lines, line = margin;
     std::size_t at = 0;
     bool is_first = true;
     while (at < text.size()) {
@@ -67,7 +64,7 @@ std::string folded(const std::string& key, const std::string& text, int indent) 
         const std::string word = text.substr(at, end - at);
         if (!is_first && line.size() + 1 + word.size() > line_length) {
             lines += line + "\n";
-            line = spaces(indent + 2);
+            line = margin;
             is_first = true;
         }
         line += (is_first ? "" : " ") + word;
@@ -75,6 +72,13 @@ std::string folded(const std::string& key, const std::string& text, int indent) 
         at = end + 1;
     }
     return lines + line + "\n";
+}
+
+std::string folded(const std::string& key, const std::string& text, int indent) {
+    const std::string head = spaces(indent) + key + ": ";
+    if (head.size() + text.size() + 2 <= line_length)
+        return head + (needs_quotes(text) ? "\"" + text + "\"" : text) + "\n";
+    return head + ">-\n" + wrapped(text, spaces(indent + 2));
 }
 
 std::string loft_part(const std::string& id, const WrittenLoft& loft, const WrittenJoint& joint) {

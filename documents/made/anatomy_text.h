@@ -45,6 +45,9 @@ struct WrittenJoint {
 /// Returns `loft:` as an item of a zone's list.   [any]
 [[nodiscard]] std::string loft_item(const WrittenLoft& loft, int indent);
 
+/// Returns a text in lines of at most 120 characters that begin with `margin`.   [any]
+[[nodiscard]] std::string wrapped(const std::string& text, const std::string& margin);
+
 /// Returns a text folded to lines of at most 120 characters behind `>-`, or as one line if it fits.   [any]
 [[nodiscard]] std::string folded(const std::string& key, const std::string& text, int indent);
 

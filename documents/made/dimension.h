@@ -35,7 +35,7 @@ struct Dimension {
     double loading = 0.0;                     ///< [–] correlation with the size of the person
     std::string partner{};                    ///< the dimension whose own variation it shares,
     double shared = 0.0;                      ///< [–] with this correlation
-    bool is_along_spine = false;              ///< its own variation resembles that of the neighbouring levels
+    bool is_along_spine = false;              ///< its own variation resembles that of neighbouring levels
     Evidence evidence = Evidence::recalled;
     std::string source{};
 };

@@ -28,7 +28,7 @@ public:
         : population_(population), noise_(request.seed.value_or(0)), has_noise_(request.seed.has_value()) {
         size_ = has_noise_ ? noise_.at("size", 0) : 0.0;
         if (request.stature)
-            size_ = stature_to_size * (*request.stature - population_.mean_stature) / population_.sd_stature +
+            size_ = stature_to_size * (*request.stature - population_.stature.mean) / population_.stature.sd +
                     rest_of(stature_to_size) * size_;
     }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "documents/made/dimension.h"
+#include "documents/made/people.h"
 #include "documents/made/request.h"
 
 namespace kerf::documents {
@@ -15,9 +16,9 @@ using FindContradiction = std::function<std::string(const DimensionValues&)>;
 
 /// The population that a bone is drawn from.
 struct Population {
-    std::vector<Dimension> dimensions;            ///< of one sex
-    std::vector<std::string> levels{};            ///< of the spine, from T11 to this one; empty: no spine
-    double mean_stature = 0.0, sd_stature = 0.0;  ///< [m]
+    std::vector<Dimension> dimensions;  ///< of one sex
+    std::vector<std::string> levels{};  ///< of the spine, from T11 to this one; empty: no spine
+    Stature stature{};
     FindContradiction find_contradiction;
 };
 

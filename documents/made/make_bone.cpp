@@ -10,8 +10,6 @@
 
 #include "documents/made/anatomy_text.h"
 #include "documents/made/normal.h"
-#include "documents/made/vertebra_dimensions.h"
-#include "documents/made/vertebra_text.h"
 #include "documents/read_anatomy.h"
 
 namespace kerf::documents {
@@ -47,7 +45,7 @@ std::string person_text(const MakeRequest& request) {
 }
 
 std::string title_of(const MakeRequest& request) {
-    std::string text = "Vertebra " + request.level + " of " + person_text(request);
+    std::string text = bone_kind(request.kind).title(request) + " of " + person_text(request);
     if (request.seed)
         text += ", number " + std::to_string(*request.seed);
     else if (!request.stature && request.fixed.empty())
@@ -57,7 +55,8 @@ std::string title_of(const MakeRequest& request) {
 
 /// Returns an id that names what was given.
 std::string name_of(const MakeRequest& request) {
-    std::string name = request.kind + "-" + lower(request.level);
+    std::string name = request.kind;
+    if (!request.level.empty()) name += "-" + lower(request.level);
     if (request.sex != Sex::unsaid) name += request.sex == Sex::female ? "-f" : "-m";
     if (request.stature) name += "-" + with_decimals(100.0 * *request.stature, 0) + "cm";
     if (request.age) name += "-age" + with_decimals(*request.age, 0);
@@ -68,13 +67,10 @@ std::string name_of(const MakeRequest& request) {
 
 /// Writes the whole document. The measures are those of the bone that it describes.
 std::string document_of(const MadeBone& bone, const std::string& body) {
-    std::string text =
-        "# For training and research; not for diagnosis, planning or deciding treatment\n"
-        "# SPDX-License-Identifier: Apache-2.0\n#\n# " +
-        bone.title +
-        ".\n# Patient axes (LPS): x to the patient's left, y to posterior, z to the head. The origin is the "
-        "middle of the\n# body. The right pedicle is at negative x.\n#\n" +
-        table_of_dimensions(bone, "#   ");
+    std::string text = "# For training and research; not for diagnosis, planning or deciding treatment\n"
+                       "# SPDX-License-Identifier: Apache-2.0\n#\n# " +
+                       bone.title + ".\n" + wrapped(bone_kind(bone.request.kind).frame, "# ") + "#\n" +
+                       table_of_dimensions(bone, "#   ");
     text += "apiVersion: kerf/v1\nkind: Anatomy\nmetadata:\n  id: " + bone.name + "\n" +
             folded("title", bone.title, 2) + "\n";
     return text + body;
@@ -82,15 +78,10 @@ std::string document_of(const MadeBone& bone, const std::string& body) {
 
 }  // namespace
 
-const std::vector<std::string>& made_kinds() {
-    static const std::vector<std::string> kinds{"vertebra"};
-    return kinds;
-}
-
 Population population_of(MakeRequest& request) {
     if (request.seed && request.sex == Sex::unsaid)
         request.sex = NormalSource(*request.seed).uniform("sex", 0) < 0.5 ? Sex::female : Sex::male;
-    return vertebra_population(request);
+    return bone_kind(request.kind).population(request);
 }
 
 MadeBone make_bone(const MakeRequest& request) {
@@ -101,10 +92,11 @@ MadeBone make_bone(const MakeRequest& request) {
     bone.title = title_of(bone.request);
     bone.drawn = draw_bone(bone.population, bone.request);
     if (!bone.drawn.contradiction.empty()) return bone;
-    const std::string body = vertebra_text(request.level, bone.drawn.values);
+    const BoneKind& kind = bone_kind(request.kind);
+    const std::string body = kind.text(bone.request, bone.drawn.values);
     text::Diagnostics none;
     const auto anatomy = read_anatomy_text(bone.name, document_of(bone, body)).take(none);
-    if (anatomy) bone.measured = measured_vertebra(*anatomy);
+    if (anatomy) bone.measured = kind.measured(*anatomy);
     bone.text = document_of(bone, body);
     return bone;
 }

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "documents/made/bone_kind.h"
 #include "documents/made/draw.h"
+#include "documents/made/measured_dimension.h"
 #include "documents/made/request.h"
-#include "documents/made/vertebra_measures.h"
 
 /// Makes bones from published dimensions of people.
 namespace kerf::documents {
@@ -20,9 +21,6 @@ struct MadeBone {
     DrawnBone drawn;
     std::vector<MeasuredDimension> measured;
 };
-
-/// Returns the kinds of bones that can be made.
-[[nodiscard]] const std::vector<std::string>& made_kinds();
 
 /// Returns the population that a request draws from. With a seed and an unsaid sex, `request` receives the one that is
 /// drawn.   Pre: kind and level exist.   [main]

@@ -51,6 +51,24 @@ void read_fixed(const Node& node, const std::vector<Dimension>& dimensions, Make
     }
 }
 
+/// Reports a level that the kind does not have, or a level that is missing.
+void check_level(const MakeRequest& request, const Node& node, Report& report) {
+    const BoneKind& kind = bone_kind(request.kind);
+    const std::vector<std::string>& levels = kind.levels;
+    if (levels.empty() && !request.level.empty())
+        report.error(text::Code::unknown_key, node.span,
+                     "`level` does not belong to a " + kind.name + ": leave it out.");
+    if (levels.empty() || std::find(levels.begin(), levels.end(), request.level) != levels.end()) return;
+    if (request.level.empty())
+        report.error(text::Code::missing_key, node.span,
+                     "`level` is missing: it is " + kind.a_level + ", one of " + listed(levels) +
+                         ". Write `level: " + kind.example_level + "`.");
+    else
+        report.error(text::Code::unknown_word, node.span,
+                     "`level` is not one of a " + kind.name + ": got " + text::excerpt(request.level) + ", expected " +
+                         listed(levels) + ".");
+}
+
 }  // namespace
 
 std::optional<MakeRequest> read_make_request(const Node& node, const std::string& name, Report& report) {
@@ -60,7 +78,10 @@ std::optional<MakeRequest> read_make_request(const Node& node, const std::string
     shapes::made_bone.fill(map, request);
     read_seed(map, request);
     const Node* set = map.find("set");
+    const Node* level = map.find("level");
     map.finish();
+    if (report.errors() > errors) return std::nullopt;
+    check_level(request, level != nullptr ? *level : node, report);
     if (report.errors() > errors) return std::nullopt;
     const Population population = population_of(request);
     if (set != nullptr) read_fixed(*set, population.dimensions, request, report);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "documents/made/make_bone.h"
+#include "documents/made/bone_kind.h"
 #include "documents/made/read_request.h"
-#include "documents/made/vertebra_dimensions.h"
 #include "documents/shapes/shapes.h"
 #include "documents/shapes/values.h"
 
@@ -82,7 +81,7 @@ const MapShape<MakeRequest> made_bone{
     "made_bone",
     "A bone made from published dimensions.",
     {{required, "make", &MakeRequest::kind, word(made_kinds()), "Its kind.", "vertebra"},
-     {required, "level", &MakeRequest::level, word(vertebra_levels()), "The level of a vertebra.", "L3"},
+     {optional, "level", &MakeRequest::level, word(made_levels()), "The level, for a kind that has levels.", "L3"},
      {optional, "sex", &MakeRequest::sex,
       choice<MakeRequest::Sex>({{"f", MakeRequest::Sex::female}, {"m", MakeRequest::Sex::male}}),
       "If not given, drawn; without a seed the mean of both.", "f"},
@@ -93,8 +92,8 @@ const MapShape<MakeRequest> made_bone{
      {optional, "osteoporosis", &MakeRequest::is_osteoporotic, yes_no(), "It sets the density.", "true", "false"},
      {optional, "seed", number(0.0, max_seed),
       "Number of the person: a whole number. Without it the bone has mean dimensions.", "7"},
-     {optional, "set", of_kind(Kind::parameters), "Dimensions that are not drawn; `kerf describe vertebra` lists them.",
-      "{pedicle.width: 8 mm}"}}};
+     {optional, "set", of_kind(Kind::parameters),
+      "Dimensions that are not drawn; `kerf describe vertebra` lists those of a vertebra.", "{pedicle.width: 8 mm}"}}};
 
 const Shape procedure{
     "procedure",

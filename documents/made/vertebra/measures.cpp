@@ -1,50 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "documents/made/vertebra_measures.h"
+#include "documents/made/vertebra/measures.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "documents/solids.h"
+#include "documents/made/lines.h"
 #include "kerf/units.hpp"
 
 namespace kerf::documents {
 namespace {
 
 using namespace literals;
-
-constexpr double farthest = 120e-3;  // [m] that a line goes
-
-/// Straight lines through a bone.
-class Lines {
-public:
-    explicit Lines(const PhantomSource& bone) : bone_(bone) {}
-
-    /// Returns how far the border of bone is from a point in a direction [m]; +infinity beyond `farthest`.
-    [[nodiscard]] double to_border(Vec3 from, Vec3 along) const {
-        constexpr double finest = 5e-6;
-        const bool is_inside = distance_to(bone_, from) < 0.0;
-        double far = 0.0;
-        while (far < farthest) {
-            const double d = distance_to(bone_, from + far * along);
-            if ((d < 0.0) != is_inside) return far;
-            far += std::max(0.9 * std::abs(d), finest);
-        }
-        return HUGE_VAL;
-    }
-
-    /// Both ends of the bone, or of the gap, around a point on a line.
-    struct Chord {
-        double behind = 0.0, ahead = 0.0;  ///< [m] from the point
-        [[nodiscard]] double size() const noexcept { return behind + ahead; }
-        [[nodiscard]] double middle() const noexcept { return 0.5 * (ahead - behind); }
-    };
-    [[nodiscard]] Chord across(Vec3 at, Vec3 along) const { return {to_border(at, -along), to_border(at, along)}; }
-
-private:
-    const PhantomSource& bone_;
-};
 
 class VertebraMeter {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "documents/made/vertebra_dimensions.h"
+#include "documents/made/vertebra/dimensions.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "documents/made/dimension_table.h"
+#include "documents/made/people.h"
 #include "kerf/units.hpp"
-#include "text/quantity.h"
 
 namespace kerf::documents {
 namespace {
@@ -45,8 +46,6 @@ struct SexEffect {
     double heights = 0.035, widths = 0.06, depths = 0.05, processes = 0.065, canal = 0.03, pedicles = 0.06;
 };
 
-double sign_of(Sex sex) noexcept { return sex == Sex::male ? 1.0 : sex == Sex::female ? -1.0 : 0.0; }
-
 /// The apparent density of cancellous bone by age [years, g/cm³].
 struct AtAge {
     double age, women, men;
@@ -69,56 +68,13 @@ double density_at_age(double age, Sex sex) {
     return of(densities.back());
 }
 
-class Table {
-public:
-    /// @param floor   least value that may be drawn or set [SI]
-    /// @param digit   to which bounds are rounded [SI]
-    Dimension& add(Dimension dimension, double floor, double digit) {
-        Dimension& d = all.emplace_back(std::move(dimension));
-        const double parent = before_truncation * d.sd, may_set = 4.0 * parent;
-        d.min_drawn = std::max(floor, d.mean - truncation * parent);
-        d.max_drawn = d.mean + truncation * parent;
-        d.min_set = std::max(floor, std::ceil((d.mean - may_set) / digit) * digit);
-        d.max_set = std::floor((d.mean + may_set) / digit) * digit;
-        return d;
-    }
-    Dimension& length(const char* name, const char* help, double mean_mm, double sd_mm, double loading,
-                      Evidence evidence, const char* source, double floor_mm = 0.1) {
-        return add({.name = name,
-                    .help = help,
-                    .dimension = dimension::length,
-                    .unit = "mm",
-                    .mean = mean_mm * 1e-3,
-                    .sd = sd_mm * 1e-3,
-                    .loading = loading,
-                    .is_along_spine = true,
-                    .evidence = evidence,
-                    .source = source},
-                   floor_mm * 1e-3, 0.01_mm);
-    }
-    Dimension& angle(const char* name, const char* help, double mean, double sd, Evidence evidence,
-                     const char* source) {
-        return add({.name = name,
-                    .help = help,
-                    .dimension = dimension::angle,
-                    .unit = "deg",
-                    .mean = mean * 1.0_deg,
-                    .sd = sd * 1.0_deg,
-                    .evidence = evidence,
-                    .source = source},
-                   -HUGE_VAL, 0.01_deg);
-    }
-
-    std::vector<Dimension> all;
-};
-
 std::vector<Dimension> dimensions_at(const Level& level, const MakeRequest& request) {
     const double sign = sign_of(request.sex);
     const SexEffect effect;
     const auto of_sex = [&](double mean, double part) { return mean * (1.0 + sign * part); };
     const bool is_lumbar = level.name[0] == 'L', is_lowest = std::string(level.name) == "L5";
     const double width_sd = is_lumbar ? 0.07 : 0.06;
-    Table table;
+    DimensionTable table;
     const auto size = [&](const char* name, const char* help, double mean, double part, double sd, Evidence evidence,
                           const char* source) -> Dimension& {
         const double own = of_sex(mean, part);
@@ -192,8 +148,6 @@ std::vector<Dimension> dimensions_at(const Level& level, const MakeRequest& requ
     return std::move(table.all);
 }
 
-std::string in(double value, const char* unit) { return text::quantity_text(std::round(value * 1e5) * 1e-5, unit); }
-
 /// How far the pedicle's outer wall lies outside the lower end-plate [m].
 double excess_of(const DimensionValues& v) {
     return 0.5 * v["canal.width"] + v["pedicle.width"] / std::cos(v["pedicle.transverse_angle"]) -
@@ -204,32 +158,36 @@ std::string contradiction_of(const DimensionValues& v, const DimensionValues& me
     const bool is_lumbar = level.name[0] == 'L';
     const double max_excess = excess_of(mean) + (std::string(level.name) == "L5" ? 6.0_mm : 4.5_mm);
     if (const double excess = excess_of(v); excess > max_excess)
-        return "the outer wall of the pedicle lies too far outside the lower end-plate: got " + in(excess, "mm") +
-               ", expected at most " + in(max_excess, "mm") +
+        return "the outer wall of the pedicle lies too far outside the lower end-plate: got " +
+               dimension_text(excess, "mm") + ", expected at most " + dimension_text(max_excess, "mm") +
                ". It follows from `canal.width`, `pedicle.width`, `pedicle.transverse_angle` and "
                "`lower_end_plate.width`";
     if (const double max = (is_lumbar ? 0.70 : 0.85) * v["body.height"]; v["pedicle.height"] > max)
-        return "`pedicle.height` is out of range: got " + in(v["pedicle.height"], "mm") + ", expected at most " +
-               in(max, "mm") + " at this `body.height`";
+        return "`pedicle.height` is out of range: got " + dimension_text(v["pedicle.height"], "mm") +
+               ", expected at most " + dimension_text(max, "mm") + " at this `body.height`";
     const auto ratio = [](const DimensionValues& of, const char* a, const char* b) { return of[a] / of[b]; };
     const double lower = v["upper_end_plate.width"] * ratio(mean, "lower_end_plate.width", "upper_end_plate.width");
     if (const double max = 0.12 * v["upper_end_plate.width"]; std::abs(v["lower_end_plate.width"] - lower) > max)
-        return "`lower_end_plate.width` is out of range: got " + in(v["lower_end_plate.width"], "mm") + ", expected " +
-               in(lower - max, "mm") + " to " + in(lower + max, "mm") + " at this `upper_end_plate.width`";
+        return "`lower_end_plate.width` is out of range: got " + dimension_text(v["lower_end_plate.width"], "mm") +
+               ", expected " + dimension_text(lower - max, "mm") + " to " + dimension_text(lower + max, "mm") +
+               " at this `upper_end_plate.width`";
     const double depth = v["upper_end_plate.width"] * ratio(mean, "upper_end_plate.depth", "upper_end_plate.width");
     if (std::abs(v["upper_end_plate.depth"] - depth) > 0.2 * depth)
-        return "`upper_end_plate.depth` is out of range: got " + in(v["upper_end_plate.depth"], "mm") + ", expected " +
-               in(0.8 * depth, "mm") + " to " + in(1.2 * depth, "mm") + " at this `upper_end_plate.width`";
+        return "`upper_end_plate.depth` is out of range: got " + dimension_text(v["upper_end_plate.depth"], "mm") +
+               ", expected " + dimension_text(0.8 * depth, "mm") + " to " + dimension_text(1.2 * depth, "mm") +
+               " at this `upper_end_plate.width`";
     if (const double front = anterior_height(v); std::abs(front - v["body.height"]) > 0.3 * v["body.height"])
-        return "`body.wedge` is out of range: the front of the body is " + in(front, "mm") + " high, expected " +
-               in(0.7 * v["body.height"], "mm") + " to " + in(1.3 * v["body.height"], "mm") + " at this `body.height`";
+        return "`body.wedge` is out of range: the front of the body is " + dimension_text(front, "mm") +
+               " high, expected " + dimension_text(0.7 * v["body.height"], "mm") + " to " +
+               dimension_text(1.3 * v["body.height"], "mm") + " at this `body.height`";
     if (const double min = v["upper_end_plate.width"] + (is_lumbar ? 20.0_mm : 4.0_mm);
         v["transverse_processes.width"] <= min)
-        return "`transverse_processes.width` is out of range: got " + in(v["transverse_processes.width"], "mm") +
-               ", expected more than " + in(min, "mm") + " at this `upper_end_plate.width`";
+        return "`transverse_processes.width` is out of range: got " +
+               dimension_text(v["transverse_processes.width"], "mm") + ", expected more than " +
+               dimension_text(min, "mm") + " at this `upper_end_plate.width`";
     if (const double max = 0.35 * v["pedicle.width"]; v["pedicle.cortex"] > max)
-        return "`pedicle.cortex` is out of range: got " + in(v["pedicle.cortex"], "mm") + ", expected at most " +
-               in(max, "mm") + " at this `pedicle.width`";
+        return "`pedicle.cortex` is out of range: got " + dimension_text(v["pedicle.cortex"], "mm") +
+               ", expected at most " + dimension_text(max, "mm") + " at this `pedicle.width`";
     return {};
 }
 
@@ -257,9 +215,7 @@ Population vertebra_population(const MakeRequest& request) {
         population.levels.emplace_back(each.name);
         if (&each == &level) break;
     }
-    const double sign = sign_of(request.sex);
-    population.mean_stature = 1.695 + 0.065 * sign;
-    population.sd_stature = 0.0675 + 0.0025 * sign;
+    population.stature = stature_of(request.sex);
     population.find_contradiction = [&level, dimensions = population.dimensions](const DimensionValues& values) {
         DimensionValues mean;
         for (const Dimension& dimension : dimensions) mean.set(dimension.name, dimension.mean);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "documents/made/vertebra_text.h"
+#include "documents/made/vertebra/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "documents/made/anatomy_text.h"
-#include "documents/made/vertebra_dimensions.h"
+#include "documents/made/vertebra/dimensions.h"
 #include "documents/solids.h"
 
 namespace kerf::documents {
@@ -349,8 +349,8 @@ std::string VertebraWriter::zones() const {
 
 }  // namespace
 
-std::string vertebra_text(const std::string& level, const DimensionValues& values) {
-    const VertebraWriter vertebra(level, values);
+std::string vertebra_text(const MakeRequest& request, const DimensionValues& values) {
+    const VertebraWriter vertebra(request.level, values);
     return "phantom:\n  parts:\n" + vertebra.parts() + "\n" + vertebra.tissues() + "\n" + vertebra.landmarks() + "\n" +
            vertebra.zones();
 }

@@ -6,13 +6,9 @@
 #include <vector>
 
 #include "documents/anatomy.h"
+#include "documents/made/measured_dimension.h"
 
 namespace kerf::documents {
-
-struct MeasuredDimension {
-    std::string name;    ///< of the dimension
-    double value = 0.0;  ///< SI
-};
 
 /// Returns the dimensions of a vertebra, measured by straight lines through its bone [SI]. It uses the landmarks
 /// `right_pedicle` and `midline`; without them the result is empty.   [main]
