@@ -29,6 +29,15 @@ void InRegion::fill(const BrickLattice& lattice, DistanceRange needed, BrickDist
     distance_->fill(inside, needed, distances);
 }
 
+void RememberedBrick::fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) {
+    if (needed.low < always_.low || needed.high > always_.high) return distance_->fill(lattice, needed, distances);
+    if (lattice_ != lattice) {
+        distance_->fill(lattice, always_, distances_);
+        lattice_ = lattice;
+    }
+    std::copy(distances_.begin(), distances_.end(), distances.begin());
+}
+
 PhantomDistance::PhantomDistance(std::vector<documents::PhantomPart> parts) : parts_(std::move(parts)) {
     for (const documents::PhantomPart& part : parts_) bounds_.push_back(documents::bounds_of(part.solid));
     near_.reserve(parts_.size());
@@ -121,9 +130,12 @@ void WithoutCavities::fill(const BrickLattice& lattice, DistanceRange needed, Br
     for (std::size_t n = 0; n < cavity.size(); ++n) distances[n] = std::max(distances[n], -cavity[n]);
 }
 
+TissueBorder::TissueBorder(DistanceSource& face, const documents::Tissue& tissue)
+    : face_(&face), tissue_(&tissue), thinnest_(documents::thinnest(tissue)), thickest_(documents::thickest(tissue)) {}
+
 /// A shell of thickness t ends at depth t under the face. The border's distance is depth − t, the face's is −depth.
 DistanceRange TissueBorder::of_face(DistanceRange needed) const noexcept {
-    return {-(documents::thickest(*tissue_) + needed.high), -(documents::thinnest(*tissue_) + needed.low)};
+    return {-(thickest_ + needed.high), -(thinnest_ + needed.low)};
 }
 
 double TissueBorder::at(Vec3 p, DistanceRange needed) {
@@ -131,12 +143,19 @@ double TissueBorder::at(Vec3 p, DistanceRange needed) {
 }
 
 void TissueBorder::fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) {
-    if (tissue_->thickness > 0.0) face_->fill(lattice, of_face(needed), distances);
+    const bool has_shell = tissue_->thickness > 0.0;
+    if (has_shell) face_->fill(lattice, of_face(needed), distances);
     std::size_t n = 0;
     for (const double z : lattice.z)
         for (const double y : lattice.y)
             for (const double x : lattice.x) {
-                distances[n] = distance_to(*tissue_, -distances[n], {x, y, z});
+                const double depth = -distances[n];
+                if (has_shell && depth - thickest_ > needed.high)
+                    distances[n] = depth - thickest_;
+                else if (has_shell && tissue_->solids.empty() && depth - thinnest_ < needed.low)
+                    distances[n] = depth - thinnest_;
+                else
+                    distances[n] = distance_to(*tissue_, depth, {x, y, z});
                 ++n;
             }
 }

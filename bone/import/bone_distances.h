@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "bone/surface/mesh_distances.h"
@@ -28,6 +30,22 @@ public:
 private:
     DistanceSource* distance_;
     const Region* region_;
+};
+
+/// The same distance. It remembers the last brick, for sources that sample the same brick one after the other.
+class RememberedBrick final : public DistanceSource {
+public:
+    /// @param always   the range in which a brick is sampled
+    /// Pre: `distance` outlives it.
+    RememberedBrick(DistanceSource& distance, DistanceRange always) : distance_(&distance), always_(always) {}
+    [[nodiscard]] double at(Vec3 p, DistanceRange needed) override { return distance_->at(p, needed); }
+    void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override;
+
+private:
+    DistanceSource* distance_;
+    DistanceRange always_;
+    std::optional<BrickLattice> lattice_;
+    std::array<double, stored_samples> distances_{};
 };
 
 /// Distance to a phantom. It samples only the parts that can change a distance in the needed range.
@@ -77,7 +95,7 @@ private:
 class TissueBorder final : public DistanceSource {
 public:
     /// Pre: both outlive it.
-    TissueBorder(DistanceSource& face, const documents::Tissue& tissue) : face_(&face), tissue_(&tissue) {}
+    TissueBorder(DistanceSource& face, const documents::Tissue& tissue);
     [[nodiscard]] double at(Vec3 p, DistanceRange needed) override;
     void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override;
 
@@ -85,6 +103,7 @@ private:
     [[nodiscard]] DistanceRange of_face(DistanceRange needed) const noexcept;
     DistanceSource* face_;
     const documents::Tissue* tissue_;
+    double thinnest_, thickest_;  ///< [m] of the shell
 };
 
 }  // namespace kerf::bone

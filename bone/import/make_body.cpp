@@ -289,8 +289,11 @@ public:
         else
             source_of_rooms_ = std::make_unique<PhantomDistance>(parts_of(phantom, true));
         // Beyond the region that was read, bone continues as it is at the region's face.
-        outer_.emplace(*source_, region);
-        rooms_.emplace(*source_of_rooms_, region);
+        outer_in_region_.emplace(*source_, region);
+        rooms_in_region_.emplace(*source_of_rooms_, region);
+        const DistanceRange needed = needed_range(anatomy, clamp_voxels * spacing);
+        outer_.emplace(*outer_in_region_, needed);
+        rooms_.emplace(*rooms_in_region_, needed.negated());
         without_rooms_.emplace(*outer_, *rooms_);
         DistanceSource& face =
             mesh ? *outer_ : bone();  // a surface's shell lies under its outside, not around the canal
@@ -318,11 +321,20 @@ public:
     }
 
 private:
+    /// Returns the distances to the bone that its surface and the borders of its tissues need.
+    static DistanceRange needed_range(const documents::Anatomy& anatomy, double clamp) {
+        double deepest = 0.0;
+        for (const documents::Tissue& tissue : anatomy.tissues)
+            if (&tissue != &anatomy.tissues.back()) deepest = std::max(deepest, documents::thickest(tissue));
+        return {-(deepest + clamp), clamp};
+    }
+
     std::optional<TriangleTree> surface_tree_;
     std::vector<TriangleTree> room_trees_;
     bool has_rooms_ = false;
     std::unique_ptr<DistanceSource> source_, source_of_rooms_;
-    std::optional<InRegion> outer_, rooms_;
+    std::optional<InRegion> outer_in_region_, rooms_in_region_;
+    std::optional<RememberedBrick> outer_, rooms_;
     std::optional<WithoutCavities> without_rooms_;
     std::vector<TissueBorder> tissue_borders_;
 };
@@ -403,29 +415,28 @@ text::Result<Body> make_body(const documents::Anatomy& written, double spacing, 
     const auto reporting = [&](DistanceSource& distance, const std::string& what) {
         return ProgressSource(distance, grid, options.progress, what);
     };
-    const std::string walls = "how thick its walls are", surface = "distances to its surface";
-    ProgressSource outer_for_walls = reporting(distances.outer(), walls);
+    ProgressSource outer_for_walls = reporting(distances.outer(), "how thick its walls are");
     const bool has_sheet = distances.has_cavities() && has_thin_wall(grid, outer_for_walls, distances.inner_surfaces());
-    DistanceSource& outside = has_sheet ? distances.outer() : distances.bone();
+    ProgressSource outside =
+        reporting(has_sheet ? distances.outer() : distances.bone(),
+                  anatomy.tissues.size() > 1 ? "distances to its surface and tissues" : "distances to its surface");
+    std::vector<DistanceSource*> sources{&outside};
+    for (std::size_t n = 0; n + 1 < anatomy.tissues.size(); ++n) sources.push_back(&distances.border(n));
+    if (has_sheet) sources.push_back(&distances.inner_surfaces());
+    std::vector<LevelSet> fields = LevelSet::build(grid, sources);
+    if (has_sheet) body.hollow = std::move(fields.back());
+    body.surface = std::move(fields.front());
     if (!ct && !mesh) {
-        ProgressSource outside_for_walls = reporting(outside, walls);
+        DistanceSource& exact = has_sheet ? distances.outer() : distances.bone();
         const double most = (min_wall_voxels + 1.0) * spacing;
-        if (!check_thin_walls(phantom_walls(grid, outside_for_walls, most), spacing, anatomy, diagnostics))
+        if (!check_thin_walls(phantom_walls(body.surface, exact, most), spacing, anatomy, diagnostics))
             return diagnostics;
     }
-    const auto field_of = [&](DistanceSource& distance, const std::string& what) {
-        ProgressSource source = reporting(distance, what);
-        return LevelSet::build(grid, source);
-    };
-    body.surface = field_of(outside, surface);
-    if (has_sheet) body.hollow = field_of(distances.inner_surfaces(), surface);
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
         if (is_base && has_scan_densities) set_scan_density(*ct, *anatomy.ct->density, body, material);
-        if (!is_base)
-            material.border =
-                field_of(distances.border(body.materials.size()), "distances to the border of " + tissue.id);
+        if (!is_base) material.border = std::move(fields[body.materials.size() + 1]);
         if (varies_in_density(tissue)) set_region_density(tissue, is_base, body, material);
         body.materials.push_back(std::move(material));
     }

@@ -10,7 +10,8 @@ namespace {
 constexpr double facing = -0.8;  // [–] cosine between the outward normals on both sides of a wall
 }  // namespace
 
-std::vector<WallSample> phantom_walls(const Grid& grid, DistanceSource& source, double limit) {
+std::vector<WallSample> phantom_walls(const LevelSet& field, DistanceSource& source, double limit) {
+    const Grid& grid = field.grid();
     const double h = grid.spacing, finest = 0.02 * h;
     const auto distance = [&](Vec3 p, double reach) { return source.at(p, {-reach, reach}); };
     const auto outward_normal = [&](Vec3 p) {
@@ -18,8 +19,21 @@ std::vector<WallSample> phantom_walls(const Grid& grid, DistanceSource& source, 
         const auto slope = [&](Vec3 to) { return distance(p + to, h) - distance(p - to, h); };
         return normalized(Vec3{slope({d, 0, 0}), slope({0, d, 0}), slope({0, 0, d})});
     };
+    const auto in_field = [&](Vec3 p) { return field.at(locate(grid, p)); };
+    // A distance rises by no more than the way. So bone that is this deep at each voxel of a line is bone between them.
+    const auto is_thick = [&](Vec3 p) {
+        const Vec3 out = normalized(Vec3{in_field(p + Vec3{h, 0, 0}) - in_field(p - Vec3{h, 0, 0}),
+                                         in_field(p + Vec3{0, h, 0}) - in_field(p - Vec3{0, h, 0}),
+                                         in_field(p + Vec3{0, 0, h}) - in_field(p - Vec3{0, 0, h})});
+        const Vec3 at = p - in_field(p) * out;
+        constexpr double deep = 0.6;  // [–] depth over the way inwards
+        for (double way = h; way < limit + 0.5 * h; way += h)
+            if (-in_field(at - way * out) < deep * way) return false;
+        return true;
+    };
     std::vector<WallSample> walls;
     const auto measure_at = [&](Vec3 p) {
+        if (is_thick(p)) return walls.push_back({HUGE_VAL, h * h, p});
         const double d = distance(p, 0.5 * h);
         if (std::abs(d) > 0.5 * h) return;
         const Vec3 out = outward_normal(p), at = p - d * out;
@@ -31,17 +45,18 @@ std::vector<WallSample> phantom_walls(const Grid& grid, DistanceSource& source, 
         if (thickness >= limit) return walls.push_back({HUGE_VAL, h * h, at});
         if (dot(out, outward_normal(at - thickness * out)) < facing) walls.push_back({thickness, h * h, at});
     };
-    const double half = 0.5 * brick_edge * h, in_brick = std::sqrt(3.0) * half;
+    const auto is_at_surface = [&](std::int16_t sample) {
+        return std::abs(sample * grid.quantum()) <= 0.5 * h + grid.quantum();
+    };
     for (int k = 0; k < grid.bricks[2]; ++k)
         for (int j = 0; j < grid.bricks[1]; ++j)
             for (int i = 0; i < grid.bricks[0]; ++i) {
-                const int x = i * brick_edge, y = j * brick_edge, z = k * brick_edge;
-                if (std::abs(distance(grid.sample_position(x, y, z) + Vec3{half, half, half}, in_brick + h)) >
-                    in_brick + h)
-                    continue;
-                for (int n = 0; n < brick_edge * brick_edge * brick_edge; ++n)
-                    measure_at(grid.sample_position(x + n % brick_edge, y + n / brick_edge % brick_edge,
-                                                    z + n / (brick_edge * brick_edge)));
+                if (!field.has_border(grid.brick_index(i, j, k))) continue;
+                for (int n = 0; n < brick_edge * brick_edge * brick_edge; ++n) {
+                    const int x = i * brick_edge + n % brick_edge, y = j * brick_edge + n / brick_edge % brick_edge,
+                              z = k * brick_edge + n / (brick_edge * brick_edge);
+                    if (is_at_surface(field.sample(x, y, z))) measure_at(grid.sample_position(x, y, z));
+                }
             }
     return walls;
 }

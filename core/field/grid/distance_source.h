@@ -25,6 +25,7 @@ struct DistanceRange {
 struct BrickLattice {
     std::array<double, stored_edge> x, y, z;
 
+    bool operator==(const BrickLattice&) const = default;
     static BrickLattice of(const Grid& grid, int i, int j, int k) noexcept {
         BrickLattice lattice{};
         for (int n = 0; n < stored_edge; ++n) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/field/grid/brick_memory.h"
@@ -20,6 +21,8 @@ public:
     /// within the clamp. Throws std::length_error, before it allocates samples, if these are more than
     /// `max_stored_bricks`.   [main]
     static LevelSet build(const Grid& grid, DistanceSource& distance);
+    /// Builds one set for each distance. All distances are sampled in one brick before the next brick.
+    static std::vector<LevelSet> build(const Grid& grid, std::span<DistanceSource* const> distances);
     static LevelSet build(const Grid& grid, const std::function<double(Vec3)>& distance);
 
     /// Returns the trilinear distance [m], within ± clamp; outside the grid `+clamp`.   [any] pure, nonblocking.
@@ -71,6 +74,10 @@ public:
     }
 
 private:
+    static constexpr std::int32_t to_be_stored = -1;  ///< until its samples are known
+    void find_stored_bricks(DistanceSource& distance);
+    void store_brick(std::size_t brick_index, const BrickLattice& lattice, DistanceSource& distance);
+
     // All air bricks use one common brick of samples, and all solid bricks another: interpolation needs no special
     // case.
     static constexpr std::int32_t air = 0, solid = stored_samples, first_stored = 2 * stored_samples;

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "bone/import/bone_distances.h"
@@ -151,6 +153,50 @@ TEST(BoneDistances, AreThoseOfEachPoint) {
     const auto border_at = [&](Vec3 p) { return distance_to(cortical, -outer_at(p), p); };
     expect_same(LevelSet::build(parts.grid, bone), LevelSet::build(parts.grid, bone_at));
     expect_same(LevelSet::build(parts.grid, border), LevelSet::build(parts.grid, border_at));
+}
+
+/// Counts how often a brick is sampled.
+class CountedDistance final : public DistanceSource {
+public:
+    explicit CountedDistance(DistanceSource& distance) : distance_(&distance) {}
+    [[nodiscard]] double at(Vec3 p, DistanceRange needed) override { return distance_->at(p, needed); }
+    void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override {
+        ++bricks;
+        distance_->fill(lattice, needed, distances);
+    }
+    int bricks = 0;
+
+private:
+    DistanceSource* distance_;
+};
+
+TEST(BoneDistances, AreSampledOnceABrickForAllFields) {
+    Parts parts;
+    documents::Tissue cortical;
+    cortical.thickness = 1.0_mm;
+    const double clamp = parts.grid.clamp();
+    MeshDistances fast(parts.tree);
+    CountedDistance counted(fast);
+    RememberedBrick bone(counted, {-(cortical.thickness + clamp), clamp});
+    TissueBorder border(bone, cortical);
+
+    // Built together, a brick with both borders is sampled once
+    const std::array<DistanceSource*, 2> sources{&bone, &border};
+    const std::vector<LevelSet> together = LevelSet::build(parts.grid, sources);
+    const int bricks_together = std::exchange(counted.bricks, 0);
+    expect_same(together[0], LevelSet::build(parts.grid, fast));
+    expect_same(together[1], LevelSet::build(parts.grid, border));
+    int stored = 0;
+    for (std::size_t b = 0; b < parts.grid.brick_count(); ++b)
+        stored += together[0].has_border(b) || together[1].has_border(b);
+    EXPECT_EQ(bricks_together, stored);
+
+    // Beyond the range that is always sampled, nothing is remembered
+    const BrickLattice lattice = BrickLattice::of(parts.grid, 1, 1, 1);
+    std::array<double, stored_samples> distances{};
+    counted.bricks = 0;
+    for (int times = 0; times < 2; ++times) bone.fill(lattice, {-clamp, 2.0 * clamp}, distances);
+    EXPECT_EQ(counted.bricks, 2);
 }
 
 TEST(BoneDistances, AreExactWithinTheRangeAndBeyondItOutsideIt) {
