@@ -23,7 +23,7 @@ constexpr double above_bone = -5.0_mm;   // where a hand stays outside
 constexpr double scratch = 1.0_mm;       // how deep one goes that withdraws at once
 constexpr double beside = 5.0_mm;        // off the plan
 constexpr double times_faster = 5.0;     // of a hasty hand: feed and push
-constexpr double part_begun = 0.6;       // of the depth of the first step, off the plan
+constexpr double part_begun = 0.6;       // of the depth of the first step that cuts, off the plan
 constexpr double part_turned_out = 0.6;  // of the turns that drove an implant in
 
 bool releases(const Waypoint& at) {
@@ -37,10 +37,14 @@ bool any(const Rehearsal& hand, const Condition& condition) {
     return std::any_of(hand.path.begin(), hand.path.end(), condition);
 }
 
-const documents::Instrument* instrument_of(const documents::Procedure& procedure, const Waypoint& at) {
-    return at.step < procedure.steps.size()
-               ? documents::find_id(procedure.instruments, procedure.steps[at.step].instrument)
-               : nullptr;
+/// Returns the drives of the tool that a waypoint's step uses.
+const std::vector<ParameterInfo>& drives_at(const documents::Procedure& procedure, const ComponentCatalog& catalog,
+                                            const Waypoint& at) {
+    static const std::vector<ParameterInfo> none;
+    if (at.step >= procedure.steps.size()) return none;
+    const documents::Instrument* used = documents::find_id(procedure.instruments, procedure.steps[at.step].instrument);
+    const ComponentInfo* tool = used != nullptr ? documents::tool_of(*used, catalog) : nullptr;
+    return tool != nullptr ? tool->drives : none;
 }
 
 void stay(Rehearsal& hand) { hand.path.resize(1); }
@@ -108,19 +112,32 @@ void miss(Rehearsal& hand, double by) {
     for (Waypoint& at : hand.path) at.off_plan = by;
 }
 
-/// Works off the plan first, less deep than the first step needs, and then as planned.
-void begin_beside(Rehearsal& hand) {
+/// Works off the plan first, less deep than the first step with a motor needs, and then as planned. Forceps remove no
+/// bone; an awl does: without motors it is the first step.
+void begin_beside(const documents::Procedure& procedure, const ComponentCatalog& catalog, Rehearsal& hand) {
+    const auto has_motor = [&](const Waypoint& at) {
+        const std::vector<ParameterInfo>& drives = drives_at(procedure, catalog, at);
+        return std::any_of(drives.begin(), drives.end(),
+                           [](const ParameterInfo& drive) { return drive.dimension == dimension::frequency; });
+    };
+    const auto begin =
+        any(hand, has_motor) ? std::find_if(hand.path.begin(), hand.path.end(), has_motor) : hand.path.begin();
+    const auto puts_in_place = [](const HandInput& input) {
+        return input.kind == HandInput::Kind::place || input.kind == HandInput::Kind::insert;
+    };
     std::vector<Waypoint> beside_plan;
-    for (const Waypoint& at : hand.path) {
-        if (at.step != hand.path.front().step) break;
-        Waypoint first = at;
+    for (auto at = begin; at != hand.path.end() && at->step == begin->step; ++at) {
+        Waypoint first = *at;
         first.off_plan = beside;
         if (first.depth > 0.0) first.depth *= part_begun;
         first.turn *= part_begun;
-        std::erase_if(first.inputs, [](const HandInput& input) { return input.kind != HandInput::Kind::drive; });
+        std::erase_if(first.inputs, [&](const HandInput& input) {
+            return input.kind != HandInput::Kind::drive && !puts_in_place(input);
+        });
+        std::erase_if(at->inputs, puts_in_place);
         beside_plan.push_back(std::move(first));
     }
-    hand.path.insert(hand.path.begin(), beside_plan.begin(), beside_plan.end());
+    hand.path.insert(begin, beside_plan.begin(), beside_plan.end());
 }
 
 /// Switches the motor off at each waypoint. Returns whether any tool has one.
@@ -128,9 +145,7 @@ bool switch_off(const documents::Procedure& procedure, const ComponentCatalog& c
     bool has_any = false;
     for (Waypoint& at : hand.path) {
         std::erase_if(at.inputs, [](const HandInput& input) { return input.kind == HandInput::Kind::drive; });
-        const documents::Instrument* used = instrument_of(procedure, at);
-        const ComponentInfo* tool = used != nullptr ? documents::tool_of(*used, catalog) : nullptr;
-        for (const ParameterInfo& drive : tool != nullptr ? tool->drives : std::vector<ParameterInfo>{}) {
+        for (const ParameterInfo& drive : drives_at(procedure, catalog, at)) {
             at.inputs.insert(at.inputs.begin(), {HandInput::Kind::drive, drive.id, 0.0});
             has_any = true;
         }
@@ -184,8 +199,8 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
     add("other-side", far + "to the other side", "", [](Rehearsal& hand) { miss(hand, -beside); });
     add("begun-beside",
         "begins " + text::quantity_text(beside, "mm") + " beside the plan, " + text::quantity_text(part_begun, "%") +
-            " as deep as its first step goes, and then works like `" + good->id + "`",
-        "", &begin_beside);
+            " as deep as its first step that cuts, and then works like `" + good->id + "`",
+        "", [&](Rehearsal& hand) { begin_beside(procedure, catalog, hand); });
     return cheats;
 }
 

@@ -11,9 +11,7 @@
 namespace kerf::app {
 namespace {
 
-test::WatchedRun outcome_of(const char* rehearsal) {
-    return test::rehearsed(test::scene_of(KERF_SOURCE_DIR "/procedures/pedicle-awl.yaml"), rehearsal);
-}
+constexpr const char* procedure = KERF_SOURCE_DIR "/procedures/pedicle-awl.yaml";
 
 auto told(const test::WatchedRun& run, const std::string& id) {
     return std::count_if(run.events.begin(), run.events.end(),
@@ -27,23 +25,31 @@ double max_thrust(const test::WatchedRun& run) {
     return most;
 }
 
-TEST(PedicleAwl, AlongTheAxisItGoesInUnderWhatSpongyBoneBears) {
-    const test::WatchedRun run = outcome_of("expert");
-    EXPECT_TRUE(run.is_as_expected);
-    EXPECT_GE(told(run, "drilling.crushing"), 1);
-    EXPECT_EQ(told(run, "drilling.wall_broken"), 0);
-    EXPECT_NEAR(max_thrust(run), 113.0, 10.0) << "N: 4 mm, 30 degrees, 0.25 g/cm3";
+TEST(PedicleAwl, EndsAsExpectedAlongTheAxisIntoTheCanalAndBesideThePedicle) {
+    const run::Scene scene = test::scene_of(procedure);
+    const test::WatchedRun expert = test::rehearsed(scene, "expert");
+    EXPECT_TRUE(expert.is_as_expected);
+    EXPECT_GE(told(expert, "drilling.crushing"), 1);
+    EXPECT_EQ(told(expert, "drilling.wall_broken"), 0);
+    EXPECT_TRUE(test::rehearsed(scene, "aimed-at-the-canal").is_as_expected);
+    EXPECT_TRUE(test::rehearsed(scene, "lateral").is_as_expected);
 }
 
-TEST(PedicleAwl, AimedAtTheCanalItIsResistedByThePediclesWallAndBreaksThat) {
-    const test::WatchedRun run = outcome_of("aimed-at-the-canal");
-    EXPECT_TRUE(run.is_as_expected);
-    EXPECT_EQ(told(run, "drilling.wall_broken"), 1);
-    EXPECT_GT(max_thrust(run), 220.0);
-    EXPECT_LT(max_thrust(run), 380.0) << "N: as much as 1 mm of cortex bears";
+TEST(PedicleAwl, InThePhantomItTakesTheForceOfItsDensityAndTheWallThatOfCortex) {
+    const run::Scene phantom = test::scene_of(
+        procedure, "",
+        {"rehearsals.aimed-at-the-canal.path=[{follow: open}, {step: probe, depth: -5 mm, medial_angle: 30 deg}, "
+         "{depth: 26 mm, medial_angle: 30 deg}, {depth: -5 mm, medial_angle: 30 deg}]"},
+        KERF_SOURCE_DIR "/procedures/anatomy/vertebra-l4-phantom.yaml");
+    const test::WatchedRun along = test::rehearsed(phantom, "expert");
+    EXPECT_TRUE(along.is_as_expected);
+    EXPECT_NEAR(max_thrust(along), 113.0, 10.0) << "N: 4 mm, 30 degrees, 0.25 g/cm3";
+    const test::WatchedRun aimed = test::rehearsed(phantom, "aimed-at-the-canal");
+    EXPECT_TRUE(aimed.is_as_expected);
+    EXPECT_EQ(told(aimed, "drilling.wall_broken"), 1);
+    EXPECT_GT(max_thrust(aimed), 220.0);
+    EXPECT_LT(max_thrust(aimed), 380.0) << "N: as much as 1 mm of cortex bears";
 }
-
-TEST(PedicleAwl, BesideTheMidlineItMissesThePediclesMiddle) { EXPECT_TRUE(outcome_of("lateral").is_as_expected); }
 
 }  // namespace
 }  // namespace kerf::app

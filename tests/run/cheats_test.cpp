@@ -58,6 +58,18 @@ TEST(Cheats, AreMadeOfTheFirstHandThatPasses) {
     EXPECT_EQ(cheat(cheats, "drive-off").rehearsal.path.front().inputs.front().value, 0.0);
 }
 
+TEST(Cheats, BeginBesideThePlanWithTheFirstToolThatHasAMotor) {
+    const documents::Procedure procedure = shipped("trochanter-fixation.yaml");
+    const std::vector<documents::Waypoint>& planned = procedure.rehearsals.front().path;
+    const std::vector<Cheat> cheats = cheats_of(procedure, test::plugins().catalog());
+    const auto& path = cheat(cheats, "begun-beside").rehearsal.path;
+    const auto begun = std::find_if(path.begin(), path.end(), [](const auto& at) { return at.off_plan != 0.0; });
+    ASSERT_NE(begun, path.end());
+    EXPECT_EQ(procedure.steps[begun->step].instrument, "lag-drill") << "not the forceps of the steps before";
+    EXPECT_EQ(planned[static_cast<std::size_t>(begun - path.begin())].step, begun->step);
+    EXPECT_NE(planned[static_cast<std::size_t>(begun - path.begin()) - 1].step, begun->step) << "from its start";
+}
+
 TEST(Cheats, BackAnImplantOutBeforeItIsLeft) {
     const documents::Procedure procedure = shipped("pedicle-screw.yaml");
     const documents::Waypoint& in = procedure.rehearsals.front().path.back();
