@@ -90,6 +90,14 @@ double wall_distance(const LoftFrame& frame, double x, double y, double limit) n
     return nearest.distance / std::sqrt(1.0 + lean * lean);
 }
 
+/// The same for the outline at `t` from one point of the path to the next.
+double outline_distance(const LoftSolid& loft, std::size_t first, double t, double x, double y) noexcept {
+    const LoftFrame &a = loft.path[first], &b = loft.path[first + 1];
+    const NearestOnOutline nearest =
+        nearest_between(loft.outlines[first], loft.outlines[first + 1], t, b.from_start - a.from_start, {x, y, 0.0});
+    return nearest.distance / std::sqrt(1.0 + nearest.leaning * nearest.leaning);
+}
+
 double mix(double a, double b, double t) noexcept { return a + t * (b - a); }
 Vec3 mix(Vec3 a, Vec3 b, double t) noexcept { return a + t * (b - a); }
 
@@ -149,7 +157,20 @@ void lay_path(LoftSolid& loft) {
     const auto exponent = cubic_of(loft, at, [](const LoftSection& s) { return s.exponent; });
     const auto taper = cubic_of(loft, at, [](const LoftSection& s) { return s.taper; });
     const auto turn = cubic_of(loft, at, [](const LoftSection& s) { return s.turn; });
+    std::vector<Cubic<Vec3>> corners;
+    for (std::size_t n = 0; n < loft.sections.front().outline.size(); ++n)
+        corners.push_back(cubic_of(loft, at, [n](const LoftSection& s) { return s.outline[n]; }));
     loft.path.clear();
+    loft.outlines.clear();
+    const auto add_outline = [&](std::size_t i, double t, LoftFrame& frame) {
+        Outline points;
+        for (const Cubic<Vec3>& corner : corners) points.push_back(corner.value(i, t));
+        const Outline& curve = loft.outlines.emplace_back(smoothed(points));
+        for (const Vec3& p : curve) {
+            frame.half_width = std::max(frame.half_width, std::abs(p.x));
+            frame.half_height = std::max(frame.half_height, std::abs(p.y));
+        }
+    };
     const auto add = [&](std::size_t i, double t) {
         const Vec3 slope = middle.slope(i, t);
         const double speed = length(slope);
@@ -163,6 +184,7 @@ void lay_path(LoftSolid& loft) {
         frame.taper = taper.value(i, t);
         frame.widening = width.slope(i, t) / speed;
         frame.heightening = height.slope(i, t) / speed;
+        if (!corners.empty()) add_outline(i, t, frame);
         frame.from_start =
             loft.path.empty() ? 0.0 : loft.path.back().from_start + length(frame.at - loft.path.back().at);
         loft.path.push_back(frame);
@@ -172,6 +194,13 @@ void lay_path(LoftSolid& loft) {
             add(i, static_cast<double>(k) / static_cast<double>(frames_per_section));
     add(loft.sections.size() - 2, 1.0);
     loft.bounds = bounds_of(loft.path);
+    loft.sharpest = loft.outlines.empty()
+                        ? HUGE_VAL
+                        : std::min(sharpest_radius(loft.outlines.front()), sharpest_radius(loft.outlines.back()));
+}
+
+bool has_crossed_outline(const LoftSolid& loft) noexcept {
+    return std::any_of(loft.outlines.begin(), loft.outlines.end(), &crosses_itself);
 }
 
 double crossing(const LoftSolid& loft) noexcept {
@@ -205,13 +234,16 @@ double distance_to(const LoftSolid& loft, Vec3 p, double limit) noexcept {
                         : is_behind ? end
                                     : -std::min(frame.from_start, loft.path.back().from_start - frame.from_start);
     const Vec3 to = p - frame.at;
-    const double wall = wall_distance(frame, dot(to, frame.side), dot(to, frame.up), max_lean * limit);
+    const double x = dot(to, frame.side), y = dot(to, frame.up);
+    const double wall =
+        loft.outlines.empty() ? wall_distance(frame, x, y, max_lean * limit) : outline_distance(loft, first, t, x, y);
 
     // A rim as round as the section's sharpest end would leave a crest there.
     constexpr double roundest = 0.7;  // [–] of that end's radius
     const double smaller = std::min(frame.half_width, frame.half_height),
                  larger = std::max(frame.half_width, frame.half_height);
-    const double rim = std::min(loft.rim, roundest * smaller * smaller / larger);
+    const double sharpest = loft.outlines.empty() ? smaller * smaller / larger : loft.sharpest;
+    const double rim = std::min(loft.rim, roundest * sharpest);
     const double w = wall + rim, e = over + rim;
     const double distance = std::min(std::max(w, e), 0.0) + std::hypot(std::max(w, 0.0), std::max(e, 0.0)) - rim;
     return distance;

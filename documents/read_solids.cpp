@@ -2,13 +2,18 @@
 #include "documents/read_solids.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "documents/shapes/shapes.h"
+#include "kerf/units.hpp"
+#include "text/printable.h"
+#include "text/quantity.h"
 
 namespace kerf::documents {
 namespace {
@@ -51,6 +56,91 @@ SuperellipsoidSolid read_superellipsoid(const Node& node, const std::string& nam
     return solid;
 }
 
+/// Reads a point of an outline: two numbers and a unit.
+std::optional<Vec3> read_outline_point(const Node& node, const std::string& name, Report& report) {
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return std::nullopt;
+    const std::size_t gap = text->find(' '), unit = gap == std::string::npos ? gap : text->find(' ', gap + 1);
+    if (unit == std::string::npos) {
+        report.error(text::Code::not_a_number, node.span,
+                     name + " has a point that is not two numbers and a unit: got " + text::excerpt(*text) +
+                         ". Write `-9 6.5 mm`.");
+        return std::nullopt;
+    }
+    const text::QuantityNeed need{dimension::length, "mm", -0.5, 0.5};
+    const auto parsed = [&](const std::string& number) -> std::optional<double> {
+        const text::Parsed<double> one = text::parse_quantity(number + text->substr(unit), name, need);
+        if (!one.value) report.error(one.problem.code, node.span, one.problem.message, one.problem.write);
+        return one.value;
+    };
+    const std::optional<double> x = parsed(text->substr(0, gap)),
+                                y = x ? parsed(text->substr(gap + 1, unit - gap - 1)) : std::nullopt;
+    if (!y) return std::nullopt;
+    return Vec3{*x, *y, 0.0};
+}
+
+/// Reads a section: a superellipse, or an outline that runs anticlockwise in either order of writing.
+void read_section(const Node& node, const std::string& name, LoftSection& section, Report& report) {
+    constexpr std::size_t min_points = 3, max_points = 64;
+    MapReader map(node, shapes::loft_section, name, report);
+    shapes::loft_section.fill(map, section);
+    const Node* outline = map.find("outline");
+    const auto has = [&](const char* key) { return map.find(key) != nullptr; };
+    if (outline == nullptr) {
+        for (const char* key : {"width", "height"})
+            if (!has(key))
+                report.error(
+                    text::Code::missing_key, node.span,
+                    name + " has a section without `" + key + "`. Write `" + key + ": 20 mm`, or an `outline:`.");
+    } else {
+        const std::array others{"width", "height", "exponent", "taper"};
+        if (const auto other = std::find_if(others.begin(), others.end(), has); other != others.end())
+            report.error(
+                text::Code::one_of, map.find(*other)->span,
+                "`" + std::string(*other) + "` does not belong to a section with an `outline:`. Leave one out.");
+        const std::string outline_name = map.name_of("outline");
+        const int errors = report.errors();
+        for (const Node& item : read_list(*outline, outline_name, report)) {
+            if (report.errors() > errors || section.outline.size() > max_points) break;
+            if (const auto point = read_outline_point(item, outline_name, report)) section.outline.push_back(*point);
+        }
+        if (report.errors() > errors)
+            section.outline.clear();
+        else if (section.outline.size() < min_points || section.outline.size() > max_points)
+            report.error(text::Code::out_of_range, outline->span,
+                         outline_name + " has " + std::to_string(outline->children.size()) + " points, expected " +
+                             std::to_string(min_points) + " to " + std::to_string(max_points) + ".");
+        else if (crosses_itself(smoothed(section.outline)))
+            report.error(text::Code::degenerate, outline->span,
+                         outline_name + " crosses itself. Write its points in their order around the section.");
+    }
+    map.finish();
+}
+
+/// Checks that all sections have an outline with as many points, running in the same direction, or none; turns them
+/// anticlockwise. Returns false if not.
+bool check_outlines(LoftSolid& loft, const Node& sections, Report& report) {
+    const Outline& first = loft.sections.front().outline;
+    const double enclosed = area_of(first);
+    for (std::size_t i = 1; i < loft.sections.size(); ++i) {
+        const Outline& outline = loft.sections[i].outline;
+        const std::string problem = outline.size() != first.size()
+                                        ? "has " + std::to_string(outline.size()) +
+                                              " points in its outline, the first section " +
+                                              std::to_string(first.size()) + ": expected as many"
+                                    : area_of(outline) * enclosed < 0.0
+                                        ? "has an outline in the opposite direction to that of the first section"
+                                        : std::string();
+        if (problem.empty()) continue;
+        report.error(text::Code::degenerate, sections.children[i].span,
+                     "This section " + problem + ". Points of the same place belong together.");
+        return false;
+    }
+    if (enclosed < 0.0)
+        for (LoftSection& section : loft.sections) std::reverse(section.outline.begin(), section.outline.end());
+    return true;
+}
+
 /// Checks `up` of a loft: it is across the path everywhere.
 void check_path(LoftSolid& loft, const Node& sections, const Node* up, const std::string& name, Report& report) {
     constexpr double shortest = 0.1e-3;  // [m] between sections
@@ -76,6 +166,10 @@ void check_path(LoftSolid& loft, const Node& sections, const Node* up, const std
                      "The sections of " + name +
                          " cross where its path bends: the bend's radius is smaller than half of the section there. "
                          "Make the section smaller, or the path straighter.");
+    else if (has_crossed_outline(loft))
+        report.error(text::Code::degenerate, sections.span,
+                     "The outlines of " + name +
+                         " cross themselves between two sections. Begin them at the same place, or add a section.");
 }
 
 LoftSolid read_loft(const Node& node, const std::string& name, Report& report) {
@@ -90,7 +184,7 @@ LoftSolid read_loft(const Node& node, const std::string& name, Report& report) {
     if (sections != nullptr) {
         for (const Node& item : read_list(*sections, map.name_of("sections"), report)) {
             if (loft.sections.size() == max_sections) break;
-            read_map(item, shapes::loft_section, map.name_of("sections"), loft.sections.emplace_back(), report);
+            read_section(item, map.name_of("sections"), loft.sections.emplace_back(), report);
         }
         if (loft.sections.size() < 2 || sections->children.size() > max_sections)
             report.error(text::Code::out_of_range, sections->span,
@@ -99,6 +193,7 @@ LoftSolid read_loft(const Node& node, const std::string& name, Report& report) {
     }
     map.finish();
     if (report.errors() > errors_before || sections == nullptr || loft.sections.size() < 2) return {};
+    if (!check_outlines(loft, *sections, report)) return {};
     check_path(loft, *sections, up, name, report);
     return loft;
 }
@@ -116,7 +211,11 @@ struct Mirror {
         solid.centre = mirrored(solid.centre), solid.along = mirrored(solid.along), solid.up = mirrored(solid.up);
     }
     void operator()(LoftSolid& loft) const {
-        for (LoftSection& section : loft.sections) section.at = mirrored(section.at), section.turn = -section.turn;
+        for (LoftSection& section : loft.sections) {
+            section.at = mirrored(section.at), section.turn = -section.turn;
+            for (Vec3& point : section.outline) point = mirrored(point);
+            std::reverse(section.outline.begin(), section.outline.end());
+        }
         loft.up = mirrored(loft.up);
         if (!loft.path.empty()) lay_path(loft);
     }

@@ -126,8 +126,15 @@ void add(const LoftSolid& loft, Mesh& mesh) {
     if (loft.path.empty()) return;
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const double whole = loft.path.back().from_start;
-    const auto on_ring = [&](const LoftFrame& frame, std::uint32_t i) {
+    const auto on_ring = [&](std::size_t ring, std::uint32_t i) {
+        const LoftFrame& frame = loft.path[ring];
         const double inset = rounded_by(loft.rim, std::min(frame.from_start, whole - frame.from_start));
+        if (!loft.outlines.empty()) {
+            const Outline& outline = loft.outlines[ring];
+            const Vec3 p = outline[i * outline.size() / sides];
+            const double left = std::max(0.0, 1.0 - inset / std::min(frame.half_width, frame.half_height));
+            return frame.at + (left * p.x) * frame.side + (left * p.y) * frame.up;
+        }
         const Vec3 c = on_circle(static_cast<double>(i) / sides);
         const auto stretched = [&](double x) { return std::copysign(std::pow(std::abs(x), 2.0 / frame.exponent), x); };
         const double y = stretched(c.y), x = stretched(c.x) * (1.0 - frame.taper * y);
@@ -136,7 +143,7 @@ void add(const LoftSolid& loft, Mesh& mesh) {
     };
     const auto ring_count = static_cast<std::uint32_t>(loft.path.size());
     for (std::uint32_t ring = 0; ring < ring_count; ++ring)
-        for (std::uint32_t i = 0; i < sides; ++i) add_vertex(on_ring(loft.path[ring], i), {}, mesh);
+        for (std::uint32_t i = 0; i < sides; ++i) add_vertex(on_ring(ring, i), {}, mesh);
     const std::uint32_t low = add_vertex(loft.path.front().at, {}, mesh),
                         high = add_vertex(loft.path.back().at, {}, mesh);
     // `side` × `up` is `along`: seen from the end, a ring runs anticlockwise.

@@ -37,12 +37,17 @@ bool any(const Rehearsal& hand, const Condition& condition) {
     return std::any_of(hand.path.begin(), hand.path.end(), condition);
 }
 
+const documents::Instrument* instrument_of(const documents::Procedure& procedure, const Waypoint& at) {
+    return at.step < procedure.steps.size()
+               ? documents::find_id(procedure.instruments, procedure.steps[at.step].instrument)
+               : nullptr;
+}
+
 /// Returns the drives of the tool that a waypoint's step uses.
 const std::vector<ParameterInfo>& drives_at(const documents::Procedure& procedure, const ComponentCatalog& catalog,
                                             const Waypoint& at) {
     static const std::vector<ParameterInfo> none;
-    if (at.step >= procedure.steps.size()) return none;
-    const documents::Instrument* used = documents::find_id(procedure.instruments, procedure.steps[at.step].instrument);
+    const documents::Instrument* used = instrument_of(procedure, at);
     const ComponentInfo* tool = used != nullptr ? documents::tool_of(*used, catalog) : nullptr;
     return tool != nullptr ? tool->drives : none;
 }
@@ -112,16 +117,26 @@ void miss(Rehearsal& hand, double by) {
     for (Waypoint& at : hand.path) at.off_plan = by;
 }
 
-/// Works off the plan first, less deep than the first step with a motor needs, and then as planned. Forceps remove no
-/// bone; an awl does: without motors it is the first step.
-void begin_beside(const documents::Procedure& procedure, const ComponentCatalog& catalog, Rehearsal& hand) {
-    const auto has_motor = [&](const Waypoint& at) {
-        const std::vector<ParameterInfo>& drives = drives_at(procedure, catalog, at);
-        return std::any_of(drives.begin(), drives.end(),
-                           [](const ParameterInfo& drive) { return drive.dimension == dimension::frequency; });
-    };
-    const auto begin =
-        any(hand, has_motor) ? std::find_if(hand.path.begin(), hand.path.end(), has_motor) : hand.path.begin();
+/// Returns the first waypoint at which a hand may leave the plan and harm bone. Forceps harm none, and a sleeve or the
+/// hole of an implant keeps a drill on the plan. An awl has no motor: then it is the first waypoint.
+std::size_t first_free_cut(const documents::Procedure& procedure, const ComponentCatalog& catalog,
+                           const Rehearsal& hand) {
+    bool has_motor = false;
+    for (std::size_t i = 0; i < hand.path.size(); ++i) {
+        const std::vector<ParameterInfo>& drives = drives_at(procedure, catalog, hand.path[i]);
+        if (std::none_of(drives.begin(), drives.end(),
+                         [](const ParameterInfo& drive) { return drive.dimension == dimension::frequency; }))
+            continue;
+        has_motor = true;
+        const bool is_hole = procedure.steps[hand.path[i].step].axis.find('.') != std::string::npos;
+        if (!is_hole && !instrument_of(procedure, hand.path[i])->guide) return i;
+    }
+    return has_motor ? hand.path.size() : 0;
+}
+
+/// Works off the plan first, less deep than its first free cut needs, and then as planned.
+void begin_beside(std::size_t first_cut, Rehearsal& hand) {
+    const auto begin = hand.path.begin() + static_cast<std::ptrdiff_t>(first_cut);
     const auto puts_in_place = [](const HandInput& input) {
         return input.kind == HandInput::Kind::place || input.kind == HandInput::Kind::insert;
     };
@@ -193,6 +208,8 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
         "turns each implant out again by " + text::quantity_text(part_turned_out, "%") +
             " of its turns before it is left",
         leaves ? "" : "no waypoint turns and releases an implant", &back_out);
+    const std::size_t first_cut = first_free_cut(procedure, catalog, *good);
+    const bool begins_on_plan = first_cut == good->path.size();
     const std::string far = text::quantity_text(beside, "mm") + " beside the plan: ";
     add("beside", far + "off its plane, or towards the midline if it has none", "",
         [](Rehearsal& hand) { miss(hand, beside); });
@@ -200,7 +217,8 @@ std::vector<Cheat> cheats_of(const documents::Procedure& procedure, const Compon
     add("begun-beside",
         "begins " + text::quantity_text(beside, "mm") + " beside the plan, " + text::quantity_text(part_begun, "%") +
             " as deep as its first step that cuts, and then works like `" + good->id + "`",
-        "", [&](Rehearsal& hand) { begin_beside(procedure, catalog, hand); });
+        begins_on_plan ? "a sleeve or an implant's hole holds every tool that cuts on the plan" : "",
+        [&](Rehearsal& hand) { begin_beside(first_cut, hand); });
     return cheats;
 }
 

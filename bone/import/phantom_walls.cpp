@@ -20,15 +20,15 @@ std::vector<WallSample> phantom_walls(const LevelSet& field, DistanceSource& sou
         return normalized(Vec3{slope({d, 0, 0}), slope({0, d, 0}), slope({0, 0, d})});
     };
     const auto in_field = [&](Vec3 p) { return field.at(locate(grid, p)); };
-    // A distance rises by no more than the way. So bone that is this deep at each voxel of a line is bone between them.
+    // A distance is 1-Lipschitz. So bone that is this deep at each voxel of a line is bone between them.
     const auto is_thick = [&](Vec3 p) {
         const Vec3 out = normalized(Vec3{in_field(p + Vec3{h, 0, 0}) - in_field(p - Vec3{h, 0, 0}),
                                          in_field(p + Vec3{0, h, 0}) - in_field(p - Vec3{0, h, 0}),
                                          in_field(p + Vec3{0, 0, h}) - in_field(p - Vec3{0, 0, h})});
         const Vec3 at = p - in_field(p) * out;
-        constexpr double deep = 0.6;  // [–] depth over the way inwards
-        for (double way = h; way < limit + 0.5 * h; way += h)
-            if (-in_field(at - way * out) < deep * way) return false;
+        constexpr double deep = 0.6;  // [–] depth over the travel inwards
+        for (double travel = h; travel < limit + 0.5 * h; travel += h)
+            if (-in_field(at - travel * out) < deep * travel) return false;
         return true;
     };
     std::vector<WallSample> walls;

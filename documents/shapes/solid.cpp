@@ -55,10 +55,14 @@ const MapShape<SuperellipsoidSolid> superellipsoid{
 
 const MapShape<LoftSection> loft_section{
     "loft_section",
-    "A section of a loft: a superellipse across its path.",
+    "A section of a loft: a superellipse across its path, or a curve through points.",
     {{required, "at", &LoftSection::at, position(), "Its middle.", "0 0 -13.4 mm"},
-     {required, "width", &LoftSection::width, extent(), "The whole section across `up`.", "48 mm"},
-     {required, "height", &LoftSection::height, extent(), "The whole section along `up`.", "34.8 mm"},
+     {optional, "width", &LoftSection::width, extent(), "The whole section across `up`.", "48 mm"},
+     {optional, "height", &LoftSection::height, extent(), "The whole section along `up`.", "34.8 mm"},
+     {optional, "outline", list(text()),
+      "In place of width and height: points of a smooth closed curve from the middle, across `up` and along it, in any "
+      "order of rotation that all sections share. All sections have as many.",
+      "[-9 -6 mm, 9 -6 mm, 0 10 mm]"},
      {optional, "exponent", &LoftSection::exponent, number(1.5, 10.0),
       "2 for an ellipse, which it is if not given; more for a squarer section.", "2.2"},
      {optional, "taper", &LoftSection::taper, number(-0.9, 0.9),

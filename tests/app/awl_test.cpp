@@ -13,24 +13,24 @@ namespace {
 
 constexpr const char* procedure = KERF_SOURCE_DIR "/procedures/pedicle-awl.yaml";
 
-auto told(const test::WatchedRun& run, const std::string& id) {
+auto reported(const test::WatchedRun& run, const std::string& id) {
     return std::count_if(run.events.begin(), run.events.end(),
                          [&](const session::EventRow& event) { return event.id == id; });
 }
 
 double max_thrust(const test::WatchedRun& run) {
-    double most = 0.0;
+    double max = 0.0;
     for (const session::TickRow& row : run.ticks)
-        if (row.step == 1) most = std::max(most, row.thrust);
-    return most;
+        if (row.step == 1) max = std::max(max, row.thrust);
+    return max;
 }
 
 TEST(PedicleAwl, EndsAsExpectedAlongTheAxisIntoTheCanalAndBesideThePedicle) {
     const run::Scene scene = test::scene_of(procedure);
     const test::WatchedRun expert = test::rehearsed(scene, "expert");
     EXPECT_TRUE(expert.is_as_expected);
-    EXPECT_GE(told(expert, "drilling.crushing"), 1);
-    EXPECT_EQ(told(expert, "drilling.wall_broken"), 0);
+    EXPECT_GE(reported(expert, "drilling.crushing"), 1);
+    EXPECT_EQ(reported(expert, "drilling.wall_broken"), 0);
     EXPECT_TRUE(test::rehearsed(scene, "aimed-at-the-canal").is_as_expected);
     EXPECT_TRUE(test::rehearsed(scene, "lateral").is_as_expected);
 }
@@ -46,7 +46,7 @@ TEST(PedicleAwl, InThePhantomItTakesTheForceOfItsDensityAndTheWallThatOfCortex) 
     EXPECT_NEAR(max_thrust(along), 113.0, 10.0) << "N: 4 mm, 30 degrees, 0.25 g/cm3";
     const test::WatchedRun aimed = test::rehearsed(phantom, "aimed-at-the-canal");
     EXPECT_TRUE(aimed.is_as_expected);
-    EXPECT_EQ(told(aimed, "drilling.wall_broken"), 1);
+    EXPECT_EQ(reported(aimed, "drilling.wall_broken"), 1);
     EXPECT_GT(max_thrust(aimed), 220.0);
     EXPECT_LT(max_thrust(aimed), 380.0) << "N: as much as 1 mm of cortex bears";
 }

@@ -43,8 +43,14 @@ private:
     bool is_written(const Shape& shape, const KeyShape& key) const {
         if (shape.id + "/" + key.name == dropped) return false;
         if (&shape == &shapes::procedure && key.name == "paths" && depth < 2) return false;  // no example follows one
+        if (shape.id == "loft_section" && key.name == "outline") return has_outlines();
+        const bool is_of_superellipse =
+            key.name == "width" || key.name == "height" || key.name == "exponent" || key.name == "taper";
+        if (shape.id == "loft_section" && is_of_superellipse) return !has_outlines();
         return key.presence != Presence::one_of || chosen_of(shape) == key.name;
     }
+
+    bool has_outlines() const { return choice / 18 % 2 == 1; }  // whichever kinds of solids are chosen
 
     std::string chosen_of(const Shape& shape) const {
         std::vector<std::string> names;

@@ -247,6 +247,59 @@ TEST(Loft, KnowsWhereItsSectionsCross) {
     EXPECT_GT(bent(44.0_mm), 1.0);
 }
 
+/// Points of a circle, anticlockwise.
+Outline circle(double radius) {
+    Outline points;
+    for (int i = 0; i < 16; ++i)
+        points.push_back({radius * std::cos(pi * i / 8.0), radius * std::sin(pi * i / 8.0), 0});
+    return points;
+}
+
+LoftSection outlined(double z, Outline outline) { return {.at = {0, 0, z}, .outline = std::move(outline)}; }
+
+TEST(Loft, ThroughCirclesOfPointsIsATube) {
+    const LoftSolid loft = loft_of({outlined(0, circle(5.0_mm)), outlined(20.0_mm, circle(5.0_mm))}, {0, 1, 0});
+    const TubeSolid tube{{0, 0, 0}, {0, 0, 20.0_mm}, 5.0_mm};
+    expect_distances(
+        loft, [&](Vec3 p) { return distance_to(Solid(tube), p); }, 0.02_mm);
+}
+
+TEST(Loft, ThroughTwoCirclesOfPointsLeansAsItsWall) {
+    const LoftSolid loft = loft_of({outlined(0, circle(10.0_mm)), outlined(30.0_mm, circle(4.0_mm))}, {0, 1, 0});
+    // The wall is the line x = 10 - 0.2 z.
+    for (const double x : {5.0_mm, 6.5_mm, 7.5_mm, 9.0_mm})
+        EXPECT_NEAR(distance_to(loft, {x, 0, 15.0_mm}), (x - 7.0_mm) / std::sqrt(1.04), 0.03_mm) << x;
+}
+
+TEST(Loft, ThroughPointsMayBeHollowOnASide) {
+    // A kidney: the point at x = 0 lies inwards of its neighbours.
+    const Outline kidney{
+        {-8.0_mm, -6.0_mm, 0}, {8.0_mm, -6.0_mm, 0}, {8.0_mm, 6.0_mm, 0}, {0, 0, 0}, {-8.0_mm, 6.0_mm, 0}};
+    const LoftSolid loft = loft_of({outlined(0, kidney), outlined(10.0_mm, kidney)}, {0, 1, 0});
+    EXPECT_GT(distance_to(loft, {0, 3.0_mm, 5.0_mm}), 1.0_mm) << "in the hollow";
+    EXPECT_LT(distance_to(loft, {0, -3.0_mm, 5.0_mm}), -1.0_mm);
+    EXPECT_LT(distance_to(loft, {6.0_mm, 4.0_mm, 5.0_mm}), -0.5_mm);
+    EXPECT_NEAR(distance_to(loft, {0, 0, 5.0_mm}), 0.0, 0.01_mm) << "the curve leads through its points";
+    const double volume = area_of(loft.outlines.front()) * 10.0_mm;
+    EXPECT_NEAR(volume_of(loft, 0.25_mm) / volume, 1.0, 0.01);
+    double volume_of_mesh = 0.0;
+    const Mesh mesh = mesh_of({loft});
+    for (const auto& triangle : mesh.triangles)
+        volume_of_mesh +=
+            dot(mesh.vertices[triangle[0]], cross(mesh.vertices[triangle[1]], mesh.vertices[triangle[2]])) / 6.0;
+    EXPECT_NEAR(volume_of_mesh / volume, 1.0, 0.02);
+}
+
+TEST(Outline, HasItsAreaRadiusAndCrossing) {
+    const Outline square{{0, 0, 0}, {4.0_mm, 0, 0}, {4.0_mm, 4.0_mm, 0}, {0, 4.0_mm, 0}};
+    EXPECT_NEAR(area_of(square), 16e-6, 1e-12);
+    EXPECT_NEAR(area_of({square.rbegin(), square.rend()}), -16e-6, 1e-12);
+    EXPECT_NEAR(area_of(smoothed(circle(5.0_mm))), pi * 25e-6, 0.2e-6);
+    EXPECT_NEAR(sharpest_radius(smoothed(circle(5.0_mm))), 5.0_mm, 0.5_mm);
+    EXPECT_FALSE(crosses_itself(square));
+    EXPECT_TRUE(crosses_itself({square[0], square[1], square[3], square[2]}));
+}
+
 TEST(Loft, HasAClosedMeshOnItsSurface) {
     const LoftSolid loft = loft_of({{{0, 0, 0}, 48.0_mm, 35.0_mm, 2.2},
                                     {{0, 0, 10.0_mm}, 40.0_mm, 32.0_mm, 2.2},

@@ -135,7 +135,9 @@ TEST(ReadAnatomy, MirrorsEachKindOfSolid) {
           "elliptic_tube: {from: 9 0 0 mm, to: 3 5 6 mm, width: 4 mm, height: 3 mm, up: 0.5 0 1}",
           "sphere: {centre: 9 1 2 mm, radius: 3 mm}",
           "loft: {up: 0.3 0 1, sections: [{at: 9 0 0 mm, width: 4 mm, height: 3 mm}, {at: 5 3 2 mm, width: 6 mm, "
-          "height: 3 mm}, {at: 1 9 2 mm, width: 2 mm, height: 3 mm}]}"}) {
+          "height: 3 mm}, {at: 1 9 2 mm, width: 2 mm, height: 3 mm}]}",
+          "loft: {up: 0.3 0 1, sections: [{at: 9 0 0 mm, outline: [0 0 mm, 4 0 mm, 0 2 mm]}, {at: 5 9 2 mm, outline: "
+          "[0 -1 mm, 5 0 mm, 0 3 mm]}]}"}) {
         text::Diagnostics diagnostics;
         const auto anatomy =
             read_anatomy_text("bone.yaml", replaced(faultless, boxed, solid + ", mirror: true")).take(diagnostics);
@@ -165,6 +167,22 @@ TEST(ReadAnatomy, RefusesALoftWithoutShape) {
     refused(text::Code::out_of_range, "loft: {up: 0 1 0, sections: [{at: 0 0 0 mm, width: 4 mm, height: 3 mm, "
                                       "exponent: «0.5»}, {at: 0 0 9 mm, width: 4 "
                                       "mm, height: 3 mm}]}");
+}
+
+TEST(ReadAnatomy, RefusesALoftWithoutOutline) {
+    const auto refused = [](text::Code code, const std::string& sections) {
+        expect_refused(code, boxed, "loft: {up: 0 1 0, sections: " + sections + "}");
+    };
+    const std::string triangle = "{at: 0 0 9 mm, outline: [0 0 mm, 4 0 mm, 0 2 mm]}";
+    refused(text::Code::missing_key, "[«{»at: 0 0 0 mm, width: 4 mm}, " + triangle + "]");
+    refused(text::Code::one_of, "[{at: 0 0 0 mm, width: «4 mm», outline: [0 0 mm, 4 0 mm, 0 2 mm]}, " + triangle + "]");
+    refused(text::Code::out_of_range, "[{at: 0 0 0 mm, outline: «[»0 0 mm, 4 0 mm]}, " + triangle + "]");
+    refused(text::Code::not_a_number, "[{at: 0 0 0 mm, outline: [0 0 mm, «4 mm», 0 2 mm]}, " + triangle + "]");
+    refused(text::Code::degenerate, "[{at: 0 0 0 mm, outline: «[»0 0 mm, 4 0 mm, 0 4 mm, 4 4 mm]}, " + triangle + "]");
+    refused(text::Code::degenerate,
+            "[{at: 0 0 0 mm, width: 4 mm, height: 3 mm}, «{»at: 0 0 9 mm, outline: [0 0 mm, 4 0 "
+            "mm, 0 2 mm]}]");
+    refused(text::Code::degenerate, "[" + triangle + ", «{»at: 0 0 19 mm, outline: [0 0 mm, 0 2 mm, 4 0 mm]}]");
 }
 
 TEST(ReadAnatomy, RefusesASphereWithoutRadius) {

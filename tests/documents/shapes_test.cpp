@@ -55,10 +55,12 @@ TEST(Shapes, EveryExampleIsAcceptedByTheReader) {
 TEST(Shapes, TheReaderNeedsWhatTheShapeRequiresAndNothingElse) {
     // A shape sees one map: these are needed by most tissues, or by what another key refers to, as the
     // neck to its head.
-    const std::set<std::string> needed_by_case{
-        "tissue/density",     "tissue/thickness", "needs/landmarks",     "needs/zones",      "step/limits",
-        "procedure/implants", "procedure/paths",  "procedure/measures",  "landmarks/points", "landmarks/markups",
-        "point/fit",          "implant/place",    "instrument/remeshing"};
+    const std::set<std::string> needed_by_case{"tissue/density",       "tissue/thickness",   "needs/landmarks",
+                                               "needs/zones",          "step/limits",        "procedure/implants",
+                                               "procedure/paths",      "procedure/measures", "landmarks/points",
+                                               "landmarks/markups",    "point/fit",          "implant/place",
+                                               "instrument/remeshing", "loft_section/width", "loft_section/height",
+                                               "loft_section/outline", "made_bone/level"};
     for (const Kind& kind : kinds())
         for_every_key(kind.shape, [&](const Shape& shape, const KeyShape& key) {
             if (key.presence == Presence::one_of) return;

@@ -58,16 +58,23 @@ TEST(Cheats, AreMadeOfTheFirstHandThatPasses) {
     EXPECT_EQ(cheat(cheats, "drive-off").rehearsal.path.front().inputs.front().value, 0.0);
 }
 
-TEST(Cheats, BeginBesideThePlanWithTheFirstToolThatHasAMotor) {
-    const documents::Procedure procedure = shipped("trochanter-fixation.yaml");
-    const std::vector<documents::Waypoint>& planned = procedure.rehearsals.front().path;
-    const std::vector<Cheat> cheats = cheats_of(procedure, test::plugins().catalog());
-    const auto& path = cheat(cheats, "begun-beside").rehearsal.path;
-    const auto begun = std::find_if(path.begin(), path.end(), [](const auto& at) { return at.off_plan != 0.0; });
-    ASSERT_NE(begun, path.end());
-    EXPECT_EQ(procedure.steps[begun->step].instrument, "lag-drill") << "not the forceps of the steps before";
-    EXPECT_EQ(planned[static_cast<std::size_t>(begun - path.begin())].step, begun->step);
-    EXPECT_NE(planned[static_cast<std::size_t>(begun - path.begin()) - 1].step, begun->step) << "from its start";
+TEST(Cheats, BeginBesideThePlanWhereNothingHoldsTheTool) {
+    documents::Procedure procedure = shipped("trochanter-fixation.yaml");
+    const auto begun = [&] { return cheat(cheats_of(procedure, test::plugins().catalog()), "begun-beside"); };
+    EXPECT_EQ(begun().why_not, "a sleeve or an implant's hole holds every tool that cuts on the plan");
+
+    // A drill without a sleeve, beside an axis of the bone: it begins there, not with the forceps before
+    const auto drill = std::find_if(procedure.steps.begin(), procedure.steps.end(),
+                                    [](const auto& step) { return step.id == "hole-2"; });
+    drill->axis = "shaft";
+    const auto step = static_cast<std::size_t>(drill - procedure.steps.begin());
+    const Cheat cheat = begun();
+    EXPECT_EQ(cheat.why_not, "");
+    const auto& path = cheat.rehearsal.path;
+    const auto at = std::find_if(path.begin(), path.end(), [](const auto& one) { return one.off_plan != 0.0; });
+    ASSERT_NE(at, path.end());
+    EXPECT_EQ(at->step, step);
+    EXPECT_NE((at - 1)->step, step) << "from its start";
 }
 
 TEST(Cheats, BackAnImplantOutBeforeItIsLeft) {
