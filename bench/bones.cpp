@@ -71,8 +71,8 @@ void print_draws() {
             double worst_mean = 0.0, worst_sd = 0.0;
             for (const Dimension& d : population.dimensions) {
                 const auto [mean, square] = sums[d.name];
-                const bool is_angle = d.unit == "deg";  // whose mean may be 0
-                const double off = is_angle ? 0.0 : 100.0 * mean / d.mean;
+                const bool is_about_zero = d.unit == "deg" || d.mean == 0.0;
+                const double off = is_about_zero ? 0.0 : 100.0 * mean / d.mean;
                 const double sd_off = 100.0 * (std::sqrt(square - mean * mean) / d.sd - 1.0);
                 if (std::abs(off) > std::abs(worst_mean)) worst_mean = off, of_mean = d.name;
                 if (std::abs(sd_off) > std::abs(worst_sd)) worst_sd = sd_off, of_sd = d.name;

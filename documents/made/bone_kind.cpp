@@ -3,13 +3,14 @@
 
 #include <algorithm>
 
+#include "documents/made/femur/femur.h"
 #include "documents/made/vertebra/vertebra.h"
 #include "kerf/assert.hpp"
 
 namespace kerf::documents {
 
 const std::vector<BoneKind>& bone_kinds() {
-    static const std::vector<BoneKind> kinds{vertebra_kind()};
+    static const std::vector<BoneKind> kinds{vertebra_kind(), femur_kind()};
     return kinds;
 }
 

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "documents/made/bone_kind.h"
+
+namespace kerf::documents {
+
+/// Returns the kind `femur`: its upper end with a broken neck.   [any]
+[[nodiscard]] BoneKind femur_kind();
+
+}  // namespace kerf::documents
