@@ -16,7 +16,7 @@ namespace {
 
 using namespace literals;
 
-constexpr double default_age = 75.0;  // necks break in old people
+constexpr double age_of_broken = 75.0, age_of_whole = 45.0;  // [years] unless one is requested
 
 /// Values by age [years], between which it changes linearly.
 template <std::size_t N>
@@ -40,11 +40,27 @@ constexpr std::array<std::array<double, 2>, 3> lower_cortex{{{40, 3.7}, {60, 3.5
 constexpr std::array<std::array<double, 2>, 3> densities{{{50, 1.034}, {67, 1.0}, {85, 0.964}}};
 constexpr double osteoporotic_density = 0.65;
 
+/// Returns a figure of men or of women; the mean of both if the sex is unsaid.
+struct OfSex {
+    double sign;
+    double operator()(double man, double woman) const { return 0.5 * (man + woman + sign * (man - woman)); }
+};
+
+void add_shaft(const MakeRequest& request, double age, const char* where, DimensionTable& table) {
+    const OfSex of_sex{sign_of(request.sex)};
+    const double width = of_sex(28.6, 26.3);
+    table.length("shaft.width", "Width of the shaft.", width, of_sex(3.2, 2.2), 0.4, Evidence::derived,
+                 "perimeter of the shaft, Northern Greece, over pi");
+    Dimension& canal =
+        table.length("shaft.canal", where, (request.is_osteoporotic ? osteoporotic_canal : at_age(age, canals)) * width,
+                     1.9, 0.15, Evidence::recalled,
+                     "index of the cortex 0.58, 0.50 and 0.42 in shafts of type A, B and C (Dorr 1993)", 5.0);
+    canal.partner = "shaft.width", canal.shared = 0.6;
+}
+
 void add_proximal(const MakeRequest& request, DimensionTable& table) {
-    const double sign = sign_of(request.sex), age = request.age.value_or(default_age);
-    const bool is_thin = request.is_osteoporotic;
-    // Men and women, each with a mean and a standard deviation; the mean of both if the sex is unsaid.
-    const auto of_sex = [&](double man, double woman) { return 0.5 * (man + woman + sign * (man - woman)); };
+    const OfSex of_sex{sign_of(request.sex)};
+    const double age = request.age.value_or(age_of_broken);
 
     table.length("head.diameter", "Diameter of the head.", of_sex(49, 44), 3.0, 0.55, Evidence::read,
                  "Germany, 100 men, 70 women");
@@ -79,21 +95,14 @@ void add_proximal(const MakeRequest& request, DimensionTable& table) {
         table.length("trochanters.distance", "From the tip of the greater to the tip of the lesser trochanter.",
                      of_sex(67.2, 59.9), of_sex(7.5, 5.3), 0.35, Evidence::read, "Northern Greece, 443 femora");
     apart.partner = "greater_trochanter.rise", apart.shared = 0.65;
-    const double width = of_sex(28.6, 26.3);
-    table.length("shaft.width", "Width of the shaft below the trochanters.", width, of_sex(3.2, 2.2), 0.4,
-                 Evidence::derived, "perimeter of the shaft, Northern Greece, over pi");
-    Dimension& canal =
-        table.length("shaft.canal", "Width of the marrow canal, 100 mm below the lesser trochanter.",
-                     (is_thin ? osteoporotic_canal : at_age(age, canals)) * width, 1.9, 0.15, Evidence::recalled,
-                     "index of the cortex 0.58, 0.50 and 0.42 in shafts of type A, B and C (Dorr 1993)", 5.0);
-    canal.partner = "shaft.width", canal.shared = 0.6;
+    add_shaft(request, age, "Width of the marrow canal, 100 mm below the lesser trochanter.", table);
     table.length("neck.upper_cortex", "Thickness of the upper wall of the neck.", at_age(age, upper_cortex), 0.25, 0.0,
                  Evidence::recalled, "it loses three times as much as the lower wall; SD assumed", 0.3);
     table.length("neck.lower_cortex", "Thickness of the lower wall of the neck.", at_age(age, lower_cortex), 0.5, 0.0,
                  Evidence::recalled, "3.5 mm at 60 years, 3.2 mm at 80; SD assumed", 1.0);
     table.length("trochanters.cortex", "Thickness of the cortex of the trochanters.", 1.5, 0.25, 0.0,
                  Evidence::recalled, "1 to 2 mm", 0.5);
-    const double density = is_thin ? osteoporotic_density : at_age(age, densities);
+    const double density = request.is_osteoporotic ? osteoporotic_density : at_age(age, densities);
     table.add({.name = "neck.density",
                .help = "Apparent density of the cancellous bone of head and neck.",
                .dimension = dimension::density,
@@ -114,11 +123,47 @@ void add_proximal(const MakeRequest& request, DimensionTable& table) {
               60.0, 1.0);
 }
 
+void add_distal(const MakeRequest& request, DimensionTable& table) {
+    const OfSex of_sex{sign_of(request.sex)};
+    const double age = request.age.value_or(age_of_whole);
+    table.length("condyles.width", "Width over both condyles.", of_sex(85, 76), of_sex(4, 3.5), 0.55, Evidence::computed,
+                 "between Northern Greece, 360 femora, and Bosnia");
+    Dimension& medial = table.length("medial_condyle.depth", "Depth of the medial condyle, from front to back.",
+                                     of_sex(61.1, 55.9), of_sex(3.4, 2.9), 0.55, Evidence::read, "Northern Greece");
+    medial.partner = "condyles.width", medial.shared = 0.45;
+    Dimension& lateral = table.length("lateral_condyle.depth", "Depth of the lateral condyle, from front to back.",
+                                      of_sex(61.1, 55.4), of_sex(3.3, 2.1), 0.55, Evidence::read, "Northern Greece");
+    lateral.partner = "medial_condyle.depth", lateral.shared = 0.65;
+    table.length("notch.width", "Width of the notch between the condyles.", of_sex(22.0, 18.7), of_sex(1.8, 1.0), 0.3,
+                 Evidence::read, "Northern Greece");
+    table.length("notch.depth", "Depth of the notch from the ends of the condyles.", of_sex(27.8, 23.7),
+                 of_sex(1.6, 1.2), 0.3, Evidence::read, "Northern Greece");
+    add_shaft(request, age, "Width of the marrow canal.", table);
+    table.length("condyles.cortex", "Thickness of the shell of the condyles.", 1.2, 0.2, 0.0, Evidence::assumed,
+                 "thinner than the shaft's", 0.4);
+    const double density = request.is_osteoporotic ? osteoporotic_density : at_age(age, densities);
+    table.add({.name = "condyles.density",
+               .help = "Apparent density of the cancellous bone.",
+               .dimension = dimension::density,
+               .unit = "g/cm3",
+               .mean = 340.0 * density,
+               .sd = 80.0 * density,
+               .evidence = Evidence::assumed,
+               .source = "between the neck and the upper end of the tibia; 0.65 of it with osteoporosis"},
+              100.0, 1.0);
+}
+
 /// Returns the message for a dimension outside its bounds; empty if it lies within.
 std::string outside(const char* name, double value, double min, double max, const char* at) {
     if (value >= min && value <= max) return {};
     return std::string("`") + name + "` is out of range: got " + dimension_text(value, "mm") + ", expected " +
            dimension_text(min, "mm") + " to " + dimension_text(max, "mm") + " at this " + at;
+}
+
+std::string contradiction_of_canal(const DimensionValues& v, bool is_osteoporotic) {
+    const double width = v["shaft.width"];
+    return outside("shaft.canal", v["shaft.canal"], 0.25 * width, (is_osteoporotic ? 0.70 : 0.62) * width,
+                   "`shaft.width`");
 }
 
 std::string contradiction_of_proximal(const DimensionValues& v, bool is_osteoporotic) {
@@ -147,8 +192,28 @@ std::string contradiction_of_proximal(const DimensionValues& v, bool is_osteopor
                                 "`greater_trochanter.rise`, `neck.offset` and `neck.angle`");
         !s.empty())
         return s;
-    return outside("shaft.canal", v["shaft.canal"], 0.25 * width, (is_osteoporotic ? 0.70 : 0.62) * width,
-                   "`shaft.width`");
+    return contradiction_of_canal(v, is_osteoporotic);
+}
+
+std::string contradiction_of_distal(const DimensionValues& v, bool is_osteoporotic) {
+    const double width = v["condyles.width"], medial = v["medial_condyle.depth"];
+    if (std::string s = outside("medial_condyle.depth", medial, 0.62 * width, 0.84 * width, "`condyles.width`");
+        !s.empty())
+        return s;
+    if (std::string s = outside("lateral_condyle.depth", v["lateral_condyle.depth"], 0.9 * medial, 1.1 * medial,
+                                "`medial_condyle.depth`");
+        !s.empty())
+        return s;
+    if (std::string s = outside("notch.width", v["notch.width"], 0.18 * width, 0.31 * width, "`condyles.width`");
+        !s.empty())
+        return s;
+    if (std::string s = outside("notch.depth", v["notch.depth"], 0.34 * medial, 0.55 * medial, "`medial_condyle.depth`");
+        !s.empty())
+        return s;
+    if (std::string s = outside("shaft.width", v["shaft.width"], 0.25 * width, 0.43 * width, "`condyles.width`");
+        !s.empty())
+        return s;
+    return contradiction_of_canal(v, is_osteoporotic);
 }
 
 }  // namespace
@@ -166,14 +231,20 @@ double lesser_trochanter_height(const DimensionValues& v) {
     return greater_trochanter_height(v) - std::sqrt(std::max(distance * distance - across * across, 0.0));
 }
 
+double distal_cut_width(const DimensionValues& v) {
+    return 41.0_mm * std::sqrt(v["condyles.width"] / 80.0_mm * v["shaft.width"] / 26.5_mm);
+}
+
 Population femur_population(const MakeRequest& request) {
+    const bool is_proximal = request.level == "proximal";
     Population population;
     DimensionTable table;
-    add_proximal(request, table);
+    (is_proximal ? add_proximal : add_distal)(request, table);
     population.dimensions = std::move(table.all);
     population.stature = stature_of(request.sex);
-    population.find_contradiction = [is_osteoporotic = request.is_osteoporotic](const DimensionValues& values) {
-        return contradiction_of_proximal(values, is_osteoporotic);
+    population.find_contradiction = [is_proximal,
+                                     is_osteoporotic = request.is_osteoporotic](const DimensionValues& values) {
+        return (is_proximal ? contradiction_of_proximal : contradiction_of_distal)(values, is_osteoporotic);
     };
     return population;
 }

@@ -19,6 +19,9 @@ namespace kerf::documents {
 /// Returns the height of the tip of the lesser trochanter in the same frame, negative below [m].
 [[nodiscard]] double lesser_trochanter_height(const DimensionValues& femur);
 
+/// Returns the width of the lower end level with the cut of an amputation [m]; assumed.
+[[nodiscard]] double distal_cut_width(const DimensionValues& femur);
+
 /// Where the tips of both trochanters lie, in widths of the shaft: x lateral, y posterior [–].
 struct TrochanterTip {
     double x = 0.0, y = 0.0;

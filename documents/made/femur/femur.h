@@ -5,7 +5,7 @@
 
 namespace kerf::documents {
 
-/// Returns the kind `femur`: its upper end with a broken neck.   [any]
+/// Returns the kind `femur`: its upper end with a broken neck, and its lower end.   [any]
 [[nodiscard]] BoneKind femur_kind();
 
 }  // namespace kerf::documents

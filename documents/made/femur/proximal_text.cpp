@@ -8,6 +8,7 @@
 
 #include "documents/made/anatomy_text.h"
 #include "documents/made/femur/dimensions.h"
+#include "documents/made/femur/solids_text.h"
 
 namespace kerf::documents {
 namespace {
@@ -15,29 +16,6 @@ namespace {
 constexpr double plate_angle = 35.0 * std::numbers::pi / 180.0;  // of its screw, off the normal of the plate
 constexpr double screw_above_plate = 38.97;  // [mm] from the plate's origin up to where the screw meets bone
 constexpr double plate_below = 47.0, plate_above = 47.0;  // [mm] how far plate and bone reach from that origin
-
-std::string tube(const char* kind, Vec3 from, Vec3 to) {
-    return std::string(kind) + ": {from: " + vector_text(from) + " mm, to: " + vector_text(to) + " mm, ";
-}
-std::string elliptic_tube(Vec3 from, Vec3 to, double width, double height, const std::string& up) {
-    return tube("elliptic_tube", from, to) + "width: " + rounded_text(width) + " mm, height: " + rounded_text(height) +
-           " mm, up: " + up + "}";
-}
-std::string round_tube(Vec3 from, Vec3 to, double radius) {
-    return tube("tube", from, to) + "radius: " + rounded_text(radius) + " mm}";
-}
-std::string sphere(Vec3 centre, double radius) {
-    return "sphere: {centre: " + vector_text(centre) + " mm, radius: " + rounded_text(radius) + " mm}";
-}
-
-/// Returns a part of one line.
-std::string part(const char* id, const std::string& solid, const WrittenJoint& joint) {
-    std::string text = std::string("    - id: ") + id + "\n      " + solid + "\n";
-    if (joint.subtract) text += "      subtract: true\n";
-    if (joint.blend > 0.0) text += "      blend: " + rounded_text(joint.blend) + " mm\n";
-    if (!joint.source.empty()) text += folded("source", joint.source, 6);
-    return text;
-}
 
 /// All in mm and radians.
 class ProximalFemurWriter {
@@ -101,8 +79,8 @@ std::string ProximalFemurWriter::shaft() const {
                        section(-2.5, 0.5, lesser_ + 1, 31.4, 29, 2.2, 0), section(-3.5, 1.5, -2, 33.4, 31, 2.2, 0),
                        section(-2, 3, 12, 24, 26, 2, 0)}},
                      {0, false, false, "Wider below the trochanters [recalled]."}) +
-           part("linea_aspera",
-                elliptic_tube(girded(1, 11.5, bottom_ - 5), girded(-3, 8, lesser_ - 7), 8 * girth_, 7.5 * girth_,
+           solid_part("linea_aspera",
+                elliptic_tube_text(girded(1, 11.5, bottom_ - 5), girded(-3, 8, lesser_ - 7), 8 * girth_, 7.5 * girth_,
                               "0 1 0"),
                 {4, false, false, "Schematic."});
 }
@@ -144,20 +122,20 @@ std::string ProximalFemurWriter::neck() const {
 std::string ProximalFemurWriter::small_parts() const {
     const Vec3 fovea = head() + radius_ * (1.07 * along_ + 0.326 * Vec3{0, 1, 0} + 0.5 * across_);
     const Vec3 tip{girth_ * -0.75, girth_ * 0.62, girth_ * 0.2};
-    return part("intertrochanteric_crest",
-                elliptic_tube(girded(9, 15.5, 0.53 * tip_), girded(-9, 15, lesser_ + 4), 11 * girth_, 11 * girth_,
+    return solid_part("intertrochanteric_crest",
+                elliptic_tube_text(girded(9, 15.5, 0.53 * tip_), girded(-9, 15, lesser_ + 4), 11 * girth_, 11 * girth_,
                               "0 1 0"),
                 {5, false, false, "Schematic."}) +
-           part("lesser_trochanter",
+           solid_part("lesser_trochanter",
                 "superellipsoid: {centre: " + vector_text(girded(-10.5, 9.5, lesser_)) +
                     " mm, length: " + rounded_text(26 * girth_) + " mm, width: " + rounded_text(18 * girth_) +
                     " mm, height: " + rounded_text(24 * girth_) + " mm, along: " + direction_text(tip) + "}",
                 {5, false, false, "Shape schematic."}) +
-           part("trochanteric_fossa", sphere(girded(-5, 15, 0.73 * tip_), 7 * girth_), {4, false, true, "Schematic."}) +
-           part("head", sphere(head(), radius_), {4, false, false, ""}) +
-           part("fovea", sphere(fovea, 0.26 * radius_),
+           solid_part("trochanteric_fossa", sphere_text(girded(-5, 15, 0.73 * tip_), 7 * girth_), {4, false, true, "Schematic."}) +
+           solid_part("head", sphere_text(head(), radius_), {4, false, false, ""}) +
+           solid_part("fovea", sphere_text(fovea, 0.26 * radius_),
                 {3, false, true, "Schematic; behind and below the axis of the neck."}) +
-           part("beyond  # the bone ends flat",
+           solid_part("beyond  # the bone ends flat",
                 "box: {centre: " + vector_text({0, 0, bottom_ - 10}) + " mm, size: 80 80 20 mm}", {0, false, true, ""});
 }
 
@@ -191,7 +169,7 @@ std::string ProximalFemurWriter::tissues() const {
                    4);
     text += "  - id: diaphysis  # up to the canal\n    thickness: " + rounded_text(wall) +
             " mm\n    density: " + dense + "    solids:\n      - " +
-            elliptic_tube(girded(0, 0, bottom_ - 3), girded(-2.5, 0.5, lesser_ + 3), 34 * girth_, 36 * girth_,
+            elliptic_tube_text(girded(0, 0, bottom_ - 3), girded(-2.5, 0.5, lesser_ + 3), 34 * girth_, 36 * girth_,
                           "0 1 0") +
             "\n";
     text += folded("source",
@@ -203,12 +181,12 @@ std::string ProximalFemurWriter::tissues() const {
             " mm\n    density: " + dense + "    regions:\n";
     text += "      - thickness: " + rounded_text(mm("neck.lower_cortex")) +
             " mm  # calcar: the lower wall of the neck\n        over: 4 mm\n        solids:\n          - " +
-            elliptic_tube(girded(-14, 1, lesser_ + 1), on_neck(0.45 * length_, 0.86 * half), 16 * girth_, 10 * girth_,
+            elliptic_tube_text(girded(-14, 1, lesser_ + 1), on_neck(0.45 * length_, 0.86 * half), 16 * girth_, 10 * girth_,
                           "-0.9 0 -0.4") +
             "\n";
     text += "      - thickness: " + rounded_text(mm("neck.upper_cortex")) +
             " mm  # the upper wall\n        over: 3 mm\n        solids:\n          - " +
-            elliptic_tube(on_neck(0.3 * length_, -half), on_neck(0.7 * length_, -half), 20 * girth_, 10 * girth_,
+            elliptic_tube_text(on_neck(0.3 * length_, -half), on_neck(0.7 * length_, -half), 20 * girth_, 10 * girth_,
                           vector_text({-across_.x, 0, -across_.z})) +
             "\n";
     text += "      - {part: head, thickness: 0.7 mm}\n";
@@ -216,7 +194,7 @@ std::string ProximalFemurWriter::tissues() const {
     text += "  - id: cancellous\n    density: " + with_decimals(1e-3 * v_["trochanters.density"], 3) +
             " g/cm3\n    regions:\n      - density: " + with_decimals(1e-3 * v_["neck.density"], 3) +
             " g/cm3  # in head and neck\n        over: 6 mm\n        solids:\n          - " +
-            round_tube(on_neck(0.25 * length_), on_neck(length_ + radius_), radius_ + 2.0) + "\n";
+            tube_text(on_neck(0.25 * length_), on_neck(length_ + radius_), radius_ + 2.0) + "\n";
     text += folded("source", "The dimensions above.", 4);
     return text;
 }
@@ -228,10 +206,7 @@ std::string ProximalFemurWriter::fracture() const {
 }
 
 std::string ProximalFemurWriter::landmarks() const {
-    const auto axis = [](const char* id, Vec3 from, Vec3 to) {
-        return std::string("    ") + id + ": {from: " + vector_text(from) + " mm, to: " + vector_text(to) +
-               " mm, tolerance: 1 mm}\n";
-    };
+    const auto axis = [](const char* id, Vec3 from, Vec3 to) { return axis_text(id, from, to, 1.0); };
     const Vec3 grip = on_neck(length_ - 8.5);
     return "landmarks:\n  points:\n    apex: {at: " + vector_text(on_neck(length_ + radius_)) +
            " mm, tolerance: 1 mm, lies: on_bone}  # of the head, on the axis of the neck\n    head: {at: " +
@@ -249,7 +224,7 @@ std::string ProximalFemurWriter::landmarks() const {
 
 std::string ProximalFemurWriter::zones() const {
     return "zones:\n  joint:  # the socket above the head\n    - {" +
-           round_tube(on_neck(length_ + radius_ + 3.5), on_neck(length_ + radius_ + 15.5), radius_ + 1.0) + "}\n";
+           tube_text(on_neck(length_ + radius_ + 3.5), on_neck(length_ + radius_ + 15.5), radius_ + 1.0) + "}\n";
 }
 
 }  // namespace
