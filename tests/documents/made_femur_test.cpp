@@ -25,6 +25,8 @@ using Sex = MakeRequest::Sex;
 
 MakeRequest proximal(Sex sex = Sex::unsaid) { return {.kind = "femur", .level = "proximal", .sex = sex}; }
 
+MakeRequest distal(Sex sex = Sex::unsaid) { return {.kind = "femur", .level = "distal", .sex = sex}; }
+
 MakeRequest with_seed(MakeRequest request, std::uint32_t seed) {
     request.seed = seed;
     return request;
@@ -65,20 +67,21 @@ TEST(MadeFemur, MeanDimensionsGiveFiguresThatAPersonCanCheck) {
 TEST(MadeFemur, IsAsLongAlongItsNeckAsInPeople) {
     for (const auto& [sex, length] : {std::pair{Sex::male, 97.8_mm}, std::pair{Sex::female, 87.8_mm}}) {
         const DimensionValues v = means_of(proximal(sex));
-        const double found = 0.5 * v["head.diameter"] + neck_length(v) +
-                             0.5 * v["shaft.width"] / std::sin(v["neck.angle"]);
+        const double found =
+            0.5 * v["head.diameter"] + neck_length(v) + 0.5 * v["shaft.width"] / std::sin(v["neck.angle"]);
         EXPECT_NEAR(found, length, 1.5_mm);
     }
 }
 
 TEST(MadeFemur, BonesHaveTheMeansAndDeviationsOfTheirSource) {
     constexpr std::uint32_t people = 3000;
-    for (const Sex sex : {Sex::female, Sex::male}) {
-        const Population population = femur_population(proximal(sex));
+    for (const MakeRequest& request :
+         {proximal(Sex::female), proximal(Sex::male), distal(Sex::female), distal(Sex::male)}) {
+        const Population population = femur_population(request);
         std::map<std::string, std::vector<double>> drawn;
         int redrawn = 0;
         for (std::uint32_t seed = 0; seed < people; ++seed) {
-            const DrawnBone bone = draw_bone(population, with_seed(proximal(sex), seed));
+            const DrawnBone bone = draw_bone(population, with_seed(request, seed));
             ASSERT_EQ(bone.contradiction, "");
             redrawn += bone.redraws > 0;
             for (const Dimension& d : population.dimensions) drawn[d.name].push_back(bone.values[d.name]);
@@ -109,13 +112,54 @@ TEST(MadeFemur, CanalAndDensityFollowAgeAndOsteoporosis) {
 
 TEST(MadeFemur, HasItsDimensions) {
     for (const int seed : {-1, 1, 3, 11, 14}) {
-        const MadeBone bone = make_bone(seed < 0 ? proximal() : with_seed(proximal(), static_cast<std::uint32_t>(seed)));
+        const MadeBone bone =
+            make_bone(seed < 0 ? proximal() : with_seed(proximal(), static_cast<std::uint32_t>(seed)));
         ASSERT_EQ(bone.drawn.contradiction, "");
         EXPECT_EQ(bone.measured.size(), 8u);
         for (const MeasuredDimension& measured : bone.measured)
             EXPECT_NEAR(measured.value, bone.drawn.values[measured.name],
                         dimension_of(bone.population, measured.name).unit == "deg" ? 1.0_deg : 1.0_mm)
                 << measured.name << " of person " << seed;
+    }
+}
+
+TEST(MadeFemur, LowerEndHasItsDimensions) {
+    for (const int seed : {-1, 1, 3, 5, 8}) {
+        const MadeBone bone = make_bone(seed < 0 ? distal() : with_seed(distal(), static_cast<std::uint32_t>(seed)));
+        ASSERT_EQ(bone.drawn.contradiction, "");
+        EXPECT_EQ(bone.measured.size(), 7u);
+        for (const MeasuredDimension& measured : bone.measured)
+            EXPECT_NEAR(measured.value, bone.drawn.values[measured.name], 0.8_mm)
+                << measured.name << " of person " << seed;
+    }
+}
+
+TEST(MadeFemur, BothEndsOfAPersonHaveOneShaft) {
+    MakeRequest upper = proximal(), lower = distal();
+    upper.age = lower.age = 60.0;
+    for (const std::uint32_t seed : {2u, 9u}) {
+        const MadeBone a = make_bone(with_seed(upper, seed)), b = make_bone(with_seed(lower, seed));
+        if (a.drawn.redraws != 0 || b.drawn.redraws != 0) continue;
+        EXPECT_DOUBLE_EQ(a.drawn.values["shaft.width"], b.drawn.values["shaft.width"]) << seed;
+        EXPECT_DOUBLE_EQ(a.drawn.values["shaft.canal"], b.drawn.values["shaft.canal"]) << seed;
+    }
+}
+
+TEST(MadeFemur, LowerEndIsAnAnatomyWithItsLandmarks) {
+    for (std::uint32_t seed = 0; seed < 8; ++seed) {
+        const MadeBone bone = make_bone(with_seed(distal(), seed));
+        const Anatomy anatomy = anatomy_of(bone);
+        ASSERT_EQ(anatomy.axes.size(), 5u) << seed;
+        for (const LandmarkAxis& axis : anatomy.axes) {
+            EXPECT_GT(distance_to(anatomy.phantom, axis.from), 0.0) << axis.id << " " << seed;
+            EXPECT_LT(distance_to(anatomy.phantom, 0.3 * axis.from + 0.7 * axis.to), 0.0) << axis.id << " " << seed;
+        }
+        for (const std::size_t epicondyle : {1u, 2u})
+            EXPECT_NEAR(distance_to(anatomy.phantom, anatomy.points.at(epicondyle).at), 0.0, 0.5_mm) << seed;
+        // Four cuts of 14 mm cover the width of the bone.
+        const double outermost = axis_of(anatomy, "cut_1").from.x, inner = axis_of(anatomy, "cut_2").from.x;
+        EXPECT_LT(outermost - inner, 13.5_mm) << seed;
+        EXPECT_GT(outermost + 7.0_mm, 0.5 * distal_cut_width(bone.drawn.values)) << seed;
     }
 }
 
@@ -141,8 +185,8 @@ TEST(MadeFemur, IsAnAnatomyWithItsLandmarks) {
 TEST(MadeFemur, CanalLeavesTheCortexThatItsIndexStates) {
     const MadeBone bone = make_bone(proximal());
     const Anatomy anatomy = anatomy_of(bone);
-    const auto marrow = std::find_if(anatomy.tissues.begin(), anatomy.tissues.end(),
-                                     [](const Tissue& t) { return t.id == "marrow"; });
+    const auto marrow =
+        std::find_if(anatomy.tissues.begin(), anatomy.tissues.end(), [](const Tissue& t) { return t.id == "marrow"; });
     ASSERT_NE(marrow, anatomy.tissues.end());
     const double z = axis_of(anatomy, "shaft").to.z - 14.0_mm;  // about 70 mm below the lesser trochanter
     double x = 0.0;
@@ -160,6 +204,14 @@ TEST(MadeFemur, TheShippedBrokenFemurIsTheMeanOsteoporoticOne) {
     EXPECT_EQ(shipped.str(), make_bone(request).text)
         << "`kerf anatomy make femur --level proximal --osteoporosis -o procedures/anatomy/femur-fractured.yaml` "
            "writes it";
+}
+
+TEST(MadeFemur, TheShippedKneeIsTheMeanOne) {
+    std::ifstream file(KERF_SOURCE_DIR "/procedures/anatomy/knee.yaml");
+    std::ostringstream shipped;
+    shipped << file.rdbuf();
+    EXPECT_EQ(shipped.str(), make_bone(distal()).text)
+        << "`kerf anatomy make femur --level distal -o procedures/anatomy/knee.yaml` writes it";
 }
 
 /// Reads a request, and returns the messages.
@@ -189,6 +241,9 @@ TEST(MadeFemur, RefusesImpossibleRequests) {
     has(with("neck.offset: 60 mm"), {"`neck.offset` is out of range", "`head.diameter` and `neck.angle`"});
     has(with("greater_trochanter.rise: 22 mm"), {"`greater_trochanter.rise` is out of range"});
     has(with("trochanters.distance: 45 mm"), {"`trochanters.distance` is out of range"});
+    has(problem_with("{make: femur, level: distal, set: {medial_condyle.depth: 48 mm}}"),
+        {"`medial_condyle.depth` is out of range: got 48 mm", "at this `condyles.width`"});
+    has(problem_with("{make: femur, level: distal, set: {notch.width: 26 mm}}"), {"`notch.width` is out of range"});
     has(with("shaft.canal: 18 mm"), {"`shaft.canal` is out of range: got 18 mm", "to 17.02 mm at this `shaft.width`"});
 }
 

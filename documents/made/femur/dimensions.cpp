@@ -51,10 +51,9 @@ void add_shaft(const MakeRequest& request, double age, const char* where, Dimens
     const double width = of_sex(28.6, 26.3);
     table.length("shaft.width", "Width of the shaft.", width, of_sex(3.2, 2.2), 0.4, Evidence::derived,
                  "perimeter of the shaft, Northern Greece, over pi");
-    Dimension& canal =
-        table.length("shaft.canal", where, (request.is_osteoporotic ? osteoporotic_canal : at_age(age, canals)) * width,
-                     1.9, 0.15, Evidence::recalled,
-                     "index of the cortex 0.58, 0.50 and 0.42 in shafts of type A, B and C (Dorr 1993)", 5.0);
+    Dimension& canal = table.length(
+        "shaft.canal", where, (request.is_osteoporotic ? osteoporotic_canal : at_age(age, canals)) * width, 1.9, 0.15,
+        Evidence::recalled, "index of the cortex 0.58, 0.50 and 0.42 in shafts of type A, B and C (Dorr 1993)", 5.0);
     canal.partner = "shaft.width", canal.shared = 0.6;
 }
 
@@ -126,8 +125,8 @@ void add_proximal(const MakeRequest& request, DimensionTable& table) {
 void add_distal(const MakeRequest& request, DimensionTable& table) {
     const OfSex of_sex{sign_of(request.sex)};
     const double age = request.age.value_or(age_of_whole);
-    table.length("condyles.width", "Width over both condyles.", of_sex(85, 76), of_sex(4, 3.5), 0.55, Evidence::computed,
-                 "between Northern Greece, 360 femora, and Bosnia");
+    table.length("condyles.width", "Width over both condyles.", of_sex(85, 76), of_sex(4, 3.5), 0.55,
+                 Evidence::computed, "between Northern Greece, 360 femora, and Bosnia");
     Dimension& medial = table.length("medial_condyle.depth", "Depth of the medial condyle, from front to back.",
                                      of_sex(61.1, 55.9), of_sex(3.4, 2.9), 0.55, Evidence::read, "Northern Greece");
     medial.partner = "condyles.width", medial.shared = 0.45;
@@ -207,7 +206,8 @@ std::string contradiction_of_distal(const DimensionValues& v, bool is_osteoporot
     if (std::string s = outside("notch.width", v["notch.width"], 0.18 * width, 0.31 * width, "`condyles.width`");
         !s.empty())
         return s;
-    if (std::string s = outside("notch.depth", v["notch.depth"], 0.34 * medial, 0.55 * medial, "`medial_condyle.depth`");
+    if (std::string s =
+            outside("notch.depth", v["notch.depth"], 0.34 * medial, 0.55 * medial, "`medial_condyle.depth`");
         !s.empty())
         return s;
     if (std::string s = outside("shaft.width", v["shaft.width"], 0.25 * width, 0.43 * width, "`condyles.width`");
@@ -225,8 +225,7 @@ double greater_trochanter_height(const DimensionValues& v) {
 }
 
 double lesser_trochanter_height(const DimensionValues& v) {
-    const double across =
-        v["shaft.width"] * std::hypot(greater_tip.x - lesser_tip.x, greater_tip.y - lesser_tip.y);
+    const double across = v["shaft.width"] * std::hypot(greater_tip.x - lesser_tip.x, greater_tip.y - lesser_tip.y);
     const double distance = v["trochanters.distance"];
     return greater_trochanter_height(v) - std::sqrt(std::max(distance * distance - across * across, 0.0));
 }

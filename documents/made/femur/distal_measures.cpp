@@ -69,12 +69,12 @@ private:
 
     void measure_notch() {
         // In the middle of the notch, from a plane that touches both condyles from below.
-        const double y = 3.0 * medial_.y, lowest = farthest(-0.7 * medial_.x, 0.7 * medial_.x, 0.0, y,
-                                                            [&](double at_x, double at_y) {
-                                                                return lines_.to_border({at_x, at_y, -outside - 20.0_mm},
-                                                                                        {0, 0, 1});
-                                                            }) +
-                                                   20.0_mm;
+        const double y = 3.0 * medial_.y,
+                     lowest = farthest(-0.7 * medial_.x, 0.7 * medial_.x, 0.0, y,
+                                       [&](double at_x, double at_y) {
+                                           return lines_.to_border({at_x, at_y, -outside - 20.0_mm}, {0, 0, 1});
+                                       }) +
+                              20.0_mm;
         const double roof = outside - lines_.to_border({0, y, -outside}, {0, 0, 1});
         add("notch.depth", lowest - roof);
         add("notch.width", lines_.across({0, y, -lowest + 0.5 * (lowest - roof)}, {1, 0, 0}).size());

@@ -21,6 +21,7 @@ public:
         wide_ = half_ / 40.0, thick_ = mm("shaft.width") / 26.5;
         deep_ = 0.5 * (mm("medial_condyle.depth") + mm("lateral_condyle.depth")) / 60.0;
         cut_ = distal_cut_width(v_) * 1e3;
+        back_ = 13.75 * (0.35 * thick_ + 0.65 * deep_);
     }
 
     [[nodiscard]] std::string parts() const { return shaft() + condyles() + holes(); }
@@ -33,13 +34,11 @@ private:
     [[nodiscard]] std::string shaft() const;
     [[nodiscard]] std::string condyles() const;
     [[nodiscard]] std::string holes() const;
-    /// Returns the back of the bone level with the cut.
-    [[nodiscard]] double back() const { return 13.75 * thick_; }
 
     const DimensionValues& v_;
     double half_;                 // of the width over both condyles
     double wide_, thick_, deep_;  // [–] width of the condyles, thickness of the shaft and depth, in those of an adult
-    double cut_;                  // width of the bone level with the cut
+    double cut_, back_;           // width of the bone level with the cut; its back there
 };
 
 std::string DistalFemurWriter::shaft() const {
@@ -48,7 +47,7 @@ std::string DistalFemurWriter::shaft() const {
                       0,
                       {{{0, 0, top + 5}, 26.4 * thick_, 27 * thick_, 2, 0.1},
                        {{0, 0, 45}, 28.5 * thick_, 27.5 * thick_, 2, 0},
-                       {{0, 0, 0}, cut_, 27.5 * thick_, 2.7, 0},
+                       {{0, 0, 0}, cut_, 2 * back_, 2.7, 0},
                        {{0, 1.5, -35}, 63 * wide_, 36 * deep_, 2.4, 0},
                        {{0, 4, -70}, 74 * wide_, 42 * deep_, 2.4, 0}}},
                      {0, false, false, "Width level with the cut: assumed."});
@@ -59,10 +58,10 @@ std::string DistalFemurWriter::condyles() const {
         const double inner = std::min(6.0 * wide_, 0.5 * mm("notch.width") - 5.0);  // the notch cuts it
         const double outer = 38.6 * wide_, size = depth / 60.0;
         return solid_part(id,
-                          "superellipsoid: {centre: " +
-                              vector_text({0.5 * side * (inner + outer), 9.5 * size, z}) +
+                          "superellipsoid: {centre: " + vector_text({0.5 * side * (inner + outer), 9.5 * size, z}) +
                               " mm, length: " + rounded_text(outer - inner) + " mm, width: " + rounded_text(46 * size) +
-                              " mm, height: " + rounded_text(depth - 0.2) + " mm, along: 1 0 0, up: 0 1 0, exponent: 2.4}",
+                              " mm, height: " + rounded_text(depth - 0.2) +
+                              " mm, along: 1 0 0, up: 0 1 0, exponent: 2.4}",
                           {4, false, false, source});
     };
     return condyle("condyle_medial", 1, mm("medial_condyle.depth"), -65, "Elliptic outline from the side: 90 CTs.") +
@@ -82,25 +81,25 @@ std::string DistalFemurWriter::holes() const {
     const double low = bottom + 1.0, rise = std::hypot(1.0, 20.0 / (43.0 * deep_));  // of the roof over the half height
     const double height = 2.0 * (mm("notch.depth") - 6.1) / rise;
     return solid_part("notch",
-                      elliptic_tube_text({0, 7 * deep_, low}, {0, 50 * deep_, low + 20}, mm("notch.width") - 0.5, height,
-                                         "0 0 1"),
+                      elliptic_tube_text({0, 7 * deep_, low}, {0, 50 * deep_, low + 20}, mm("notch.width") - 0.5,
+                                         height, "0 0 1"),
                       {3, false, true, ""}) +
            solid_part("canal", tube_text({0, 0, 20}, {0, 0, top + 5}, 0.5 * mm("shaft.canal")),
                       {0, false, true, "Where it ends: assumed."}) +
-           solid_part("beyond  # the bone ends flat", "box: {centre: 0 0 " + rounded_text(top + 10) +
-                                                          " mm, size: 80 80 20 mm}",
-                      {0, false, true, ""});
+           solid_part("beyond  # the bone ends flat",
+                      "box: {centre: 0 0 " + rounded_text(top + 10) + " mm, size: 80 80 20 mm}", {0, false, true, ""});
 }
 
 std::string DistalFemurWriter::tissues() const {
     const double wall = 0.5 * (mm("shaft.width") - mm("shaft.canal"));
     return "tissues:\n  - id: cortical\n    thickness: " + rounded_text(0.5 * wall + 0.05) +
            " mm\n    density: 1.85 g/cm3\n    solids: [{box: {centre: 0 0 42.5 mm, size: 90 90 145 mm}}]\n" +
-           folded("source",
-                  "Density: apparent density of cortical bone, 1.8 to 2.0 g/cm3. Thickness: half of the shaft's wall of " +
-                      rounded_text(wall) +
-                      " mm, counted from outside and from the canal, so that all of that wall is cortical.",
-                  4) +
+           folded(
+               "source",
+               "Density: apparent density of cortical bone, 1.8 to 2.0 g/cm3. Thickness: half of the shaft's wall of " +
+                   rounded_text(wall) +
+                   " mm, counted from outside and from the canal, so that all of that wall is cortical.",
+               4) +
            "  - id: condylar\n    thickness: " + rounded_text(mm("condyles.cortex")) +
            " mm\n    density: 1.85 g/cm3\n    source: The dimension above.\n  - id: cancellous\n    density: " +
            with_decimals(1e-3 * v_["condyles.density"], 3) + " g/cm3\n    source: The dimension above.\n";
@@ -108,7 +107,7 @@ std::string DistalFemurWriter::tissues() const {
 
 std::string DistalFemurWriter::landmarks() const {
     const auto cut = [&](const char* id, double x, double to) {
-        return axis_text(id, {x * cut_ / 41.0, -back() - 16.25, 0}, {x * cut_ / 41.0, to * thick_, 0}, 1.0);
+        return axis_text(id, {x * cut_ / 41.0, -back_ - 16.25, 0}, {x * cut_ / 41.0, to * back_ / 13.75, 0}, 1.0);
     };
     const auto point = [](const char* id, Vec3 at) {
         return std::string("    ") + id + ": {at: " + vector_text(at) + " mm, tolerance: 1 mm, lies: on_bone}\n";
@@ -124,7 +123,7 @@ std::string DistalFemurWriter::landmarks() const {
 }
 
 std::string DistalFemurWriter::zones() const {
-    const double y = back() + 9.75, behind = 2.5 + 39.5 * deep_;
+    const double y = back_ + 9.75, behind = 2.5 + 39.5 * deep_;
     return "zones:\n  # Width of 7 mm, and 6 mm behind the bone level with the cut: assumed. Below, it is behind the "
            "condyles.\n  popliteal_artery:\n    - {" +
            tube_text({0, y, -20}, {0, y, 105}, 3.5) + "}\n    - {" + sphere_text({0, y, -20}, 3.5) + "}\n    - {" +

@@ -19,19 +19,22 @@ BoneKind femur_kind() {
             .a_level = "the end of the femur",
             .levels = {"proximal", "distal"},
             .example_level = "proximal",
-            .frame = "Patient axes (LPS): x to the patient's left, y to posterior, z to the head. The upper end is of a "
-                     "left femur: x is lateral, and the origin is where the axes of neck and shaft meet. The leg is "
-                     "turned inwards by the version of the neck, as on a fracture table: the neck lies in the plane "
-                     "y = 0. The lower end is of a right femur: x is medial, and the origin is the middle of the shaft "
-                     "in the plane of the cut.",
+            .frame =
+                "Patient axes (LPS): x to the patient's left, y to posterior, z to the head. The upper end is of a "
+                "left femur: x is lateral, and the origin is where the axes of neck and shaft meet. The leg is "
+                "turned inwards by the version of the neck, as on a fracture table: the neck lies in the plane "
+                "y = 0. The lower end is of a right femur: x is medial, and the origin is the middle of the shaft "
+                "in the plane of the cut.",
             .title =
                 [](const MakeRequest& request) {
                     return std::string(is_proximal(request) ? "Broken upper end of a left femur"
                                                             : "Lower end of a right femur");
                 },
             .population = femur_population,
-            .text = [](const MakeRequest& request,
-                       const DimensionValues& v) { return is_proximal(request) ? proximal_femur_text(request, v) : distal_femur_text(request, v); },
+            .text =
+                [](const MakeRequest& request, const DimensionValues& v) {
+                    return is_proximal(request) ? proximal_femur_text(request, v) : distal_femur_text(request, v);
+                },
             .measured =
                 [](const Anatomy& anatomy) {
                     std::vector<MeasuredDimension> found = measured_proximal_femur(anatomy);

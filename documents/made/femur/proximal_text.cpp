@@ -33,9 +33,7 @@ public:
         bottom_ = std::min(plate_ - plate_below, lesser_ - 52.0);
     }
 
-    [[nodiscard]] std::string parts() const {
-        return shaft() + greater_trochanter() + neck() + small_parts();
-    }
+    [[nodiscard]] std::string parts() const { return shaft() + greater_trochanter() + neck() + small_parts(); }
     [[nodiscard]] std::string tissues() const;
     [[nodiscard]] std::string fracture() const;
     [[nodiscard]] std::string landmarks() const;
@@ -60,29 +58,29 @@ private:
 
     const MakeRequest& request_;
     const DimensionValues& v_;
-    Vec3 along_, across_;              // along the neck into the head; across it
+    Vec3 along_, across_;  // along the neck into the head; across it
     double length_, radius_, width_, girth_;
-    double tip_, lesser_;              // heights of the tip of the greater, and of the middle of the lesser trochanter
-    double screw_, plate_, bottom_;    // heights of the screw at the side of the bone, the plate, the end of the bone
+    double tip_, lesser_;            // heights of the tip of the greater, and of the middle of the lesser trochanter
+    double screw_, plate_, bottom_;  // heights of the screw at the side of the bone, the plate, the end of the bone
 };
 
 std::string ProximalFemurWriter::shaft() const {
     const auto section = [&](double x, double y, double z, double width, double height, double exponent, double taper) {
         return WrittenSection{girded(x, y, z), girth_ * width, girth_ * height, exponent, taper};
     };
-    return loft_part("shaft",
-                     {{0, 1, 0},
-                      0,
-                      {section(0, 0, bottom_ - 5, 26.5, 27, 2, 0.12),
-                       section(0, 0, std::max(lesser_ - 38, bottom_ + 3), 26.5, 27, 2, 0.12),
-                       section(-0.1, 0, lesser_ - 19, 26.6, 27, 2, 0.1),
-                       section(-2.5, 0.5, lesser_ + 1, 31.4, 29, 2.2, 0), section(-3.5, 1.5, -2, 33.4, 31, 2.2, 0),
-                       section(-2, 3, 12, 24, 26, 2, 0)}},
-                     {0, false, false, "Wider below the trochanters [recalled]."}) +
+    return loft_part(
+               "shaft",
+               {{0, 1, 0},
+                0,
+                {section(0, 0, bottom_ - 5, 26.5, 27, 2, 0.12),
+                 section(0, 0, std::max(lesser_ - 38, bottom_ + 3), 26.5, 27, 2, 0.12),
+                 section(-0.1, 0, lesser_ - 19, 26.6, 27, 2, 0.1), section(-2.5, 0.5, lesser_ + 1, 31.4, 29, 2.2, 0),
+                 section(-3.5, 1.5, -2, 33.4, 31, 2.2, 0), section(-2, 3, 12, 24, 26, 2, 0)}},
+               {0, false, false, "Wider below the trochanters [recalled]."}) +
            solid_part("linea_aspera",
-                elliptic_tube_text(girded(1, 11.5, bottom_ - 5), girded(-3, 8, lesser_ - 7), 8 * girth_, 7.5 * girth_,
-                              "0 1 0"),
-                {4, false, false, "Schematic."});
+                      elliptic_tube_text(girded(1, 11.5, bottom_ - 5), girded(-3, 8, lesser_ - 7), 8 * girth_,
+                                         7.5 * girth_, "0 1 0"),
+                      {4, false, false, "Schematic."});
 }
 
 std::string ProximalFemurWriter::greater_trochanter() const {
@@ -97,13 +95,13 @@ std::string ProximalFemurWriter::greater_trochanter() const {
         return WrittenSection{at, girth_ * width, girth_ * height, exponent, 0};
     };
     const double start = -10.0 / (top - base);
-    return loft_part("greater_trochanter",
-                     {{0, 1, 0},
-                      4 * std::min(girth_, 1.0),
-                      {section(1, 4, start, 14, 20, 2), section(4, 5, 0, 16, 25, 2),
-                       section(8.5, 6.5, 0.35, 25, 30, 2.3), section(8.5, 9, 0.69, 21, 26, 2.3),
-                       section(6.5, 11.5, 1, 14, 17, 2)}},
-                     {5, false, false, "Shape schematic."});
+    return loft_part(
+        "greater_trochanter",
+        {{0, 1, 0},
+         4 * std::min(girth_, 1.0),
+         {section(1, 4, start, 14, 20, 2), section(4, 5, 0, 16, 25, 2), section(8.5, 6.5, 0.35, 25, 30, 2.3),
+          section(8.5, 9, 0.69, 21, 26, 2.3), section(6.5, 11.5, 1, 14, 17, 2)}},
+        {5, false, false, "Shape schematic."});
 }
 
 std::string ProximalFemurWriter::neck() const {
@@ -123,20 +121,22 @@ std::string ProximalFemurWriter::small_parts() const {
     const Vec3 fovea = head() + radius_ * (1.07 * along_ + 0.326 * Vec3{0, 1, 0} + 0.5 * across_);
     const Vec3 tip{girth_ * -0.75, girth_ * 0.62, girth_ * 0.2};
     return solid_part("intertrochanteric_crest",
-                elliptic_tube_text(girded(9, 15.5, 0.53 * tip_), girded(-9, 15, lesser_ + 4), 11 * girth_, 11 * girth_,
-                              "0 1 0"),
-                {5, false, false, "Schematic."}) +
+                      elliptic_tube_text(girded(9, 15.5, 0.53 * tip_), girded(-9, 15, lesser_ + 4), 11 * girth_,
+                                         11 * girth_, "0 1 0"),
+                      {5, false, false, "Schematic."}) +
            solid_part("lesser_trochanter",
-                "superellipsoid: {centre: " + vector_text(girded(-10.5, 9.5, lesser_)) +
-                    " mm, length: " + rounded_text(26 * girth_) + " mm, width: " + rounded_text(18 * girth_) +
-                    " mm, height: " + rounded_text(24 * girth_) + " mm, along: " + direction_text(tip) + "}",
-                {5, false, false, "Shape schematic."}) +
-           solid_part("trochanteric_fossa", sphere_text(girded(-5, 15, 0.73 * tip_), 7 * girth_), {4, false, true, "Schematic."}) +
+                      "superellipsoid: {centre: " + vector_text(girded(-10.5, 9.5, lesser_)) +
+                          " mm, length: " + rounded_text(26 * girth_) + " mm, width: " + rounded_text(18 * girth_) +
+                          " mm, height: " + rounded_text(24 * girth_) + " mm, along: " + direction_text(tip) + "}",
+                      {5, false, false, "Shape schematic."}) +
+           solid_part("trochanteric_fossa", sphere_text(girded(-5, 15, 0.73 * tip_), 7 * girth_),
+                      {4, false, true, "Schematic."}) +
            solid_part("head", sphere_text(head(), radius_), {4, false, false, ""}) +
            solid_part("fovea", sphere_text(fovea, 0.26 * radius_),
-                {3, false, true, "Schematic; behind and below the axis of the neck."}) +
+                      {3, false, true, "Schematic; behind and below the axis of the neck."}) +
            solid_part("beyond  # the bone ends flat",
-                "box: {centre: " + vector_text({0, 0, bottom_ - 10}) + " mm, size: 80 80 20 mm}", {0, false, true, ""});
+                      "box: {centre: " + vector_text({0, 0, bottom_ - 10}) + " mm, size: 80 80 20 mm}",
+                      {0, false, true, ""});
 }
 
 /// Returns the width of the marrow canal at a distance below the lesser trochanter.
@@ -163,14 +163,15 @@ std::string ProximalFemurWriter::tissues() const {
     const double wall = 0.5 * (width_ - canal.sections[0].width) + 1.0;
     const std::string dense = with_decimals(cortical, 3) + " g/cm3\n";
     std::string text = "tissues:\n  - id: marrow\n    density: 0.05 g/cm3\n    solids:\n" + loft_item(canal, 6);
-    text += folded("source",
-                   "Fat with hardly any bone in it. 20 mm below the lesser trochanter the canal is 8.6 mm wider than at "
-                   "the isthmus, where that is 12.3 mm wide (Noble 1988) [recalled]; less in a wider one [assumed].",
-                   4);
+    text +=
+        folded("source",
+               "Fat with hardly any bone in it. 20 mm below the lesser trochanter the canal is 8.6 mm wider than at "
+               "the isthmus, where that is 12.3 mm wide (Noble 1988) [recalled]; less in a wider one [assumed].",
+               4);
     text += "  - id: diaphysis  # up to the canal\n    thickness: " + rounded_text(wall) +
             " mm\n    density: " + dense + "    solids:\n      - " +
             elliptic_tube_text(girded(0, 0, bottom_ - 3), girded(-2.5, 0.5, lesser_ + 3), 34 * girth_, 36 * girth_,
-                          "0 1 0") +
+                               "0 1 0") +
             "\n";
     text += folded("source",
                    "Cortical bone: 1.85 g/cm3 up to 45 years, 1.8 g/cm3 from 75 years on, 1.75 g/cm3 with osteoporosis "
@@ -181,13 +182,13 @@ std::string ProximalFemurWriter::tissues() const {
             " mm\n    density: " + dense + "    regions:\n";
     text += "      - thickness: " + rounded_text(mm("neck.lower_cortex")) +
             " mm  # calcar: the lower wall of the neck\n        over: 4 mm\n        solids:\n          - " +
-            elliptic_tube_text(girded(-14, 1, lesser_ + 1), on_neck(0.45 * length_, 0.86 * half), 16 * girth_, 10 * girth_,
-                          "-0.9 0 -0.4") +
+            elliptic_tube_text(girded(-14, 1, lesser_ + 1), on_neck(0.45 * length_, 0.86 * half), 16 * girth_,
+                               10 * girth_, "-0.9 0 -0.4") +
             "\n";
     text += "      - thickness: " + rounded_text(mm("neck.upper_cortex")) +
             " mm  # the upper wall\n        over: 3 mm\n        solids:\n          - " +
             elliptic_tube_text(on_neck(0.3 * length_, -half), on_neck(0.7 * length_, -half), 20 * girth_, 10 * girth_,
-                          vector_text({-across_.x, 0, -across_.z})) +
+                               vector_text({-across_.x, 0, -across_.z})) +
             "\n";
     text += "      - {part: head, thickness: 0.7 mm}\n";
     text += folded("source", "Head: 0.7 mm [recalled]; the others are the dimensions above.", 4);
