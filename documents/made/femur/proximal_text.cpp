@@ -118,7 +118,7 @@ std::string ProximalFemurWriter::neck() const {
 }
 
 std::string ProximalFemurWriter::small_parts() const {
-    const Vec3 fovea = head() + radius_ * (1.07 * along_ + 0.326 * Vec3{0, 1, 0} + 0.5 * across_);
+    const Vec3 fovea = head() + radius_ * (0.81 * along_ + 0.33 * Vec3{0, 1, 0} + 0.76 * across_);
     const Vec3 tip{girth_ * -0.75, girth_ * 0.62, girth_ * 0.2};
     return solid_part("intertrochanteric_crest",
                       elliptic_tube_text(girded(9, 15.5, 0.53 * tip_), girded(-9, 15, lesser_ + 4), 11 * girth_,
