@@ -211,13 +211,8 @@ TEST_P(Phantom, HasAllThatTheProcedureNeeds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Phantom,
-                         testing::Values(Vertebra{"l1", anatomies + "vertebra-l1-phantom.yaml", 5.0_mm, 10.7_mm},
-                                         Vertebra{"l2", anatomies + "vertebra-l2-phantom.yaml", 5.0_mm, 11.4_mm},
-                                         Vertebra{"l3", anatomy_file, 5.0_mm, 12.0_mm},
-                                         Vertebra{"l4", anatomies + "vertebra-l4-phantom.yaml", 6.3_mm, 12.8_mm},
-                                         Vertebra{"l5", anatomies + "vertebra-l5-phantom.yaml", 8.8_mm, 14.0_mm},
-                                         Vertebra{"osteoporotic", anatomies + "vertebra-osteoporotic-phantom.yaml",
-                                                  5.0_mm, 12.0_mm}),
+                         testing::Values(Vertebra{"l3", anatomy_file, 5.0_mm, 12.0_mm},
+                                         Vertebra{"l4", anatomies + "vertebra-l4-phantom.yaml", 6.3_mm, 12.8_mm}),
                          [](const auto& one) { return one.param.id; });
 
 // ---- bad input: whatever happens to a file on its way, reading it ends in a value or in an error that has a place
