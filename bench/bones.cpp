@@ -2,7 +2,7 @@
 // Made bones: the dimensions that are drawn against their source, and the dimensions of the bone against the requested
 // ones.
 //
-//     bench_bones [FOLDER]   prints the tables; writes bones-vertebrae.png
+//     bench_bones [FOLDER]   prints the tables; writes bones-vertebrae.png, bones-femora.png
 //
 // About a minute. For training and research; not for diagnosis, planning or deciding treatment.
 #include <algorithm>
@@ -118,21 +118,28 @@ void print_measures() {
                     off.unit.c_str(), 100.0 * off.within / off.count);
 }
 
+/// A direction to look from, and what is in the picture.
+struct Side {
+    Vec3 right, up;  ///< in the picture
+    Vec3 centre;     ///< [m]
+    double width;    ///< [m] of the picture
+    double spacing;  ///< [m] of the bone's field
+};
+constexpr int tile_width = 240, tile_height = 250;  // [pixels]
+
 /// Returns a bone from one side.
-app::Picture picture_of(const MakeRequest& request, Vec3 right, Vec3 up) {
-    constexpr double spacing = 0.5e-3, width = 0.105;
-    constexpr int height = 250;
+app::Picture picture_of(const MakeRequest& request, const Side& side) {
     const documents::MadeBone made = make_bone(request);
     text::Diagnostics diagnostics;
     auto anatomy = documents::read_anatomy_text(made.name, made.text).take(diagnostics);
     if (!anatomy) throw std::runtime_error(to_text(diagnostics));
     anatomy->zones.clear();
     run::Scene scene;
-    auto body = bone::make_body(*anatomy, spacing).take(diagnostics);
+    auto body = bone::make_body(*anatomy, side.spacing).take(diagnostics);
     if (!body) throw std::runtime_error(to_text(diagnostics));
     scene.body = std::move(*body);
     scene.anatomy = std::move(*anatomy);
-    app::View view{"", {0, 0.026, -0.002}, right, up, width, 240, height};
+    app::View view{"", side.centre, side.right, side.up, side.width, tile_width, tile_height};
     return from_outside(view, scene, {});
 }
 
@@ -142,27 +149,52 @@ void put(const app::Picture& one, int column, int row, app::Picture& sheet) {
                     sheet.rgb.begin() + 3 * ((row * one.height + y) * sheet.width + column * one.width));
 }
 
-void draw_family(const std::string& folder) {
-    struct Side {
-        Vec3 right, up;
-    };
-    constexpr std::array sides{Side{{-1, 0, 0}, {0, -1, 0}}, Side{{0, 1, 0}, {0, 0, 1}}, Side{{-1, 0, 0}, {0, 0, 1}}};
-    const std::vector<std::string> levels{"L1", "L2", "L3", "L4", "L5"};
-    app::Picture sheet(5 * 240, 4 * 250);
-    for (int column = 0; column < 5; ++column) {
-        const MakeRequest mean = vertebra(levels[static_cast<std::size_t>(column)]);
-        for (int row = 0; row < 3; ++row) {
-            const Side& side = sides[static_cast<std::size_t>(row)];
-            put(picture_of(mean, side.right, side.up), column, row, sheet);
-        }
-        MakeRequest person = vertebra("L3");
-        person.seed = static_cast<std::uint32_t>(column) + 1;
-        put(picture_of(person, sides[0].right, sides[0].up), column, 3, sheet);
-    }
-    const std::string file = folder + "/bones-vertebrae.png";
+/// Draws rows of bones: one row for each request of the first person and side.
+struct Row {
+    std::vector<MakeRequest> bones;
+    Side side;
+};
+
+void draw_sheet(const std::vector<Row>& rows, const std::string& file) {
+    app::Picture sheet(static_cast<int>(rows.front().bones.size()) * tile_width,
+                       static_cast<int>(rows.size()) * tile_height);
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        for (std::size_t column = 0; column < rows[row].bones.size(); ++column)
+            put(picture_of(rows[row].bones[column], rows[row].side), static_cast<int>(column), static_cast<int>(row),
+                sheet);
     if (const std::string error = text::write_file(file, png_of(sheet)); !error.empty())
         throw std::runtime_error(error);
-    std::printf("\nwrote %s\n", file.c_str());
+    std::printf("wrote %s\n", file.c_str());
+}
+
+/// Returns the bones of the first people.
+std::vector<MakeRequest> people(const MakeRequest& bone, std::uint32_t count) {
+    std::vector<MakeRequest> all(count, bone);
+    for (std::uint32_t i = 0; i < count; ++i) all[i].seed = i + 1;
+    return all;
+}
+
+constexpr Vec3 left{1, 0, 0}, right{-1, 0, 0}, behind{0, 1, 0}, front{0, -1, 0}, head{0, 0, 1};
+
+void draw_vertebrae(const std::string& folder) {
+    const auto side = [](Vec3 to_right, Vec3 up) { return Side{to_right, up, {0, 0.026, -0.002}, 0.105, 0.5e-3}; };
+    std::vector<MakeRequest> levels;
+    for (const char* level : {"L1", "L2", "L3", "L4", "L5"}) levels.push_back(vertebra(level));
+    draw_sheet({{levels, side(right, front)},
+                {levels, side(behind, head)},
+                {levels, side(right, head)},
+                {people(vertebra("L3"), 5), side(right, front)}},
+               folder + "/bones-vertebrae.png");
+}
+
+void draw_femora(const std::string& folder) {
+    const std::vector<MakeRequest> upper = people({.kind = "femur", .level = "proximal"}, 3),
+                                   lower = people({.kind = "femur", .level = "distal"}, 3);
+    draw_sheet({{upper, {left, head, {-0.02, 0, -0.02}, 0.16, 0.6e-3}},
+                {upper, {behind, head, {-0.02, 0, -0.02}, 0.16, 0.6e-3}},
+                {lower, {left, head, {0, 0, -0.005}, 0.16, 0.6e-3}},
+                {lower, {right, behind, {0, 0.025, 0}, 0.16, 0.6e-3}}},
+               folder + "/bones-femora.png");
 }
 
 }  // namespace
@@ -171,7 +203,9 @@ int main(int argc, char** argv) {
     return run_into_folder(argc, argv, [](const std::string& folder) {
         print_draws();
         print_measures();
-        if (!folder.empty()) draw_family(folder);
+        if (folder.empty()) return 0;
+        draw_vertebrae(folder);
+        draw_femora(folder);
         return 0;
     });
 }
