@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bone/exact/base_surface.h"
@@ -28,6 +29,7 @@ using test::metric, test::metric_row, test::reasons_of, test::rehearsed, test::s
 
 const char* const procedure_file = KERF_SOURCE_DIR "/procedures/mandibular-angle-reduction.yaml";
 const char* const phantom_file = KERF_SOURCE_DIR "/procedures/anatomy/mandible-whole-phantom.yaml";
+const char* const straight_borders = KERF_SOURCE_DIR "/tests/app/straight-borders.yaml";  // hands for other jaws
 
 const run::Scene& jaw() {
     static const run::Scene scene = test::scene_of(procedure_file);
@@ -96,7 +98,7 @@ TEST(MandibularAngle, APerfectCutIsWithinADegreeOfThePlan) {
     ASSERT_NE(right_only, whole);
     std::ofstream(file) << right_only;
     run::DocumentRequest request{.procedure = file, .anatomy = phantom_file};
-    request.changes = {"", {"haptics.coupling=direct"}};
+    request.changes = {"", {"haptics.coupling=direct"}, {straight_borders}};
     const test::WatchedRun run = rehearsed(scene_of(request));
     for (const std::string measure : {"gonial_error_right", "plane_error_right"}) {
         const session::MetricRow& error = metric_row(run.summary, "right-anterior.measure." + measure);
@@ -207,8 +209,13 @@ TEST(MandibleToReduce, IsWarnedOfABurrTooSlowToCut) {
 
 const char* const real_file = KERF_SOURCE_DIR "/tests/real-data/mandible-angle.yaml";
 
+run::Scene scene_of_real(const std::string& anatomy, std::vector<std::string> settings = {}) {
+    run::DocumentRequest request{.procedure = procedure_file, .anatomy = anatomy};
+    request.changes = {"", std::move(settings), {straight_borders}};
+    return scene_of(request);
+}
 const run::Scene& real_jaw() {
-    static const run::Scene scene = scene_of(procedure_file, "", {}, real_file);
+    static const run::Scene scene = scene_of_real(real_file);
     return scene;
 }
 
@@ -260,9 +267,8 @@ TEST(RealMandible, IsReducedAsASurface) {
     for (const auto& t : surface->triangles) out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
     out.close();
     std::ofstream(folder / "jaw.yaml") << surface_anatomy("jaw.obj");
-    run::DocumentRequest request{.procedure = procedure_file, .anatomy = folder / "jaw.yaml"};
-    request.changes = {"", {"accuracy.spacing=0.3 mm"}};  // the least thickness of its walls asks for that
-    expect_reduced(rehearsed(scene_of(request)));
+    // The least thickness of its walls requires that spacing.
+    expect_reduced(rehearsed(scene_of_real(folder / "jaw.yaml", {"accuracy.spacing=0.3 mm"})));
 }
 
 // Marrow that is open to the outside makes a shell of the bone.
