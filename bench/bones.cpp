@@ -2,9 +2,9 @@
 // Made bones: the dimensions that are drawn against their source, and the dimensions of the bone against the requested
 // ones.
 //
-//     bench_bones [FOLDER]   prints the tables; writes bones-vertebrae.png, bones-femora.png
+//     bench_bones [FOLDER]   prints the tables; writes bones-vertebrae.png, bones-femora.png, bones-mandibles.png
 //
-// About a minute. For training and research; not for diagnosis, planning or deciding treatment.
+// A few minutes. For training and research; not for diagnosis, planning or deciding treatment.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -197,6 +197,15 @@ void draw_femora(const std::string& folder) {
                folder + "/bones-femora.png");
 }
 
+void draw_mandibles(const std::string& folder) {
+    const auto side = [](Vec3 to_right, Vec3 up) { return Side{to_right, up, {0, -0.036, 0.018}, 0.14, 0.5e-3}; };
+    const MakeRequest mean{.kind = "mandible", .level = ""};
+    std::vector<MakeRequest> jaws = people(mean, 3);
+    jaws.insert(jaws.begin(), mean);
+    draw_sheet({{jaws, side(right, front)}, {jaws, side(behind, head)}, {jaws, side(left, head)}},
+               folder + "/bones-mandibles.png");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -206,6 +215,7 @@ int main(int argc, char** argv) {
         if (folder.empty()) return 0;
         draw_vertebrae(folder);
         draw_femora(folder);
+        draw_mandibles(folder);
         return 0;
     });
 }

@@ -24,6 +24,7 @@ std::string sections_text(const WrittenLoft& loft, int indent) {
                 " mm, width: " + rounded_text(section.width) + " mm, height: " + rounded_text(section.height) + " mm";
         if (section.exponent != 2.0) text += ", exponent: " + rounded_text(section.exponent);
         if (section.taper != 0.0) text += ", taper: " + rounded_text(section.taper);
+        if (section.turn != 0.0) text += ", turn: " + rounded_text(section.turn) + " deg";
         text += "}\n";
     }
     return text;

@@ -23,6 +23,7 @@ struct WrittenSection {
     Vec3 at{};
     double width = 0.0, height = 0.0;
     double exponent = 2.0, taper = 0.0;
+    double turn = 0.0;  ///< [deg]
 };
 
 /// A loft [mm].

@@ -4,13 +4,14 @@
 #include <algorithm>
 
 #include "documents/made/femur/femur.h"
+#include "documents/made/mandible/mandible.h"
 #include "documents/made/vertebra/vertebra.h"
 #include "kerf/assert.hpp"
 
 namespace kerf::documents {
 
 const std::vector<BoneKind>& bone_kinds() {
-    static const std::vector<BoneKind> kinds{vertebra_kind(), femur_kind()};
+    static const std::vector<BoneKind> kinds{vertebra_kind(), femur_kind(), mandible_kind()};
     return kinds;
 }
 
