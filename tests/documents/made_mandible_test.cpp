@@ -193,6 +193,15 @@ TEST(MadeMandible, OsteoporosisThinsTheCortexAndNoAgeChangesDensity) {
     EXPECT_DOUBLE_EQ(value(old, "cancellous.density"), value(request, "cancellous.density"));
 }
 
+TEST(MadeMandible, TheShippedJawIsOneOfAMan) {
+    std::ifstream file(KERF_SOURCE_DIR "/procedures/anatomy/mandible.yaml");
+    std::ostringstream text;
+    text << file.rdbuf();
+    EXPECT_EQ(text.str(), shipped_bone().text)
+        << "`kerf anatomy make mandible --sex m --set gonial.angle=115deg --set mandibular_plane.angle=20deg -o "
+           "procedures/anatomy/mandible.yaml` writes it";
+}
+
 std::string problem_with(const std::string& text) {
     text::Diagnostics diagnostics;
     const auto document = parse_document("request", text).take(diagnostics);
