@@ -39,11 +39,11 @@ private:
     /// Returns the largest distance of bone from a plane through the origin, over a grid of lines from outside.
     template <class Line>
     double farthest(double low, double high, double front, double behind, const Line& line) const {
-        double most = -HUGE_VAL;
+        double max = -HUGE_VAL;
         for (double a = low; a <= high; a += 1.0_mm)
             for (double b = front; b <= behind; b += 1.0_mm)
-                if (const double far = line(a, b); std::isfinite(far)) most = std::max(most, outside - far);
-        return most;
+                if (const double far = line(a, b); std::isfinite(far)) max = std::max(max, outside - far);
+        return max;
     }
 
     void measure_condyles() {

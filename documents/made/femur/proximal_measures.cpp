@@ -39,10 +39,10 @@ private:
         const double diameter = lines_.across(head_, back).size(), radius = 0.5 * diameter;
         const Vec3 inwards = normalized(Vec3{-1, -1, 1});
         const double above = lines_.to_border(head_, up) - radius;
-        const double beside = lines_.to_border(head_, inwards) - radius;
+        const double sideways = lines_.to_border(head_, inwards) - radius;
         const double front = lines_.across(head_, back).middle();
-        // beside = inwards · offset, to first order.
-        head_ = head_ + Vec3{(beside - inwards.y * front - inwards.z * above) / inwards.x, front, above};
+        // sideways = inwards · offset, to first order.
+        head_ = head_ + Vec3{(sideways - inwards.y * front - inwards.z * above) / inwards.x, front, above};
         add("head.diameter", diameter);
     }
 
@@ -84,12 +84,12 @@ private:
                 if (std::isfinite(far) && 70.0_mm - far > greater.z) greater = {x, y, 70.0_mm - far};
             }
         // The bone that lies farthest to the middle and to the back, below the neck.
-        const Vec3 outwards = normalized(Vec3{-0.75, 0.62, 0}), beside = cross(up, outwards);
+        const Vec3 outwards = normalized(Vec3{-0.75, 0.62, 0}), sideways = cross(up, outwards);
         Vec3 lesser{};
         double farthest = 0.0;
         for (double s = -14.0_mm; s <= 14.0_mm; s += 0.5_mm)
             for (double z = -65.0_mm; z <= -12.0_mm; z += 0.5_mm) {
-                const Vec3 from = 60.0_mm * outwards + s * beside + z * up;
+                const Vec3 from = 60.0_mm * outwards + s * sideways + z * up;
                 const double far = lines_.to_border(from, -1.0 * outwards);
                 if (!std::isfinite(far) || 60.0_mm - far <= farthest) continue;
                 farthest = 60.0_mm - far, lesser = from - far * outwards;

@@ -41,7 +41,7 @@ public:
 
 private:
     [[nodiscard]] double mm(const char* name) const { return 1e3 * v_[name]; }
-    /// Returns a point on the axis of the neck, and one beside it: above it where `below` is negative.
+    /// Returns a point on the axis of the neck, and one off it: above where `below` is negative.
     [[nodiscard]] Vec3 on_neck(double distance, double below = 0.0) const {
         return distance * along_ + below * across_;
     }

@@ -30,14 +30,14 @@ std::vector<Dimension> dimensions_of(const MakeRequest& request) {
                           Evidence evidence, const char* source, double floor = 0.1) -> Dimension& {
         return table.length(name, help, mean + sign * men, sd, loading, evidence, source, floor);
     };
-    const auto share = [](Dimension& dimension, const char* partner, double correlation) {
+    const auto correlate = [](Dimension& dimension, const char* partner, double correlation) {
         dimension.partner = partner, dimension.shared = correlation;
     };
     size("bigonial.width", "Width of the jaw at its angles.", 93.5, 3.5, 6, 0.45, Evidence::recalled,
          "near 95.7 and 88.7 mm in Bosnia, read");
-    share(size("bicondylar.width", "Width of the jaw over both condyles.", 115, 3, 6, 0.45, Evidence::recalled,
-               "near 112.7 and 107.5 mm in Bosnia, read"),
-          "bigonial.width", 0.4);
+    correlate(size("bicondylar.width", "Width of the jaw over both condyles.", 115, 3, 6, 0.45, Evidence::recalled,
+                   "near 112.7 and 107.5 mm in Bosnia, read"),
+              "bigonial.width", 0.4);
     size("condyle.width", "Width of a condyle.", 17.1, 0.1, 2.2, 0.2, Evidence::read,
          "mean of 800 CBCT; the SD is recalled", 9.0);
     size("condyle.depth", "Depth of a condyle, from front to back.", 8.9, 0, 1.0, 0.2, Evidence::read,
@@ -46,20 +46,20 @@ std::vector<Dimension> dimensions_of(const MakeRequest& request) {
                 Evidence::recalled, "with teeth; 124.8 deg in 150 rami");
     size("gonial.flare", "How far the angle lies outside of the ramus.", 2, 0, 0.7, 0, Evidence::recalled, "0 to 8 mm",
          0.2);
-    share(table.angle("mandibular_plane.angle", "Angle of the lower border to the Frankfort horizontal.",
-                      24.5 - 0.5 * sign, 5, Evidence::recalled, "24 deg in men, 25 deg in women"),
-          "gonial.angle", 0.65);
+    correlate(table.angle("mandibular_plane.angle", "Angle of the lower border to the Frankfort horizontal.",
+                          24.5 - 0.5 * sign, 5, Evidence::recalled, "24 deg in men, 25 deg in women"),
+              "gonial.angle", 0.65);
     size("ramus.height", "From the corner of both borders to the top of the condyle, along the posterior border.", 60,
          3, 5, 0.5, Evidence::recalled, "63 mm in men, 57 mm in women");
     size("ramus.width", "Width of the ramus where it is narrowest, seen from the side.", 30.75, 0.75, 3, 0.4,
          Evidence::recalled, "31.5 mm in men, 30 mm in women; 31.3 mm in 150 rami");
     size("ramus.thickness", "Thickness of the ramus in its middle.", 7.5, 0.2, 0.45, 0.2, Evidence::recalled,
          "6 to 9 mm", 6.1);
-    share(size("coronoid.height",
-               "From the corner of both borders to the tip of the coronoid process, along the "
-               "posterior border.",
-               59, 3, 5, 0.5, Evidence::recalled, "62 mm in men, 56 mm in women"),
-          "ramus.height", 0.7);
+    correlate(size("coronoid.height",
+                   "From the corner of both borders to the tip of the coronoid process, along the "
+                   "posterior border.",
+                   59, 3, 5, 0.5, Evidence::recalled, "62 mm in men, 56 mm in women"),
+              "ramus.height", 0.7);
     size("notch.depth", "Depth of the notch between condyle and coronoid process.", 13.5, 0.5, 2, 0.3,
          Evidence::recalled, "14 mm in men, 13 mm in women");
     size("body.length", "From the corner of both borders to the front of the chin, along the lower border.", 82.5, 2.5,
@@ -68,17 +68,17 @@ std::vector<Dimension> dimensions_of(const MakeRequest& request) {
          "28 mm in men, 26 mm in women");
     size("body.thickness", "Thickness of the body at the first molar.", 12.6, 0.4, 1.2, 0.3, Evidence::derived,
          "bone on both sides of the canal in 1997 dry jaws and 106 CBCT; SD assumed");
-    share(size("symphysis.height", "Height of the chin in its middle.", 30.5, 1.5, 3, 0.45, Evidence::recalled,
-               "32 mm in men, 29 mm in women"),
-          "body.height", 0.6);
+    correlate(size("symphysis.height", "Height of the chin in its middle.", 30.5, 1.5, 3, 0.45, Evidence::recalled,
+                   "32 mm in men, 29 mm in women"),
+              "body.height", 0.6);
     size("symphysis.thickness", "Thickness of the chin in its middle.", 13.5, 0.5, 1.5, 0.3, Evidence::recalled,
          "14 mm in men, 13 mm in women");
-    share(size("canal.buccal", "Bone between the canal and the buccal surface at the first molar.", 5.5, 0.2, 1.1, 0,
-               Evidence::computed, "between 6.6 mm in 1997 dry jaws and 2.6 to 5.4 mm in 106 CBCT", 2.0),
-          "body.thickness", 0.5);
-    share(size("canal.below", "Bone between the canal and the lower border at the first molar.", 8, 0.4, 1.5, 0,
-               Evidence::computed, "8.8 mm in 1997 dry jaws", 3.0),
-          "body.height", 0.4);
+    correlate(size("canal.buccal", "Bone between the canal and the buccal surface at the first molar.", 5.5, 0.2, 1.1,
+                   0, Evidence::computed, "between 6.6 mm in 1997 dry jaws and 2.6 to 5.4 mm in 106 CBCT", 2.0),
+              "body.thickness", 0.5);
+    correlate(size("canal.below", "Bone between the canal and the lower border at the first molar.", 8, 0.4, 1.5, 0,
+                   Evidence::computed, "8.8 mm in 1997 dry jaws", 3.0),
+              "body.height", 0.4);
     size("first_molar.width", "Width of the first molar along the row; all teeth are of its size.", 11, 0.33, 0.5, 0.4,
          Evidence::recalled, "Wheeler; men 3 % more, women 3 % less");
     const double cortex = request.is_osteoporotic ? osteoporotic_cortex : 1.0;
@@ -113,8 +113,8 @@ std::string contradiction_of(const DimensionValues& v) {
         return is("ramus.height", v["ramus.height"], 0.58 * body, 0.92 * body, "`body.length`");
     if (const double condyle = v["ramus.height"]; std::abs(v["coronoid.height"] - condyle) > 12.0_mm)
         return is("coronoid.height", v["coronoid.height"], condyle - 12.0_mm, condyle + 12.0_mm, "`ramus.height`");
-    if (const double least = 10.0_mm, most = 0.32 * v["ramus.height"]; v["notch.depth"] > most)
-        return is("notch.depth", v["notch.depth"], least, most, "`ramus.height`");
+    if (const double min = 10.0_mm, max = 0.32 * v["ramus.height"]; v["notch.depth"] > max)
+        return is("notch.depth", v["notch.depth"], min, max, "`ramus.height`");
     const MandibleFrame frame(v);
     if (frame.rise < 64.0_deg || frame.rise > 98.0_deg)
         return "`gonial.angle` is out of range: got " + degrees(v["gonial.angle"]) + ", expected " +

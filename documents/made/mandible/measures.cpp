@@ -29,13 +29,13 @@ struct Border {
 template <class F>
 double largest(double low, double high, int count, const F& value) {
     const double step = (high - low) / count;
-    double best = low, most = -HUGE_VAL;
+    double best = low, max = -HUGE_VAL;
     for (int i = 0; i <= count; ++i)
-        if (const double found = value(low + step * i); found > most) best = low + step * i, most = found;
+        if (const double found = value(low + step * i); found > max) best = low + step * i, max = found;
     for (double half = 0.5 * step; half > 0.1_mm; half *= 0.5)
         for (const double at : {best - half, best + half})
-            if (const double found = value(at); found > most) best = at, most = found;
-    return most;
+            if (const double found = value(at); found > max) best = at, max = found;
+    return max;
 }
 
 /// Returns the upper hull of points at a position. Pre: positions ascend; `at` lies between the first and the last.
@@ -212,7 +212,7 @@ private:
     }
 
     void measure_at_molar() {
-        // Between the last premolar and the molar, where no root stands on the crest.
+        // Between the last premolar and the molar, where the crest has no root.
         const Vec3 row = normalized(of_.premolar - of_.molar);
         std::size_t nearest = 0;
         const std::vector<LoftFrame>& path = of_.nerve->path;
