@@ -61,7 +61,7 @@ void check_level(const MakeRequest& request, const Node& node, Report& report) {
     if (levels.empty() || std::find(levels.begin(), levels.end(), request.level) != levels.end()) return;
     if (request.level.empty())
         report.error(text::Code::missing_key, node.span,
-                     "`level` is missing: it is " + kind.a_level + ", one of " + listed(levels) +
+                     "`make: " + kind.name + "` has no `level:`: it is " + kind.a_level + ", one of " + listed(levels) +
                          ". Write `level: " + kind.example_level + "`.");
     else
         report.error(text::Code::unknown_word, node.span,

@@ -50,6 +50,8 @@ TEST(MadeAnatomy, RefusesWrongOptions) {
     };
     refused("anatomy make vertebra", "has no `level:`");
     refused("anatomy make rib --level L3", "rib");
+    refused("anatomy make femur --level L3", "`proximal` or `distal`");
+    refused("anatomy make mandible --level L3", "does not belong to a mandible");
     refused("anatomy make vertebra --level L3 --set pedicle.width=60mm", "set.pedicle.width is out of range");
     refused("anatomy make vertebra --level L3 --seed 1.5", "whole number");
     refused("anatomy make vertebra --level L3 --set pedicle.width=6mm --set pedicle.width=7mm", "pedicle.width");

@@ -264,7 +264,7 @@ TEST(MadeBone, RefusesImpossibleRequests) {
         for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
     };
     has(problem_with("{make: vertebra, level: L9}"), {"L9", "`L5`"});
-    has(problem_with("{make: vertebra}"), {"`level` is missing", "`T11`", "Write `level: L3`"});
+    has(problem_with("{make: vertebra}"), {"has no `level:`", "`T11`", "Write `level: L3`"});
     has(problem_with("{make: femora, level: L3}"), {"femora", "vertebra"});
     has(problem_with("{make: vertebra, level: L3, seed: 1.5}"), {"1.5", "whole number"});
     has(problem_with("{make: vertebra, level: L3, seed: -1}"), {"-1", "0"});

@@ -230,7 +230,7 @@ TEST(MadeFemur, RefusesImpossibleRequests) {
         for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
     };
     EXPECT_EQ(problem_with("{make: femur, level: proximal, seed: 7, sex: m, set: {neck.angle: 120 deg}}"), "");
-    has(problem_with("{make: femur}"), {"`level` is missing", "`proximal`"});
+    has(problem_with("{make: femur}"), {"has no `level:`", "`proximal`"});
     has(problem_with("{make: femur, level: L3}"), {"L3", "`proximal`"});
     has(problem_with("{make: femur, level: proximal, set: {neck.angle: 150 deg}}"), {"150 deg", "140 deg"});
     const auto with = [](const std::string& set) {
