@@ -51,6 +51,34 @@ private:
     }
 };
 
+Vec3 mirrored(Vec3 p) { return {-p.x, p.y, p.z}; }
+
+/// Both sides of a landmark: `right_cut` and `left_cut`, or `gonion_right` and `gonion_left`.
+std::string both(const char* name, bool side_is_first, const std::string& of_right, const std::string& of_left) {
+    const std::string id = name;
+    return side_is_first ? "    right_" + id + ": " + of_right + "    left_" + id + ": " + of_left
+                         : "    " + id + "_right: " + of_right + "    " + id + "_left: " + of_left;
+}
+
+std::string point(const char* name, Vec3 right, const char* tolerance) {
+    const auto of = [&](Vec3 at) { return "{at: " + vector_text(at) + " mm, tolerance: " + tolerance + "}\n"; };
+    return both(name, false, of(right), of(mirrored(right)));
+}
+
+std::string axis(const char* name, Vec3 from, Vec3 to) {
+    const auto of = [&](Vec3 a, Vec3 b) {
+        return "{from: " + vector_text(a) + " mm, to: " + vector_text(b) + " mm, tolerance: 1 mm}\n";
+    };
+    return both(name, true, of(from, to), of(mirrored(from), mirrored(to)));
+}
+
+std::string plane(const char* name, Vec3 at, Vec3 normal, Vec3 normal_of_left) {
+    const auto of = [&](Vec3 p, Vec3 n) {
+        return "{at: " + vector_text(p) + " mm, normal: " + direction_text(n) + ", tolerance: 1 mm}\n";
+    };
+    return both(name, true, of(at, normal), of(mirrored(at), normal_of_left));
+}
+
 class MandibleWriter {
 public:
     explicit MandibleWriter(const DimensionValues& values) : v_(values), bone_(values), plan_(bone_.frame()) {
@@ -95,7 +123,6 @@ private:
 };
 
 Vec3 at_x(double x, Vec3 p) { return {x, p.y, p.z}; }
-Vec3 mirrored(Vec3 p) { return {-p.x, p.y, p.z}; }
 
 std::string MandibleWriter::tissues() const {
     const auto region = [](const char* part, double thickness) {
@@ -117,28 +144,6 @@ std::string MandibleWriter::tissues() const {
 
 std::string MandibleWriter::landmarks() const {
     const MandibleFrame& frame = bone_.frame();
-    const auto both = [](const char* name, bool is_first, const std::string& of_right, const std::string& of_left) {
-        const std::string id = name;
-        return is_first ? "    right_" + id + ": " + of_right + "    left_" + id + ": " + of_left
-                        : "    " + id + "_right: " + of_right + "    " + id + "_left: " + of_left;
-    };
-    const auto point = [&](const char* name, Vec3 right, const char* tolerance) {
-        const auto of = [&](Vec3 at) { return "{at: " + vector_text(at) + " mm, tolerance: " + tolerance + "}\n"; };
-        return both(name, false, of(right), of(mirrored(right)));
-    };
-    const auto axis = [&](const char* name, Vec3 from, Vec3 to) {
-        const auto of = [&](Vec3 a, Vec3 b) {
-            return "{from: " + vector_text(a) + " mm, to: " + vector_text(b) + " mm, tolerance: 1 mm}\n";
-        };
-        return both(name, true, of(from, to), of(mirrored(from), mirrored(to)));
-    };
-    const auto plane = [&](const char* name, Vec3 at, Vec3 normal, Vec3 normal_of_left) {
-        const auto of = [&](Vec3 p, Vec3 n) {
-            return "{at: " + vector_text(p) + " mm, normal: " + direction_text(n) + ", tolerance: 1 mm}\n";
-        };
-        return both(name, true, of(at, normal), of(mirrored(at), normal_of_left));
-    };
-
     // The corner of the bone, where it is nearest to that of the borders.
     const Vec3 to_middle = normalized(frame.up + frame.ahead);
     double rounding = 3.0, gonion_x = HUGE_VAL;  // how far the bone is from the corner, nearly
