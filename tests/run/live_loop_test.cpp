@@ -115,7 +115,7 @@ std::string hash_of_replay(const Scene& scene, const std::string& folder) {
 
 // The bone comes apart, forceps take the part and remove it: all later than in lock-step.
 TEST(LiveLoop, ReplaysARunThatFollowsLate) {
-    const Scene scene = test::scene_of(KERF_SOURCE_DIR "/procedures/amputation.yaml", "", {"accuracy.spacing=2 mm"});
+    const Scene scene = test::scene_of(KERF_SOURCE_DIR "/procedures/amputation.yaml", "", {"accuracy.spacing=1.5 mm"});
     const test::TemporaryFolder folder;
     const Followed late = followed(scene, folder.path() + "/late", 37);
     EXPECT_EQ(late.of("tool.taken").size(), 1u);

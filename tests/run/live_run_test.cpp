@@ -52,7 +52,7 @@ TEST(LiveRun, HasTheBitsOfLockStepWithoutLateTicks) {
 
 // A separation, forceps that take the part and remove it, two tools.
 TEST(LiveRun, HasTheBitsOfLockStepWhereBodiesChange) {
-    const Scene scene = test::scene_of(KERF_SOURCE_DIR "/procedures/amputation.yaml", "", {"accuracy.spacing=2 mm"});
+    const Scene scene = test::scene_of(KERF_SOURCE_DIR "/procedures/amputation.yaml", "", {"accuracy.spacing=1.5 mm"});
     VirtualClock clock({});
     const RunOutcome live = run_on_clock(scene, test::plugins(), {}, clock);
     ASSERT_EQ(live.summary.pieces.size(), 2u);
