@@ -50,6 +50,19 @@ Dimension& DimensionTable::angle(const char* name, const char* help, double mean
                -HUGE_VAL, 0.01_deg);
 }
 
+Dimension& DimensionTable::density(const char* name, const char* help, double mean, double sd, Evidence evidence,
+                                   const char* source, double floor) {
+    return add({.name = name,
+                .help = help,
+                .dimension = dimension::density,
+                .unit = "g/cm3",
+                .mean = mean,
+                .sd = sd,
+                .evidence = evidence,
+                .source = source},
+               floor, 1.0);
+}
+
 std::string dimension_text(double value, const char* unit) {
     return text::quantity_text(std::round(value * 1e5) * 1e-5, unit);
 }

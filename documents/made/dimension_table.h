@@ -25,6 +25,10 @@ public:
     Dimension& angle(const char* name, const char* help, double mean_deg, double sd_deg, Evidence evidence,
                      const char* source);
 
+    /// Adds an apparent density; its arguments are in kg/m³, it does not depend on size.
+    Dimension& density(const char* name, const char* help, double mean, double sd, Evidence evidence,
+                       const char* source, double floor);
+
     std::vector<Dimension> all;
 };
 

@@ -12,11 +12,11 @@
 
 #include "documents/made/make_bone.h"
 #include "documents/made/normal.h"
-#include "documents/made/read_request.h"
 #include "documents/made/vertebra/dimensions.h"
 #include "documents/read_anatomy.h"
 #include "documents/solids.h"
 #include "kerf/units.hpp"
+#include "tests/documents/made_request.h"
 
 namespace kerf::documents {
 namespace {
@@ -26,16 +26,6 @@ using Sex = MakeRequest::Sex;
 
 MakeRequest vertebra(const std::string& level, Sex sex = Sex::unsaid) {
     return {.kind = "vertebra", .level = level, .sex = sex};
-}
-
-MakeRequest with_seed(MakeRequest request, std::uint32_t seed) {
-    request.seed = seed;
-    return request;
-}
-
-const Dimension& dimension_of(const Population& population, const std::string& name) {
-    return *std::find_if(population.dimensions.begin(), population.dimensions.end(),
-                         [&](const Dimension& d) { return d.name == name; });
 }
 
 struct Moments {
@@ -235,18 +225,6 @@ TEST(MadeBone, TheShippedLumbarVertebraIsTheMeanOne) {
         << "`kerf anatomy make vertebra --level L3 -o procedures/anatomy/vertebra-l3.yaml` writes it";
 }
 
-/// Reads a request, and returns the messages.
-std::string problem_with(const std::string& text, std::optional<MakeRequest>* request = nullptr) {
-    text::Diagnostics diagnostics;
-    auto document = parse_document("request", text).take(diagnostics);
-    if (!document) return to_text(diagnostics);
-    Report report(*document, diagnostics);
-    auto read = read_make_request(document->root, "anatomy", report);
-    EXPECT_EQ(read.has_value(), diagnostics.empty());
-    if (request != nullptr) *request = std::move(read);
-    return to_text(diagnostics);
-}
-
 TEST(MadeBone, SetsDimensions) {
     std::optional<MakeRequest> request;
     EXPECT_EQ(problem_with("{make: vertebra, level: L3, seed: 7, sex: f, set: {pedicle.width: 6 mm}}", &request), "");
@@ -260,24 +238,22 @@ TEST(MadeBone, SetsDimensions) {
 }
 
 TEST(MadeBone, RefusesImpossibleRequests) {
-    const auto has = [](const std::string& text, const std::vector<std::string>& parts) {
-        for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
-    };
-    has(problem_with("{make: vertebra, level: L9}"), {"L9", "`L5`"});
-    has(problem_with("{make: vertebra}"), {"has no `level:`", "`T11`", "Write `level: L3`"});
-    has(problem_with("{make: femora, level: L3}"), {"femora", "vertebra"});
-    has(problem_with("{make: vertebra, level: L3, seed: 1.5}"), {"1.5", "whole number"});
-    has(problem_with("{make: vertebra, level: L3, seed: -1}"), {"-1", "0"});
-    has(problem_with("{make: vertebra, level: L3, set: {pedicle.widht: 6 mm}}"), {"pedicle.widht", "pedicle.width:"});
-    has(problem_with("{make: vertebra, level: L3, set: {pedicle.width: 60 mm}}"), {"60 mm", "17.24 mm"});
-    has(problem_with("{make: vertebra, level: L3, set: {pedicle.width: 6}}"), {"mm"});
-    has(problem_with("{make: vertebra, level: L3, set: {pedicle.width: 17 mm, canal.width: 32 mm, "
-                     "lower_end_plate.width: 44 mm}}"),
-        {"contradict", "outer wall of the pedicle", "expected at most"});
-    has(problem_with("{make: vertebra, level: L3, set: {pedicle.cortex: 1.7 mm, pedicle.width: 3 mm}}"),
-        {"`pedicle.cortex` is out of range: got 1.7 mm, expected at most 1.05 mm"});
-    has(problem_with("{make: vertebra, level: L3, height: 165 mm}"), {"height", "cm"});
-    has(problem_with("{make: vertebra, level: L3, age: 7}"), {"age", "20"});
+    expect_parts(problem_with("{make: vertebra, level: L9}"), {"L9", "`L5`"});
+    expect_parts(problem_with("{make: vertebra}"), {"has no `level:`", "`T11`", "Write `level: L3`"});
+    expect_parts(problem_with("{make: femora, level: L3}"), {"femora", "vertebra"});
+    expect_parts(problem_with("{make: vertebra, level: L3, seed: 1.5}"), {"1.5", "whole number"});
+    expect_parts(problem_with("{make: vertebra, level: L3, seed: -1}"), {"-1", "0"});
+    expect_parts(problem_with("{make: vertebra, level: L3, set: {pedicle.widht: 6 mm}}"),
+                 {"pedicle.widht", "pedicle.width:"});
+    expect_parts(problem_with("{make: vertebra, level: L3, set: {pedicle.width: 60 mm}}"), {"60 mm", "17.24 mm"});
+    expect_parts(problem_with("{make: vertebra, level: L3, set: {pedicle.width: 6}}"), {"mm"});
+    expect_parts(problem_with("{make: vertebra, level: L3, set: {pedicle.width: 17 mm, canal.width: 32 mm, "
+                              "lower_end_plate.width: 44 mm}}"),
+                 {"contradict", "outer wall of the pedicle", "expected at most"});
+    expect_parts(problem_with("{make: vertebra, level: L3, set: {pedicle.cortex: 1.7 mm, pedicle.width: 3 mm}}"),
+                 {"`pedicle.cortex` is out of range: got 1.7 mm, expected at most 1.05 mm"});
+    expect_parts(problem_with("{make: vertebra, level: L3, height: 165 mm}"), {"height", "cm"});
+    expect_parts(problem_with("{make: vertebra, level: L3, age: 7}"), {"age", "20"});
 }
 
 }  // namespace

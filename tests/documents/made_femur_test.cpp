@@ -12,10 +12,10 @@
 
 #include "documents/made/femur/dimensions.h"
 #include "documents/made/make_bone.h"
-#include "documents/made/read_request.h"
 #include "documents/read_anatomy.h"
 #include "documents/solids.h"
 #include "kerf/units.hpp"
+#include "tests/documents/made_request.h"
 
 namespace kerf::documents {
 namespace {
@@ -26,16 +26,6 @@ using Sex = MakeRequest::Sex;
 MakeRequest proximal(Sex sex = Sex::unsaid) { return {.kind = "femur", .level = "proximal", .sex = sex}; }
 
 MakeRequest distal(Sex sex = Sex::unsaid) { return {.kind = "femur", .level = "distal", .sex = sex}; }
-
-MakeRequest with_seed(MakeRequest request, std::uint32_t seed) {
-    request.seed = seed;
-    return request;
-}
-
-const Dimension& dimension_of(const Population& population, const std::string& name) {
-    return *std::find_if(population.dimensions.begin(), population.dimensions.end(),
-                         [&](const Dimension& d) { return d.name == name; });
-}
 
 DimensionValues means_of(const MakeRequest& request) {
     DimensionValues means;
@@ -214,37 +204,25 @@ TEST(MadeFemur, TheShippedKneeIsTheMeanOne) {
         << "`kerf anatomy make femur --level distal -o procedures/anatomy/knee.yaml` writes it";
 }
 
-/// Reads a request, and returns the messages.
-std::string problem_with(const std::string& text) {
-    text::Diagnostics diagnostics;
-    auto document = parse_document("request", text).take(diagnostics);
-    if (!document) return to_text(diagnostics);
-    Report report(*document, diagnostics);
-    const auto read = read_make_request(document->root, "anatomy", report);
-    EXPECT_EQ(read.has_value(), diagnostics.empty());
-    return to_text(diagnostics);
-}
-
 TEST(MadeFemur, RefusesImpossibleRequests) {
-    const auto has = [](const std::string& text, const std::vector<std::string>& parts) {
-        for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
-    };
     EXPECT_EQ(problem_with("{make: femur, level: proximal, seed: 7, sex: m, set: {neck.angle: 120 deg}}"), "");
-    has(problem_with("{make: femur}"), {"has no `level:`", "`proximal`"});
-    has(problem_with("{make: femur, level: L3}"), {"L3", "`proximal`"});
-    has(problem_with("{make: femur, level: proximal, set: {neck.angle: 150 deg}}"), {"150 deg", "140 deg"});
+    expect_parts(problem_with("{make: femur}"), {"has no `level:`", "`proximal`"});
+    expect_parts(problem_with("{make: femur, level: L3}"), {"L3", "`proximal`"});
+    expect_parts(problem_with("{make: femur, level: proximal, set: {neck.angle: 150 deg}}"), {"150 deg", "140 deg"});
     const auto with = [](const std::string& set) {
         return problem_with("{make: femur, level: proximal, set: {" + set + "}}");
     };
-    has(with("neck.height: 38.5 mm"), {"`neck.height` is out of range: got 38.5 mm", "26.04 mm to 38.13 mm"});
-    has(with("neck.depth: 32 mm"), {"`neck.depth` is out of range", "`neck.height`"});
-    has(with("neck.offset: 60 mm"), {"`neck.offset` is out of range", "`head.diameter` and `neck.angle`"});
-    has(with("greater_trochanter.rise: 22 mm"), {"`greater_trochanter.rise` is out of range"});
-    has(with("trochanters.distance: 45 mm"), {"`trochanters.distance` is out of range"});
-    has(problem_with("{make: femur, level: distal, set: {medial_condyle.depth: 48 mm}}"),
-        {"`medial_condyle.depth` is out of range: got 48 mm", "at this `condyles.width`"});
-    has(problem_with("{make: femur, level: distal, set: {notch.width: 26 mm}}"), {"`notch.width` is out of range"});
-    has(with("shaft.canal: 18 mm"), {"`shaft.canal` is out of range: got 18 mm", "to 17.02 mm at this `shaft.width`"});
+    expect_parts(with("neck.height: 38.5 mm"), {"`neck.height` is out of range: got 38.5 mm", "26.04 mm to 38.13 mm"});
+    expect_parts(with("neck.depth: 32 mm"), {"`neck.depth` is out of range", "`neck.height`"});
+    expect_parts(with("neck.offset: 60 mm"), {"`neck.offset` is out of range", "`head.diameter` and `neck.angle`"});
+    expect_parts(with("greater_trochanter.rise: 22 mm"), {"`greater_trochanter.rise` is out of range"});
+    expect_parts(with("trochanters.distance: 45 mm"), {"`trochanters.distance` is out of range"});
+    expect_parts(problem_with("{make: femur, level: distal, set: {medial_condyle.depth: 48 mm}}"),
+                 {"`medial_condyle.depth` is out of range: got 48 mm", "at this `condyles.width`"});
+    expect_parts(problem_with("{make: femur, level: distal, set: {notch.width: 26 mm}}"),
+                 {"`notch.width` is out of range"});
+    expect_parts(with("shaft.canal: 18 mm"),
+                 {"`shaft.canal` is out of range: got 18 mm", "to 17.02 mm at this `shaft.width`"});
 }
 
 }  // namespace

@@ -102,24 +102,11 @@ void add_proximal(const MakeRequest& request, DimensionTable& table) {
     table.length("trochanters.cortex", "Thickness of the cortex of the trochanters.", 1.5, 0.25, 0.0,
                  Evidence::recalled, "1 to 2 mm", 0.5);
     const double density = request.is_osteoporotic ? osteoporotic_density : at_age(age, densities);
-    table.add({.name = "neck.density",
-               .help = "Apparent density of the cancellous bone of head and neck.",
-               .dimension = dimension::density,
-               .unit = "g/cm3",
-               .mean = 560.0 * density,
-               .sd = 110.0 * density,
-               .evidence = Evidence::recalled,
-               .source = "Morgan 2003: 0.58 g/cm3 at 67 years; -0.2 % a year; 0.65 of it with osteoporosis"},
-              150.0, 1.0);
-    table.add({.name = "trochanters.density",
-               .help = "Apparent density of the cancellous bone of the trochanters.",
-               .dimension = dimension::density,
-               .unit = "g/cm3",
-               .mean = 220.0 * density,
-               .sd = 50.0 * density,
-               .evidence = Evidence::recalled,
-               .source = "Morgan 2003: 0.22 g/cm3 at 67 years"},
-              60.0, 1.0);
+    table.density("neck.density", "Apparent density of the cancellous bone of head and neck.", 560.0 * density,
+                  110.0 * density, Evidence::recalled,
+                  "Morgan 2003: 0.58 g/cm3 at 67 years; -0.2 % a year; 0.65 of it with osteoporosis", 150.0);
+    table.density("trochanters.density", "Apparent density of the cancellous bone of the trochanters.", 220.0 * density,
+                  50.0 * density, Evidence::recalled, "Morgan 2003: 0.22 g/cm3 at 67 years", 60.0);
 }
 
 void add_distal(const MakeRequest& request, DimensionTable& table) {
@@ -141,15 +128,9 @@ void add_distal(const MakeRequest& request, DimensionTable& table) {
     table.length("condyles.cortex", "Thickness of the shell of the condyles.", 1.2, 0.2, 0.0, Evidence::assumed,
                  "thinner than the shaft's", 0.4);
     const double density = request.is_osteoporotic ? osteoporotic_density : at_age(age, densities);
-    table.add({.name = "condyles.density",
-               .help = "Apparent density of the cancellous bone.",
-               .dimension = dimension::density,
-               .unit = "g/cm3",
-               .mean = 340.0 * density,
-               .sd = 80.0 * density,
-               .evidence = Evidence::assumed,
-               .source = "between the neck and the upper end of the tibia; 0.65 of it with osteoporosis"},
-              100.0, 1.0);
+    table.density("condyles.density", "Apparent density of the cancellous bone.", 340.0 * density, 80.0 * density,
+                  Evidence::assumed, "between the neck and the upper end of the tibia; 0.65 of it with osteoporosis",
+                  100.0);
 }
 
 /// Returns the message for a dimension outside its bounds; empty if it lies within.

@@ -87,15 +87,8 @@ std::vector<Dimension> dimensions_of(const MakeRequest& request) {
          (std::string("2.2 and 2.0 mm in 1997 dry jaws, SD assumed") + thinned).c_str(), 1.0);
     size("ramus.cortex", "Thickness of the cortex of the ramus.", 1.8 * cortex, 0.05, 0.2, 0, Evidence::recalled,
          (std::string("1.6 to 1.8 mm") + thinned).c_str(), 0.8);
-    table.add({.name = "cancellous.density",
-               .help = "Apparent density of cancellous bone.",
-               .dimension = dimension::density,
-               .unit = "g/cm3",
-               .mean = 500.0,
-               .sd = 80.0,
-               .evidence = Evidence::recalled,
-               .source = "0.45 behind to 0.6 in front; in jaws it does not fall with age (Kingsmill 1998, read)"},
-              200.0, 1.0);
+    table.density("cancellous.density", "Apparent density of cancellous bone.", 500.0, 80.0, Evidence::recalled,
+                  "0.45 behind to 0.6 in front; in jaws it does not fall with age (Kingsmill 1998, read)", 200.0);
     return std::move(table.all);
 }
 

@@ -134,16 +134,10 @@ std::vector<Dimension> dimensions_at(const Level& level, const MakeRequest& requ
                  level.pedicle_cortex, 0.15, 0.0, Evidence::derived, "outer less inner width, Makino; SD assumed", 0.4);
     const double density =
         request.is_osteoporotic ? osteoporotic : density_at_age(request.age.value_or(default_age), request.sex);
-    Dimension& cancellous = table.add({.name = "cancellous.density",
-                                       .help = "Mean apparent density of the body's cancellous bone.",
-                                       .dimension = dimension::density,
-                                       .unit = "g/cm3",
-                                       .mean = density * 1e3,
-                                       .sd = request.is_osteoporotic ? 20.0 : 45.0,
-                                       .is_along_spine = true,
-                                       .evidence = Evidence::recalled,
-                                       .source = "QCT by age, over 0.6; Morgan 2003"},
-                                      60.0, 1.0);
+    Dimension& cancellous = table.density("cancellous.density", "Mean apparent density of the body's cancellous bone.",
+                                          density * 1e3, request.is_osteoporotic ? 20.0 : 45.0, Evidence::recalled,
+                                          "QCT by age, over 0.6; Morgan 2003", 60.0);
+    cancellous.is_along_spine = true;
     if (request.is_osteoporotic) cancellous.max_drawn = cancellous.max_set = max_osteoporotic;
     return std::move(table.all);
 }
