@@ -11,6 +11,7 @@
 #include "documents/made/anatomy_text.h"
 #include "documents/made/normal.h"
 #include "documents/read_anatomy.h"
+#include "kerf/units.hpp"
 
 namespace kerf::documents {
 namespace {
@@ -76,6 +77,12 @@ std::string document_of(const MadeBone& bone, const std::string& body) {
     return text + body;
 }
 
+/// Returns whether a dimension of the bone is far from the requested one.
+bool differs(const Dimension& dimension, double requested, double measured) {
+    using namespace literals;
+    return std::abs(measured - requested) > (dimension.unit == "deg" ? 4.0_deg : 1.5_mm);
+}
+
 }  // namespace
 
 Population population_of(MakeRequest& request) {
@@ -102,15 +109,25 @@ MadeBone make_bone(const MakeRequest& request) {
 }
 
 std::string table_of_dimensions(const MadeBone& bone, const std::string& margin) {
+    bool has_different = false;
     std::string text = margin + padded("dimension", 33) + padded("requested", 11) + padded("measured", 10) + "source\n";
     for (const Dimension& dimension : bone.population.dimensions) {
         const auto found = std::find_if(bone.measured.begin(), bone.measured.end(),
                                         [&](const MeasuredDimension& m) { return m.name == dimension.name; });
+        const bool is_different =
+            found != bone.measured.end() && differs(dimension, bone.drawn.values[dimension.name], found->value);
+        has_different = has_different || is_different;
         text += margin + padded(dimension.name + " [" + dimension.unit + "]", 33) +
                 padded(shown(bone.drawn.values[dimension.name], dimension), 11) +
-                padded(found != bone.measured.end() ? shown(found->value, dimension) : "", 10) + dimension.source +
-                " [" + word_for(dimension.evidence) + "]\n";
+                padded(found != bone.measured.end() ? shown(found->value, dimension) + (is_different ? " !" : "") : "",
+                       10) +
+                dimension.source + " [" + word_for(dimension.evidence) + "]\n";
     }
+    if (has_different)
+        text +=
+            margin +
+            "! More than 1.5 mm or 4 deg from the request: neighbouring parts of this bone overlap there, or its\n" +
+            margin + "  measure is misled by them.\n";
     return text;
 }
 

@@ -200,6 +200,12 @@ TEST(MadeMandible, TheShippedJawIsOneOfAMan) {
 
 TEST(MadeMandible, RefusesImpossibleRequests) {
     EXPECT_EQ(problem_with("{make: mandible}"), "");
+    expect_parts(problem_with("{make: mandible, set: {symphysis.thickness: 19 mm, bigonial.width: 70 mm, "
+                              "bicondylar.width: 92 mm}}"),
+                 {"`symphysis.thickness` is out of range: got 19 mm, expected at most about 14.5 mm"});
+    MakeRequest bent{.kind = "mandible", .level = ""};
+    bent.seed = 58;  // whose chin is too thick for its arch at first
+    EXPECT_GT(make_bone(bent).drawn.redraws, 0);
     expect_parts(problem_with("{make: mandible, level: L3}"), {"`level` does not belong to a mandible"});
     expect_parts(problem_with("{make: mandible, set: {ramus.height: 200 mm}}"), {"ramus.height", "200 mm"});
     expect_parts(problem_with("{make: mandible, set: {bigonial.width: 115 mm, bicondylar.width: 95 mm}}"),

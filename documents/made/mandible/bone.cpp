@@ -332,6 +332,13 @@ std::string MandibleBone::canal_parts() const {
            " mm, radius: 1.5 mm}\n      subtract: true\n      blend: 0.8 mm\n      mirror: true\n";
 }
 
+double MandibleBone::bend_of_body() const { return crossing(laid(body())); }
+
+double MandibleBone::bend_of_others() const {
+    return std::max(
+        {crossing(laid(ramus())), crossing(laid(neck())), crossing(laid(coronoid())), crossing(laid(canal(-1)))});
+}
+
 double alveolar_length(const DimensionValues& values) {
     return 1e-3 * MandibleBone(values).crest().back().from_midline;
 }

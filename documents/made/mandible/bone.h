@@ -36,6 +36,10 @@ public:
     /// Returns the crest from the midline back.
     [[nodiscard]] const std::vector<CrestPoint>& crest() const noexcept { return crest_; }
     [[nodiscard]] const MandibleFrame& frame() const noexcept { return frame_; }
+    /// Returns how sharply the path of the body bends, and the sharpest of the other paths, in radii of their
+    /// curvature: half of the section there [–]. From 1 on, sections cross.
+    [[nodiscard]] double bend_of_body() const;
+    [[nodiscard]] double bend_of_others() const;
     /// Where the posterior border touches the condyle of the right side.
     [[nodiscard]] Vec3 condylion() const;
 

@@ -123,6 +123,16 @@ std::string contradiction_of(const DimensionValues& v) {
                dimension_text(max, "mm") + " at this `body.height`: the roots of the molars need 10 mm";
     if (const double body = v["body.height"]; v["symphysis.height"] < 0.9 * body || v["symphysis.height"] > 1.4 * body)
         return is("symphysis.height", v["symphysis.height"], 0.9 * body, 1.4 * body, "`body.height`");
+    const MandibleBone bone(v);
+    constexpr double sharpest = 0.97;  // [–] below 1, as the text is rounded
+    if (const double bend = bone.bend_of_body(); bend > sharpest)
+        return "`symphysis.thickness` is out of range: got " + dimension_text(v["symphysis.thickness"], "mm") +
+               ", expected at most about " + dimension_text(v["symphysis.thickness"] * sharpest / bend, "mm") +
+               " at this `bigonial.width` and `body.length`: the chin bends too sharply";
+    if (bone.bend_of_others() > sharpest)
+        return "`bicondylar.width` is out of range: got " + dimension_text(v["bicondylar.width"], "mm") +
+               ": the ramus bends too sharply at this `bigonial.width` and `ramus.height`. Expected a value closer to "
+               "`bigonial.width`";
     if (const double row = row_of_teeth(v["first_molar.width"]), room = alveolar_length(v); row > 1.05 * room)
         return "`first_molar.width` is out of range: the row of teeth is " + dimension_text(row, "mm") +
                " long, expected at most " + dimension_text(1.05 * room, "mm") +

@@ -2,7 +2,6 @@
 #include "documents/made/mandible/text.h"
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <utility>
 
@@ -90,7 +89,6 @@ public:
                         "mandible", "apiVersion: kerf/v1\nkind: Anatomy\nmetadata: {id: mandible, title: Lower jaw}\n" +
                                         solids() + "landmarks: {points: {corner: {at: 0 0 0 mm, tolerance: 1 mm}}}\n")
                         .take(none);
-        if (!read) std::fputs((to_text(none) + parts_).c_str(), stderr);  // DEBUG
         KERF_ASSERT(read.has_value(), "write solids that can be read");
         made_ = std::move(read->phantom);
     }
