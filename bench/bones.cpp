@@ -34,15 +34,6 @@ using Sex = MakeRequest::Sex;
 
 MakeRequest vertebra(const std::string& level) { return {.kind = "vertebra", .level = level}; }
 
-/// Returns one request for each kind and level.
-std::vector<MakeRequest> all_bones() {
-    std::vector<MakeRequest> all;
-    for (const documents::BoneKind& kind : documents::bone_kinds())
-        for (const std::string& level : kind.levels.empty() ? std::vector<std::string>{""} : kind.levels)
-            all.push_back({.kind = kind.name, .level = level});
-    return all;
-}
-
 std::string name_of(const MakeRequest& bone) { return bone.level.empty() ? bone.kind : bone.kind + "/" + bone.level; }
 
 /// Mean and standard deviation of drawn values against those of the source.
@@ -50,7 +41,7 @@ void print_draws() {
     constexpr std::uint32_t people = 10000;
     std::printf("10 000 draws of each bone and sex: the dimension farthest from its source\n");
     std::printf("bone            sex  redrawn [%%]  mean off by [%% of the mean]            SD off by [%%]\n");
-    for (const MakeRequest& bone_request : all_bones())
+    for (const MakeRequest& bone_request : documents::all_made_bones())
         for (const Sex sex : {Sex::female, Sex::male}) {
             MakeRequest request = bone_request;
             request.sex = sex;
@@ -92,7 +83,7 @@ void print_measures() {
         std::string unit{};
     };
     std::map<std::string, Off> offs;
-    for (const MakeRequest& bone_request : all_bones())
+    for (const MakeRequest& bone_request : documents::all_made_bones())
         for (std::uint32_t seed = 0; seed < people; ++seed) {
             MakeRequest request = bone_request;
             request.seed = seed;

@@ -112,13 +112,12 @@ private:
     /// The dimensions of a made bone.
     static Json of_dimensions() {
         Json properties = Json::object();
-        for (const BoneKind& kind : bone_kinds())
-            for (const std::string& level : kind.levels.empty() ? std::vector<std::string>{""} : kind.levels)
-                for (const Dimension& dimension : kind.population({.kind = kind.name, .level = level}).dimensions) {
-                    Json& of = properties[dimension.name] = {{"type", "string"}};
-                    of["pattern"] = text::quantity_pattern({dimension.dimension, dimension.unit});
-                    of["description"] = dimension.help;
-                }
+        for (const MakeRequest& bone : all_made_bones())
+            for (const Dimension& dimension : bone_kind(bone.kind).population(bone).dimensions) {
+                Json& of = properties[dimension.name] = {{"type", "string"}};
+                of["pattern"] = text::quantity_pattern({dimension.dimension, dimension.unit});
+                of["description"] = dimension.help;
+            }
         return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
     }
 

@@ -43,6 +43,17 @@ struct WrittenJoint {
 /// Returns a part of `phantom.parts`, indented.   [any]
 [[nodiscard]] std::string loft_part(const std::string& id, const WrittenLoft& loft, const WrittenJoint& joint);
 
+/// Returns solids in one line; lengths in millimetres.   [any]
+[[nodiscard]] std::string tube_text(Vec3 from, Vec3 to, double radius);
+[[nodiscard]] std::string elliptic_tube_text(Vec3 from, Vec3 to, double width, double height, const std::string& up);
+[[nodiscard]] std::string sphere_text(Vec3 centre, double radius);
+
+/// Returns a part of `phantom.parts` whose solid takes one line.   [any]
+[[nodiscard]] std::string solid_part(const char* id, const std::string& solid, const WrittenJoint& joint);
+
+/// Returns an axis of `landmarks.axes`.   [any]
+[[nodiscard]] std::string axis_text(const char* id, Vec3 from, Vec3 to, double tolerance);
+
 /// Returns `loft:` as an item of a zone's list.   [any]
 [[nodiscard]] std::string loft_item(const WrittenLoft& loft, int indent);
 

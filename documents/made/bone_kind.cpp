@@ -33,6 +33,15 @@ const std::vector<std::string>& made_levels() {
     return names;
 }
 
+std::vector<MakeRequest> all_made_bones() {
+    std::vector<MakeRequest> all;
+    for (const BoneKind& kind : bone_kinds()) {
+        if (kind.levels.empty()) all.push_back({.kind = kind.name, .level = ""});
+        for (const std::string& level : kind.levels) all.push_back({.kind = kind.name, .level = level});
+    }
+    return all;
+}
+
 const BoneKind& bone_kind(const std::string& name) {
     const std::vector<BoneKind>& kinds = bone_kinds();
     const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const BoneKind& k) { return k.name == name; });

@@ -40,6 +40,9 @@ struct BoneKind {
 [[nodiscard]] const std::vector<std::string>& made_kinds();
 [[nodiscard]] const std::vector<std::string>& made_levels();
 
+/// Returns one request for each kind and level.   [any]
+[[nodiscard]] std::vector<MakeRequest> all_made_bones();
+
 /// Returns a kind.   Pre: its name is one of `made_kinds()`.   [any]
 [[nodiscard]] const BoneKind& bone_kind(const std::string& name);
 

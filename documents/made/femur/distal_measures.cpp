@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "documents/made/lines.h"
+#include "documents/names.h"
 #include "kerf/units.hpp"
 
 namespace kerf::documents {
@@ -88,12 +89,9 @@ private:
 }  // namespace
 
 std::vector<MeasuredDimension> measured_distal_femur(const Anatomy& anatomy) {
-    const auto point = [&](const char* id) {
-        return std::find_if(anatomy.points.begin(), anatomy.points.end(),
-                            [&](const LandmarkPoint& p) { return p.id == id; });
-    };
-    const auto medial = point("medial_epicondyle"), lateral = point("lateral_epicondyle");
-    if (medial == anatomy.points.end() || lateral == anatomy.points.end() || anatomy.phantom.parts.empty()) return {};
+    const LandmarkPoint *medial = find_id(anatomy.points, "medial_epicondyle"),
+                        *lateral = find_id(anatomy.points, "lateral_epicondyle");
+    if (medial == nullptr || lateral == nullptr || anatomy.phantom.parts.empty()) return {};
     return DistalFemurMeter(anatomy, medial->at, lateral->at).measure();
 }
 

@@ -6,7 +6,6 @@
 
 #include "documents/made/anatomy_text.h"
 #include "documents/made/femur/dimensions.h"
-#include "documents/made/femur/solids_text.h"
 
 namespace kerf::documents {
 namespace {

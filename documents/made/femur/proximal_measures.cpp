@@ -7,6 +7,7 @@
 #include <string>
 
 #include "documents/made/lines.h"
+#include "documents/names.h"
 #include "kerf/units.hpp"
 
 namespace kerf::documents {
@@ -108,14 +109,9 @@ private:
 }  // namespace
 
 std::vector<MeasuredDimension> measured_proximal_femur(const Anatomy& anatomy) {
-    const auto axis = [&](const char* id) {
-        return std::find_if(anatomy.axes.begin(), anatomy.axes.end(),
-                            [&](const LandmarkAxis& a) { return a.id == id; });
-    };
-    const auto head = std::find_if(anatomy.points.begin(), anatomy.points.end(),
-                                   [](const LandmarkPoint& p) { return p.id == "head"; });
-    const auto neck = axis("neck"), shaft = axis("shaft");
-    if (head == anatomy.points.end() || neck == anatomy.axes.end() || shaft == anatomy.axes.end()) return {};
+    const LandmarkPoint* head = find_id(anatomy.points, "head");
+    const LandmarkAxis *neck = find_id(anatomy.axes, "neck"), *shaft = find_id(anatomy.axes, "shaft");
+    if (head == nullptr || neck == nullptr || shaft == nullptr) return {};
     return ProximalFemurMeter(anatomy, head->at, *neck, *shaft).measure();
 }
 

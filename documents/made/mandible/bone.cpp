@@ -73,7 +73,9 @@ MandibleBone::MandibleBone(const DimensionValues& values) : v_(values), frame_(v
     const WrittenSection blade{.width = mm("ramus.thickness"), .height = mm("ramus.width"), .exponent = 3.0};
     ramus_middle_ = 0.5 * mm("bigonial.width") - mm("gonial.flare") -
                     reach(blade, std::cos(turn * degree), std::sin(turn * degree));
-    crest_ = crest_of(laid(body()));
+    const LoftSolid laid_body = laid(body());
+    crest_ = crest_of(laid_body);
+    bend_of_body_ = crossing(laid_body);
 }
 
 /// |x| of the middle of the ramus at a height. It leads outwards to the condyle, most of it in the neck.
@@ -272,10 +274,8 @@ WrittenLoft MandibleBone::coronoid() const {
 std::string MandibleBone::notch() const {
     const double radius = 0.155 * mm("ramus.width");
     const Vec3 at = frame_.in_ramus(0, notch_height() + radius, 0.47 * mm("ramus.width"));
-    const auto end = [&](double x) { return vector_text({x, at.y, at.z}); };
-    return "    - id: notch\n      tube: {from: " + end(-ramus_middle_ - 16) + " mm, to: " + end(-ramus_middle_ + 14) +
-           " mm, radius: " + rounded_text(radius) +
-           " mm}\n      subtract: true\n      blend: 2 mm\n      mirror: true\n";
+    return solid_part("notch", tube_text({-ramus_middle_ - 16, at.y, at.z}, {-ramus_middle_ + 14, at.y, at.z}, radius),
+                      {.blend = 2.0, .mirror = true, .subtract = true});
 }
 
 Vec3 MandibleBone::canal_below(double from_midline) const {
@@ -327,20 +327,13 @@ std::string MandibleBone::parts() const {
 std::string MandibleBone::canal_parts() const {
     return loft_part("canal", canal(-1),
                      {.mirror = true, .subtract = true, .source = "3 mm wide, less in the ramus."}) +
-           "    - id: canal_mental\n      tube: {from: " + vector_text(mental(-1, 0)) +
-           " mm, to: " + vector_text(mental(-1, 1)) +
-           " mm, radius: 1.5 mm}\n      subtract: true\n      blend: 0.8 mm\n      mirror: true\n";
+           solid_part("canal_mental", tube_text(mental(-1, 0), mental(-1, 1), 1.5),
+                      {.blend = 0.8, .mirror = true, .subtract = true});
 }
-
-double MandibleBone::bend_of_body() const { return crossing(laid(body())); }
 
 double MandibleBone::bend_of_others() const {
     return std::max(
         {crossing(laid(ramus())), crossing(laid(neck())), crossing(laid(coronoid())), crossing(laid(canal(-1)))});
-}
-
-double alveolar_length(const DimensionValues& values) {
-    return 1e-3 * MandibleBone(values).crest().back().from_midline;
 }
 
 }  // namespace kerf::documents

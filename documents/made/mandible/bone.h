@@ -38,7 +38,7 @@ public:
     [[nodiscard]] const MandibleFrame& frame() const noexcept { return frame_; }
     /// Returns how sharply the path of the body bends, and the sharpest of the other paths, in radii of their
     /// curvature: half of the section there [–]. From 1 on, sections cross.
-    [[nodiscard]] double bend_of_body() const;
+    [[nodiscard]] double bend_of_body() const noexcept { return bend_of_body_; }
     [[nodiscard]] double bend_of_others() const;
     /// Where the posterior border touches the condyle of the right side.
     [[nodiscard]] Vec3 condylion() const;
@@ -63,9 +63,7 @@ private:
     Vec3 condyle_at_{}, condyle_half_{};
     double ramus_middle_ = 0.0;  ///< |x| of the ramus at half its height
     std::vector<CrestPoint> crest_{};
+    double bend_of_body_ = 0.0;
 };
-
-/// Returns how long the alveolar crest of one side is, from the midline to the front of the ramus [m].   [any]
-[[nodiscard]] double alveolar_length(const DimensionValues& values);
 
 }  // namespace kerf::documents

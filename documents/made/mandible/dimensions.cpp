@@ -133,7 +133,8 @@ std::string contradiction_of(const DimensionValues& v) {
         return "`bicondylar.width` is out of range: got " + dimension_text(v["bicondylar.width"], "mm") +
                ": the ramus bends too sharply at this `bigonial.width` and `ramus.height`. Expected a value closer to "
                "`bigonial.width`";
-    if (const double row = row_of_teeth(v["first_molar.width"]), room = alveolar_length(v); row > 1.05 * room)
+    if (const double row = row_of_teeth(v["first_molar.width"]), room = 1e-3 * bone.crest().back().from_midline;
+        row > 1.05 * room)
         return "`first_molar.width` is out of range: the row of teeth is " + dimension_text(row, "mm") +
                " long, expected at most " + dimension_text(1.05 * room, "mm") +
                " at this `body.length`, `ramus.width` and `bigonial.width`";

@@ -206,8 +206,7 @@ std::string MandibleWriter::zones() const {
         "zones:\n  # The inferior alveolar nerve in its canal, from the mandibular to the mental foramen.\n";
     for (const double side : {-1.0, 1.0})
         text += std::string("  nerve_") + (side < 0 ? "right" : "left") + ":\n" + loft_item(bone_.canal(side), 4) +
-                "    - {tube: {from: " + vector_text(bone_.mental(side, 0.0)) +
-                " mm, to: " + vector_text(bone_.mental(side, 0.63)) + " mm, radius: 1.5 mm}}\n";
+                "    - {" + tube_text(bone_.mental(side, 0.0), bone_.mental(side, 0.63), 1.5) + "}\n";
     return text;
 }
 

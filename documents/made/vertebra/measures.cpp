@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "documents/made/lines.h"
+#include "documents/names.h"
 #include "kerf/units.hpp"
 
 namespace kerf::documents {
@@ -161,11 +162,9 @@ private:
 }  // namespace
 
 std::vector<MeasuredDimension> measured_vertebra(const Anatomy& anatomy) {
-    const auto axis = std::find_if(anatomy.axes.begin(), anatomy.axes.end(),
-                                   [](const LandmarkAxis& a) { return a.id == "right_pedicle"; });
-    const auto point = std::find_if(anatomy.points.begin(), anatomy.points.end(),
-                                    [](const LandmarkPoint& p) { return p.id == "midline"; });
-    if (axis == anatomy.axes.end() || point == anatomy.points.end() || anatomy.phantom.parts.empty()) return {};
+    const LandmarkAxis* axis = find_id(anatomy.axes, "right_pedicle");
+    const LandmarkPoint* point = find_id(anatomy.points, "midline");
+    if (axis == nullptr || point == nullptr || anatomy.phantom.parts.empty()) return {};
     return VertebraMeter(anatomy, *axis, point->at).measure();
 }
 

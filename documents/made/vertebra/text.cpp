@@ -326,10 +326,7 @@ std::string VertebraWriter::landmarks() const {
 }
 
 std::string VertebraWriter::zones() const {
-    const auto tube = [](Vec3 from, Vec3 to, double radius) {
-        return "    - {tube: {from: " + vector_text(from) + " mm, to: " + vector_text(to) +
-               " mm, radius: " + rounded_text(radius) + " mm}}\n";
-    };
+    const auto tube = [](Vec3 from, Vec3 to, double radius) { return "    - {" + tube_text(from, to, radius) + "}\n"; };
     std::string text = "zones:\n  canal:\n" + loft_item(canal(), 4);
     const double below = isthmus_.z - 0.5 * mm("pedicle.height");
     text += "  nerve_roots:  # below the pedicles [recalled]\n";
