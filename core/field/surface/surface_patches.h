@@ -8,6 +8,7 @@
 
 #include "core/field/surface/brick_mesher.h"
 #include "core/field/surface/mesh.h"
+#include "core/field/surface/paged_table.h"
 
 namespace kerf {
 
@@ -17,10 +18,7 @@ namespace kerf {
 /// itself belongs to one thread at a time and starts none.
 class SurfacePatches {
 public:
-    struct Published {
-        std::size_t brick;
-        std::shared_ptr<const BrickPatch> patch;  ///< null: the brick has no surface any more
-    };
+    using Published = PatchChange<BrickPatch>;
 
     /// Makes an empty surface. The body must outlive it.   [main, worker]
     explicit SurfacePatches(const Body& body);

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/field/surface/paged_table.h"
+#include "kerf/math.hpp"
+
+/// All that a viewer needs of a run. A viewer includes no other header of Kerf. It shares no mutable state with the
+/// run: values come out, commands go in.
+///
+/// Frames: world is LPS. Units: SI. Times count from the first tick.
+namespace kerf::run {
+
+// ---- what does not change during a run ----------------------------------------------------------------------------
+
+/// Triangles of a shape in its own frame, anticlockwise seen from outside.
+struct ViewedMesh {
+    std::vector<std::array<float, 3>> positions;  ///< [m]
+    std::vector<std::array<float, 3>> normals;    ///< unit, outwards; one per position
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// sRGB.
+struct ViewedColour {
+    std::uint8_t red = 0, green = 0, blue = 0;
+};
+
+struct ViewedTissue {
+    std::string name;
+    ViewedColour colour;
+};
+
+struct ViewedTool {
+    std::string name;    ///< for people
+    ViewedMesh mesh;     ///< tool frame: tip at z = 0, +z ahead of it
+    ViewedMesh staying;  ///< of an implant: the part that stays in bone; else empty
+    bool is_implant = false;
+    double lead = 0.0;  ///< [m] per turn of its thread; 0: it has none
+};
+
+struct ViewedZone {
+    std::string name;
+    ViewedMesh mesh;  ///< frame of its body
+};
+
+/// A goal or limit with its bound, for a bar or a line in a plot.
+struct ViewedLimit {
+    std::string words;                        ///< "thrust at most 60 N"
+    std::string quantity;                     ///< "thrust", "depth", "torque", the id of a zone …
+    std::string unit;                         ///< for people; empty: a plain number
+    double per_unit = 1.0;                    ///< SI per unit
+    std::optional<double> at_least, at_most;  ///< SI
+};
+
+struct ViewedStep {
+    std::string title;
+    std::size_t tool = 0;  ///< index into `tools`
+    std::vector<ViewedLimit> goals, limits;
+    std::optional<double> depth_goal, depth_limit;  ///< [m]
+    Vec3 entry{}, along{0, 0, 1};                   ///< of its axis before the first tick, world; `along` is a unit
+    double length = 0.0;                            ///< [m] of the axis from its entry to the goal
+    std::optional<Vec3> plane_normal{};             ///< unit, world, of a step with a plane
+};
+
+struct ViewedScene {
+    std::string title, mode;  ///< of the procedure; "practice"
+    std::vector<ViewedTissue> tissues;
+    std::vector<ViewedTool> tools;
+    std::vector<ViewedMesh> implants;  ///< shapes of bodies that are inserted whole, such as plates
+    std::vector<ViewedZone> zones;
+    std::vector<ViewedStep> steps;
+    double spacing = 0.0;     ///< [m] of the cut field
+    double time_limit = 0.0;  ///< [s]
+    Vec3 low{}, high{};       ///< [m] world: box of the bone before the first tick
+    std::string hand;         ///< "rehearsal expert", "mouse", the name of a device
+};
+
+// ---- the surface --------------------------------------------------------------------------------------------------
+
+struct ViewedVertex {
+    float position[3];      ///< [m] body frame
+    std::int8_t normal[3];  ///< unit, outwards, in 127ths
+    std::uint8_t tissue;    ///< index into `ViewedScene::tissues`
+    std::uint8_t light;     ///< 255: no bone shades the vertex; 0: bone all round
+    std::uint8_t reserved[3];
+};
+
+/// The surface in the cells of one brick. Immutable: any thread may keep and read it.
+struct ViewedPatch {
+    std::vector<ViewedVertex> vertices;
+    std::vector<std::array<std::uint16_t, 3>> triangles;  ///< anticlockwise seen from outside
+};
+
+/// The patches of a body, by brick. Unchanged patches keep their address from one surface to the next.
+using ViewedPatches = PagedTable<ViewedPatch>;
+
+struct ViewedSurface {
+    std::uint64_t version = 0;
+    std::vector<ViewedPatches> bodies;  ///< of bone; metal has empty tables
+};
+
+// ---- what changes with each tick ----------------------------------------------------------------------------------
+
+inline constexpr std::size_t max_viewed_bodies = 16, max_viewed_limits = 24;
+
+struct ViewedBody {
+    enum class Kind : std::uint8_t { absent, bone, staying_part, implant } kind = Kind::absent;
+    std::uint16_t shape = 0;  ///< `staying_part`: index into `tools`; `implant`: into `implants`
+    Pose world_from_body{};
+};
+
+/// The state after a tick. Forces are of bone, unless a line names the device.
+struct ViewedState {
+    std::uint64_t tick = 0;
+    double time = 0.0;      ///< [s]
+    std::int32_t step = 0;  ///< that runs; the number of steps after the last one
+    std::uint32_t tool = 0;
+    bool is_tool_in_hand = true;  ///< false: it was left with its implant
+    Pose world_from_tool{}, world_from_handle{};
+    std::array<ViewedBody, max_viewed_bodies> bodies{};
+    std::uint32_t body_count = 0;
+
+    double thrust = 0.0, torque = 0.0;     ///< [N], [N·m] of bone on the tool, against feed and spin
+    double force = 0.0, hand_force = 0.0;  ///< [N] of bone on the tool; on the hand, as the device delivers it
+    Vec3 force_on_tool{};                  ///< [N] world
+    double depth = 0.0;                    ///< [m] of the tip beyond the entry of the step
+    double feed = 0.0;                     ///< [m/s]
+    double turned = 0.0;                   ///< [rad] of the tool about its axis in this step
+    std::int32_t tissue = -1;              ///< at the tip; −1: none
+    std::uint32_t cortices = 0;            ///< that the tip has passed in this step
+    double removed = 0.0;                  ///< [m³]
+    bool is_running = false;               ///< the tool cuts
+
+    std::int32_t zone = -1;      ///< nearest zone; −1: none
+    double zone_distance = 0.0;  ///< [m] of the tool from it; negative inside
+
+    std::uint32_t goals_done = 0;                         ///< bit for each goal of the running step
+    std::uint32_t broken = 0;                             ///< bit for each limit of the running step
+    std::array<float, max_viewed_limits> limit_values{};  ///< SI: of each limit, worst so far; NaN: none yet
+
+    std::uint32_t late_ticks = 0;  ///< periods without a tick so far
+    double device_scale = 1.0;     ///< [–] device newton per newton of bone
+    bool is_device_lost = false, is_gate_closed = false, is_faulty = false;
+    bool is_over = false;  ///< no tick follows
+};
+
+/// A sample of the plots, one for each tick.
+struct ViewedRow {
+    double time = 0.0;  ///< [s]
+    float force = 0.0f, hand_force = 0.0f, torque = 0.0f, turned = 0.0f, depth = 0.0f;
+    std::int32_t step = 0;
+};
+
+struct ViewedEvent {
+    double time = 0.0;  ///< [s]
+    enum class Kind : std::uint8_t { note, goal, limit, step, fault } kind = Kind::note;
+    std::string words;
+};
+
+/// The result, after the last tick.
+struct ViewedResult {
+    std::string verdict;  ///< "pass", "fail", "incomplete", "invalid"
+    double score = 0.0;   ///< of 100
+    std::vector<std::string> reasons;
+    struct Deduction {
+        double points = 0.0, time = 0.0;  ///< [s]
+        std::string words;
+    };
+    std::vector<Deduction> deductions;  ///< largest first
+    std::string folder;                 ///< with report and session; empty: none
+};
+
+// ---- a run, seen by a viewer --------------------------------------------------------------------------------------
+
+/// A run as its viewer sees it. One viewer at a time calls these functions, on one thread.
+class ViewedRun {
+public:
+    virtual ~ViewedRun() = default;
+
+    [[nodiscard]] virtual const ViewedScene& scene() const noexcept = 0;
+    /// Writes the newest state. Returns whether it is newer than the last one.   nonblocking
+    virtual bool take(ViewedState& state) noexcept = 0;
+    /// Appends the rows since the last call.   nonblocking
+    virtual void take(std::vector<ViewedRow>& rows) = 0;
+    /// Appends the events since the last call.
+    virtual void take(std::vector<ViewedEvent>& events) = 0;
+    /// Returns the newest surface; null before the first one.
+    [[nodiscard]] virtual std::shared_ptr<const ViewedSurface> surface() const = 0;
+    /// Returns the next action of the running step in words; empty: it has none.
+    [[nodiscard]] virtual std::string next_action() const = 0;
+    /// Returns the result; nothing while the run continues or is judged.
+    [[nodiscard]] virtual std::optional<ViewedResult> result() const = 0;
+    /// Ends the run after the present tick; its results are written.
+    virtual void stop() noexcept = 0;
+};
+
+}  // namespace kerf::run
