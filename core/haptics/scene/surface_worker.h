@@ -12,6 +12,7 @@
 
 #include "core/field/spsc_ring.h"
 #include "core/field/surface/patch_table.h"
+#include "core/field/surface/surface_patches.h"
 #include "core/haptics/loop/haptic_loop.h"
 #include "core/haptics/scene/bone_scene.h"
 
