@@ -96,7 +96,9 @@ std::unique_ptr<Run> Run::create(const Scene& scene, const PluginRegistry& plugi
         files = SessionFiles::create(scene, request, summary, refusal);
         if (files == nullptr) return nullptr;
     }
-    return std::unique_ptr<Run>(new Run(scene, request, rehearsal, std::move(summary), std::move(files)));
+    auto run = std::unique_ptr<Run>(new Run(scene, request, rehearsal, std::move(summary), std::move(files)));
+    for (RunObserver* observer : run->observers_) observer->on_begin(*run);
+    return run;
 }
 
 Run::Run(const Scene& scene, const RunRequest& request, const documents::Rehearsal& rehearsal,

@@ -58,7 +58,11 @@ public:
     /// Returns the result of the last tick.
     [[nodiscard]] const TickResult& last() const noexcept { return result_; }
     [[nodiscard]] const Simulation& simulation() const noexcept { return simulation_; }
+    /// Returns the present bone. An observer may take its changed bricks.
+    [[nodiscard]] PresentBone& present() noexcept { return simulation_.present(); }
     [[nodiscard]] const StepMonitor& monitor() const noexcept { return monitor_; }
+    /// Returns the next action of the running step in words; empty: it has none.
+    [[nodiscard]] std::string next_action() const { return next_actions_.words(monitor_.current()); }
     /// Returns the exact surface made so far; null if no instrument leaves one.
     [[nodiscard]] bone::ExactFollower* exact() noexcept { return exact_.get(); }
 

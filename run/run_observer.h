@@ -17,12 +17,16 @@ struct ExactSurface;
 
 namespace kerf::run {
 
+class Run;
+
 /// Watches a run: its session, a program's progress, a test. The run calls its observers between two ticks, in the
 /// order of the request. An observer may block and allocate.   [main]
 class RunObserver {
 public:
     virtual ~RunObserver() = default;
 
+    /// Receives the run before its first tick. It outlives all other calls.
+    virtual void on_begin(Run& /*run*/) {}
     /// Receives an event, with its texts cut as in the session.
     virtual void on_event(const session::EventRow& /*event*/) {}
     /// Receives a record that the cut log has closed.

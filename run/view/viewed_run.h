@@ -22,9 +22,9 @@ namespace kerf::run {
 
 /// Triangles of a shape in its own frame, anticlockwise seen from outside.
 struct ViewedMesh {
-    std::vector<std::array<float, 3>> positions;  ///< [m]
-    std::vector<std::array<float, 3>> normals;    ///< unit, outwards; one per position
-    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::array<float, 3>> positions{};  ///< [m]
+    std::vector<std::array<float, 3>> normals{};    ///< unit, outwards; one per position
+    std::vector<std::array<std::uint32_t, 3>> triangles{};
 };
 
 /// sRGB.
@@ -33,53 +33,52 @@ struct ViewedColour {
 };
 
 struct ViewedTissue {
-    std::string name;
-    ViewedColour colour;
+    std::string name{};
+    ViewedColour colour{};
 };
 
 struct ViewedTool {
-    std::string name;    ///< for people
-    ViewedMesh mesh;     ///< tool frame: tip at z = 0, +z ahead of it
-    ViewedMesh staying;  ///< of an implant: the part that stays in bone; else empty
+    std::string name{};    ///< for people
+    ViewedMesh mesh{};     ///< tool frame: tip at z = 0, +z ahead of it
+    ViewedMesh staying{};  ///< of an implant: the part that stays in bone; else empty
     bool is_implant = false;
     double lead = 0.0;  ///< [m] per turn of its thread; 0: it has none
 };
 
 struct ViewedZone {
-    std::string name;
-    ViewedMesh mesh;  ///< frame of its body
+    std::string name{};
+    ViewedMesh mesh{};  ///< frame of its body; empty: not drawn
 };
 
 /// A goal or limit with its bound, for a bar or a line in a plot.
 struct ViewedLimit {
-    std::string words;                        ///< "thrust at most 60 N"
-    std::string quantity;                     ///< "thrust", "depth", "torque", the id of a zone …
-    std::string unit;                         ///< for people; empty: a plain number
-    double per_unit = 1.0;                    ///< SI per unit
-    std::optional<double> at_least, at_most;  ///< SI
+    std::string words{};                          ///< "thrust at most 60 N"
+    std::string quantity{};                       ///< "thrust", "depth", "torque", the id of a zone …
+    std::string unit{};                           ///< for people; empty: a plain number
+    double per_unit = 1.0;                        ///< SI per unit
+    std::optional<double> at_least{}, at_most{};  ///< SI
 };
 
 struct ViewedStep {
-    std::string title;
+    std::string title{};
     std::size_t tool = 0;  ///< index into `tools`
-    std::vector<ViewedLimit> goals, limits;
-    std::optional<double> depth_goal, depth_limit;  ///< [m]
-    Vec3 entry{}, along{0, 0, 1};                   ///< of its axis before the first tick, world; `along` is a unit
-    double length = 0.0;                            ///< [m] of the axis from its entry to the goal
-    std::optional<Vec3> plane_normal{};             ///< unit, world, of a step with a plane
+    std::vector<ViewedLimit> goals{}, limits{};
+    std::optional<double> depth_goal{}, depth_limit{};  ///< [m]
+    Vec3 entry{}, along{0, 0, 1};                       ///< of its axis before the first tick, world; `along` is a unit
+    double length = 0.0;                                ///< [m] of the axis from its entry to the goal
+    std::optional<Vec3> plane_normal{};                 ///< unit, world, of a step with a plane
 };
 
 struct ViewedScene {
-    std::string title, mode;  ///< of the procedure; "practice"
-    std::vector<ViewedTissue> tissues;
-    std::vector<ViewedTool> tools;
-    std::vector<ViewedMesh> implants;  ///< shapes of bodies that are inserted whole, such as plates
-    std::vector<ViewedZone> zones;
-    std::vector<ViewedStep> steps;
+    std::string title{}, mode{};  ///< of the procedure; "practice"
+    std::vector<ViewedTissue> tissues{};
+    std::vector<ViewedTool> tools{};
+    std::vector<ViewedMesh> implants{};  ///< shapes of bodies that are inserted whole, such as plates
+    std::vector<ViewedZone> zones{};
+    std::vector<ViewedStep> steps{};
     double spacing = 0.0;     ///< [m] of the cut field
     double time_limit = 0.0;  ///< [s]
-    Vec3 low{}, high{};       ///< [m] world: box of the bone before the first tick
-    std::string hand;         ///< "rehearsal expert", "mouse", the name of a device
+    std::string hand{};       ///< "rehearsal expert", "mouse", the name of a device
 };
 
 // ---- the surface --------------------------------------------------------------------------------------------------
@@ -94,24 +93,32 @@ struct ViewedVertex {
 
 /// The surface in the cells of one brick. Immutable: any thread may keep and read it.
 struct ViewedPatch {
-    std::vector<ViewedVertex> vertices;
-    std::vector<std::array<std::uint16_t, 3>> triangles;  ///< anticlockwise seen from outside
+    std::vector<ViewedVertex> vertices{};
+    std::vector<std::array<std::uint16_t, 3>> triangles{};  ///< anticlockwise seen from outside
 };
 
-/// The patches of a body, by brick. Unchanged patches keep their address from one surface to the next.
-using ViewedPatches = PagedTable<ViewedPatch>;
+/// The surface of a body. Unchanged patches keep their address from one surface to the next.
+///
+/// Brick (i, j, k) has the index (k · bricks[1] + j) · bricks[0] + i. Its triangles lie between the samples 8 (i, j, k)
+/// and 8 (i + 1, j + 1, k + 1) of the grid. Vertices that two bricks share have the same bits in both.
+struct ViewedBodySurface {
+    std::array<int, 3> bricks{};
+    double spacing = 0.0;  ///< [m] of the samples
+    Vec3 origin{};         ///< [m] of sample (0, 0, 0), body frame
+    PagedTable<ViewedPatch> patches{0};
+};
 
 struct ViewedSurface {
     std::uint64_t version = 0;
-    std::vector<ViewedPatches> bodies;  ///< of bone; metal has empty tables
+    std::vector<ViewedBodySurface> bodies{};  ///< of bone; metal has empty tables
 };
 
 // ---- what changes with each tick ----------------------------------------------------------------------------------
 
-inline constexpr std::size_t max_viewed_bodies = 16, max_viewed_limits = 24;
+inline constexpr std::size_t max_viewed_bodies = 16, max_viewed_limits = 24, max_viewed_zones = 16;
 
 struct ViewedBody {
-    enum class Kind : std::uint8_t { absent, bone, staying_part, implant } kind = Kind::absent;
+    enum class Kind : std::uint8_t { absent, bone, metal, staying_part, implant } kind = Kind::absent;
     std::uint16_t shape = 0;  ///< `staying_part`: index into `tools`; `implant`: into `implants`
     Pose world_from_body{};
 };
@@ -138,8 +145,9 @@ struct ViewedState {
     double removed = 0.0;                  ///< [m³]
     bool is_running = false;               ///< the tool cuts
 
-    std::int32_t zone = -1;      ///< nearest zone; −1: none
-    double zone_distance = 0.0;  ///< [m] of the tool from it; negative inside
+    std::int32_t zone = -1;                                  ///< nearest zone; −1: none
+    double zone_distance = 0.0;                              ///< [m] of the tool from it; negative inside
+    std::array<std::uint8_t, max_viewed_zones> zone_body{};  ///< of each zone: the body with which it moves
 
     std::uint32_t goals_done = 0;                         ///< bit for each goal of the running step
     std::uint32_t broken = 0;                             ///< bit for each limit of the running step
@@ -149,6 +157,12 @@ struct ViewedState {
     double device_scale = 1.0;     ///< [–] device newton per newton of bone
     bool is_device_lost = false, is_gate_closed = false, is_faulty = false;
     bool is_over = false;  ///< no tick follows
+};
+
+/// State and surface at one time.
+struct ViewedMoment {
+    ViewedState state{};
+    std::shared_ptr<const ViewedSurface> surface{};
 };
 
 /// A sample of the plots, one for each tick.
@@ -161,20 +175,20 @@ struct ViewedRow {
 struct ViewedEvent {
     double time = 0.0;  ///< [s]
     enum class Kind : std::uint8_t { note, goal, limit, step, fault } kind = Kind::note;
-    std::string words;
+    std::string words{};
 };
 
 /// The result, after the last tick.
 struct ViewedResult {
-    std::string verdict;  ///< "pass", "fail", "incomplete", "invalid"
-    double score = 0.0;   ///< of 100
-    std::vector<std::string> reasons;
+    std::string verdict{};  ///< "pass", "fail", "incomplete", "invalid"
+    double score = 0.0;     ///< of 100
+    std::vector<std::string> reasons{};
     struct Deduction {
         double points = 0.0, time = 0.0;  ///< [s]
         std::string words;
     };
-    std::vector<Deduction> deductions;  ///< largest first
-    std::string folder;                 ///< with report and session; empty: none
+    std::vector<Deduction> deductions{};  ///< largest first
+    std::string folder{};                 ///< with report and session; empty: none
 };
 
 // ---- a run, seen by a viewer --------------------------------------------------------------------------------------
@@ -191,12 +205,18 @@ public:
     virtual void take(std::vector<ViewedRow>& rows) = 0;
     /// Appends the events since the last call.
     virtual void take(std::vector<ViewedEvent>& events) = 0;
+    /// Appends the moments since the last call, about sixty for each second of the run.
+    virtual void take(std::vector<ViewedMoment>& moments) = 0;
     /// Returns the newest surface; null before the first one.
     [[nodiscard]] virtual std::shared_ptr<const ViewedSurface> surface() const = 0;
+    /// Returns the end of the last tick that there will be [s]; nothing if it is unknown, as in a live run.
+    [[nodiscard]] virtual std::optional<double> duration() const noexcept = 0;
     /// Returns the next action of the running step in words; empty: it has none.
     [[nodiscard]] virtual std::string next_action() const = 0;
     /// Returns the result; nothing while the run continues or is judged.
     [[nodiscard]] virtual std::optional<ViewedResult> result() const = 0;
+    /// Returns whether there is nothing more to show: the run failed to start or to write, or was ended elsewhere.
+    [[nodiscard]] virtual bool is_closed() const noexcept = 0;
     /// Ends the run after the present tick; its results are written.
     virtual void stop() noexcept = 0;
 };

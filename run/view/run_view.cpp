@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/view/run_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "run/run.h"
+#include "run/view/scene_view.h"
+#include "session/recorder.h"
+
+namespace kerf::run {
+
+namespace {
+
+constexpr std::uint64_t moment_interval = 16, surface_interval = 32;  // [ticks]
+
+/// Returns what an event is to a viewer; nothing for one that only a replay needs.
+std::optional<ViewedEvent::Kind> kind_of(const std::string& id) {
+    using Kind = ViewedEvent::Kind;
+    if (id.starts_with("goal.")) return Kind::goal;
+    if (id.starts_with("limit.")) return Kind::limit;
+    if (id.starts_with("step.") || id == "tool.taken") return Kind::step;
+    if (id.starts_with("haptics.quarantined") || id == "haptics.unresisted") return Kind::fault;
+    if (id == session::missed_event || id == session::late_change_event) return std::nullopt;
+    return Kind::note;
+}
+
+/// Moves all elements to the end of another list.
+template <class T>
+void take_all(std::vector<T>& from, std::vector<T>& to) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+    from.clear();
+}
+
+}  // namespace
+
+RunView::RunView(const Scene& scene, std::string mode, std::string hand, std::string folder,
+                 std::optional<double> duration)
+    : scene_(&scene),
+      viewed_(viewed_scene(scene, std::move(mode), std::move(hand))),
+      folder_(std::move(folder)),
+      duration_(duration) {
+    for (std::size_t m = 0; m < scene.body.materials.size(); ++m)
+        if (scene.body.materials[m].id == "cortical") cortical_.push_back(static_cast<std::int32_t>(m));
+}
+
+RunView::~RunView() = default;
+
+// ---- the run's thread ---------------------------------------------------------------------------------------------
+
+void RunView::on_begin(Run& run) {
+    run_ = &run;
+    state_.world_from_tool = run.simulation().world_from_tool();
+    state_.world_from_handle = state_.world_from_tool;
+    state_.device_scale = scene_->gains.force_scale;
+    state_.limit_values.fill(std::numeric_limits<float>::quiet_NaN());
+    show_bodies();
+    show_zone();
+    show_surface();
+    show_step();
+    show_moment();
+    newest_.put(state_);
+}
+
+void RunView::on_event(const session::EventRow& event) {
+    if (event.id == session::missed_event)
+        state_.late_ticks += static_cast<std::uint32_t>(std::strtoul(event.detail.c_str(), nullptr, 10));
+    const auto kind = kind_of(event.id);
+    if (!kind) return;
+    const std::lock_guard lock(mutex_);
+    events_.push_back({event.time, *kind, event.id + (event.detail.empty() ? "" : ": " + event.detail)});
+}
+
+void RunView::on_tick(const session::TickRow& row) {
+    show_tick(row);
+    new_rows_.push_back({row.time, static_cast<float>(state_.force), static_cast<float>(state_.hand_force),
+                         static_cast<float>(state_.torque), static_cast<float>(state_.turned),
+                         static_cast<float>(state_.depth), row.step});
+    if (row.tick % moment_interval == 0) {
+        show_bodies();
+        show_zone();
+        show_step();
+        if (row.tick % surface_interval == 0) show_surface();
+        show_moment();
+    }
+    newest_.put(state_);
+}
+
+/// Lets the viewer take a moment, and the rows up to it.
+void RunView::show_moment() {
+    const std::lock_guard lock(mutex_);
+    moments_.push_back({state_, surface_});
+    rows_.insert(rows_.end(), new_rows_.begin(), new_rows_.end());
+    new_rows_.clear();
+}
+
+/// Sets all that changes with each tick.
+void RunView::show_tick(const session::TickRow& row) {
+    const TickResult& result = run_->last();
+    if (row.step != state_.step) {
+        state_.turned = 0.0;
+        state_.cortices = 0;
+        was_in_cortex_ = false;
+    }
+    state_.tick = row.tick + 1;
+    state_.time = row.time;
+    state_.step = row.step < 0 ? static_cast<std::int32_t>(viewed_.steps.size()) : row.step;
+    state_.tool = static_cast<std::uint32_t>(run_->simulation().tool());
+    state_.turned += result.rate[5] * Simulation::dt;
+    state_.world_from_tool = row.world_from_tool;
+    state_.world_from_handle = row.device_from_handle;
+    state_.thrust = row.thrust;
+    state_.torque = row.torque;
+    state_.force_on_tool = linear(row.modelled);
+    state_.force = length(state_.force_on_tool);
+    state_.hand_force = length(linear(row.commanded)) / state_.device_scale;
+    state_.depth = row.depth;
+    state_.feed = row.feed_rate;
+    state_.removed = row.removed;
+    state_.is_running = result.is_cutting;
+    state_.is_gate_closed = result.is_closed_or_closing;
+    state_.is_faulty = result.is_quarantined;
+    add_cortex(row.tissue);
+    state_.tissue = row.tissue;
+}
+
+/// Counts a cortex when the tip has left it.
+void RunView::add_cortex(std::int32_t tissue) {
+    const bool is_in = std::find(cortical_.begin(), cortical_.end(), tissue) != cortical_.end();
+    if (was_in_cortex_ && !is_in) ++state_.cortices;
+    was_in_cortex_ = is_in;
+}
+
+void RunView::show_bodies() {
+    const auto bodies = run_->simulation().bodies();
+    state_.body_count = static_cast<std::uint32_t>(std::min(bodies.size(), max_viewed_bodies));
+    for (std::size_t b = 0; b < state_.body_count; ++b) {
+        const LiveBody& live = *bodies[b];
+        ViewedBody& viewed = state_.bodies[b];
+        viewed.world_from_body = live.world_from_body;
+        viewed.kind = !live.is_present   ? ViewedBody::Kind::absent
+                      : live.is_cuttable ? ViewedBody::Kind::bone
+                                         : ViewedBody::Kind::metal;
+        for (std::size_t t = 0; t < scene_->staying.size(); ++t)
+            if (scene_->staying[t] && live.bone == &*scene_->staying[t] && live.is_present) {
+                viewed.kind = ViewedBody::Kind::staying_part;
+                viewed.shape = static_cast<std::uint16_t>(t);
+            }
+        for (std::size_t i = 0; i < scene_->implants.size(); ++i)
+            if (live.bone == &scene_->implants[i] && live.is_present) {
+                viewed.kind = ViewedBody::Kind::implant;
+                viewed.shape = static_cast<std::uint16_t>(i);
+            }
+    }
+}
+
+void RunView::show_surface() {
+    std::vector<bool> is_drawn;
+    for (const auto& live : run_->simulation().bodies()) is_drawn.push_back(live->is_cuttable);
+    const auto made = surfaces_.update(run_->present(), is_drawn);
+    if (made == nullptr) return;
+    const std::lock_guard lock(mutex_);
+    surface_ = made;
+}
+
+void RunView::show_zone() {
+    state_.zone = -1;
+    state_.zone_distance = HUGE_VAL;
+    const std::vector<documents::Zone>& zones = scene_->anatomy.zones;
+    const auto& owners = run_->monitor().owners().zone;
+    const auto bodies = run_->simulation().bodies();
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+        const std::size_t owner = owners.empty() ? 0 : owners[z];
+        const Pose& world_from_zone = bodies[owner]->world_from_body;
+        if (z < max_viewed_zones) state_.zone_body[z] = static_cast<std::uint8_t>(owner);
+        if (viewed_.zones[z].mesh.triangles.empty()) continue;
+        const double distance = clearance(run_->simulation().outline().cutting,
+                                          inverse(world_from_zone) * state_.world_from_tool, zones[z]);
+        if (distance >= state_.zone_distance) continue;
+        state_.zone = static_cast<std::int32_t>(z);
+        state_.zone_distance = distance;
+    }
+}
+
+void RunView::show_step() {
+    const StepMonitor& monitor = run_->monitor();
+    if (monitor.current() < monitor.steps().size()) {
+        const StepState& step = monitor.steps()[monitor.current()];
+        state_.goals_done = state_.broken = 0;
+        state_.limit_values.fill(std::numeric_limits<float>::quiet_NaN());
+        for (std::size_t g = 0; g < step.goal_done.size() && g < 32; ++g)
+            if (step.goal_done[g]) state_.goals_done |= 1u << g;
+        for (std::size_t i = 0; i < step.limits.size() && i < max_viewed_limits; ++i) {
+            const LimitState& limit = step.limits[i];
+            if (limit.broken_at) state_.broken |= 1u << i;
+            if (limit.is_seen) state_.limit_values[i] = static_cast<float>(limit.worst);
+        }
+    }
+    std::string next = run_->next_action();
+    const std::lock_guard lock(mutex_);
+    next_action_ = std::move(next);
+}
+
+std::optional<RunEnd> RunView::end() { return should_stop_ ? std::optional(RunEnd::interrupted) : std::nullopt; }
+
+std::string RunView::on_result(const session::RunSummary& summary, const Simulation& /*simulation*/) {
+    show_bodies();
+    show_surface();
+    state_.is_over = true;
+    show_moment();
+    newest_.put(state_);
+    ViewedResult result{.verdict = session::to_text(summary.verdict),
+                        .score = summary.score,
+                        .reasons = summary.reasons,
+                        .deductions = {},
+                        .folder = folder_};
+    for (const session::DeductionRow& row : summary.deductions)
+        result.deductions.push_back(
+            {row.loss, row.at.value_or(-1.0), row.detail.empty() ? row.name : row.name + ": " + row.detail});
+    std::stable_sort(result.deductions.begin(), result.deductions.end(),
+                     [](const auto& a, const auto& b) { return a.points > b.points; });
+    const std::lock_guard lock(mutex_);
+    result_ = std::move(result);
+    return {};
+}
+
+// ---- the viewer's thread ------------------------------------------------------------------------------------------
+
+bool RunView::take(ViewedState& state) noexcept {
+    state = newest_.get();
+    const std::uint64_t number = 2 * state.tick + (state.is_over ? 1 : 0);
+    return std::exchange(seen_, number) != number;
+}
+
+void RunView::take(std::vector<ViewedRow>& rows) {
+    const std::lock_guard lock(mutex_);
+    take_all(rows_, rows);
+}
+
+void RunView::take(std::vector<ViewedEvent>& events) {
+    const std::lock_guard lock(mutex_);
+    take_all(events_, events);
+}
+
+void RunView::take(std::vector<ViewedMoment>& moments) {
+    const std::lock_guard lock(mutex_);
+    take_all(moments_, moments);
+}
+
+std::shared_ptr<const ViewedSurface> RunView::surface() const {
+    const std::lock_guard lock(mutex_);
+    return surface_;
+}
+
+std::string RunView::next_action() const {
+    const std::lock_guard lock(mutex_);
+    return next_action_;
+}
+
+std::optional<ViewedResult> RunView::result() const {
+    const std::lock_guard lock(mutex_);
+    return result_;
+}
+
+}  // namespace kerf::run

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kerf/newest.hpp"
+#include "run/run_observer.h"
+#include "run/scene.h"
+#include "run/view/surface_view.h"
+#include "run/view/viewed_run.h"
+
+namespace kerf::run {
+
+/// Shows a run to a viewer on another thread, while it runs, live or as a replay. It is an observer of the run: give it
+/// to the request. The haptic thread does nothing for it; the thread that follows the loop makes states and surfaces.
+class RunView final : public RunObserver, public ViewedRun {
+public:
+    /// Pre: `scene` outlives this object.   [main]
+    /// @param hand    who leads the tool, for people
+    /// @param folder  of the results, for people; empty: none
+    /// @param duration  [s] of a replay; nothing: a live run
+    RunView(const Scene& scene, std::string mode, std::string hand, std::string folder,
+            std::optional<double> duration = {});
+    ~RunView() override;
+
+    // Called on the run's thread.
+    void on_begin(Run& run) override;
+    void on_event(const session::EventRow& event) override;
+    void on_tick(const session::TickRow& row) override;
+    [[nodiscard]] std::optional<RunEnd> end() override;
+    [[nodiscard]] std::string on_result(const session::RunSummary& summary, const Simulation& simulation) override;
+
+    /// Lets the viewer close.   [any]
+    void close() noexcept { is_closed_ = true; }
+
+    // Called on the viewer's thread.
+    [[nodiscard]] const ViewedScene& scene() const noexcept override { return viewed_; }
+    bool take(ViewedState& state) noexcept override;
+    void take(std::vector<ViewedRow>& rows) override;
+    void take(std::vector<ViewedEvent>& events) override;
+    void take(std::vector<ViewedMoment>& moments) override;
+    [[nodiscard]] std::optional<double> duration() const noexcept override { return duration_; }
+    [[nodiscard]] std::shared_ptr<const ViewedSurface> surface() const override;
+    [[nodiscard]] std::string next_action() const override;
+    [[nodiscard]] std::optional<ViewedResult> result() const override;
+    [[nodiscard]] bool is_closed() const noexcept override { return is_closed_; }
+    void stop() noexcept override { should_stop_ = true; }
+
+private:
+    void show_bodies();
+    void show_surface();
+    void show_zone();
+    void show_step();
+    void show_moment();
+    void show_tick(const session::TickRow& row);
+    void add_cortex(std::int32_t tissue);
+
+    const Scene* scene_;
+    ViewedScene viewed_;
+    std::string folder_;
+    std::optional<double> duration_;
+    std::atomic<bool> should_stop_{false}, is_closed_{false};
+    Newest<ViewedState> newest_;
+
+    // Of the run's thread.
+    Run* run_ = nullptr;
+    SurfaceView surfaces_;
+    ViewedState state_;
+    std::vector<ViewedRow> new_rows_;     ///< that the viewer cannot take yet
+    std::vector<std::int32_t> cortical_;  ///< indices of the tissues that count as cortex
+    bool was_in_cortex_ = false;
+
+    // Of the viewer's thread.
+    std::uint64_t seen_ = 0;  ///< number of the state taken last
+
+    mutable std::mutex mutex_;  ///< guards the members below
+    std::shared_ptr<const ViewedSurface> surface_;
+    std::vector<ViewedEvent> events_;
+    std::vector<ViewedRow> rows_;
+    std::vector<ViewedMoment> moments_;
+    std::string next_action_;
+    std::optional<ViewedResult> result_;
+};
+
+}  // namespace kerf::run

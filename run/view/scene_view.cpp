@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/view/scene_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+#include "core/plugin/unit.h"
+#include "run/view/body_shape.h"
+#include "run/view/tool_shape.h"
+#include "run/view/zone_shape.h"
+#include "text/palette.h"
+#include "text/quantity.h"
+
+namespace kerf::run {
+
+namespace {
+
+/// A quantity of goals and limits, in words and with its unit for people.
+struct Quantity {
+    std::string_view id, words, unit;
+};
+constexpr std::array quantities{Quantity{"entry", "reach the bone", ""},
+                                Quantity{"separated", "separate the bone", ""},
+                                Quantity{"held", "hold the piece", ""},
+                                Quantity{"moved", "move the piece", "mm"},
+                                Quantity{"depth", "depth", "mm"},
+                                Quantity{"removed_volume", "bone removed", "mm3"},
+                                Quantity{"thrust", "thrust", "N"},
+                                Quantity{"torque", "torque", "N m"},
+                                Quantity{"lateral_force", "force across the shaft", "N"},
+                                Quantity{"speed", "speed in bone", "mm/s"},
+                                Quantity{"duration", "duration", "s"},
+                                Quantity{"time_in_air", "time in air", "s"},
+                                Quantity{"plunge", "plunge", "mm"},
+                                Quantity{"plane_angle", "angle to the plane", "deg"},
+                                Quantity{"plane_offset", "distance from the plane", "mm"},
+                                Quantity{"flatness", "unevenness", "mm"},
+                                Quantity{"hole_angle", "angle of the hole", "deg"},
+                                Quantity{"entry_offset", "hole off at its entry", "mm"},
+                                Quantity{"narrowest_offset", "hole off where bone is narrowest", "mm"},
+                                Quantity{"end_offset", "hole off at its end", "mm"},
+                                Quantity{"breach", "breach", "mm"},
+                                Quantity{"excess_removal", "bone beyond the planned hole", "%"},
+                                Quantity{"reduction_offset", "fragment off", "mm"},
+                                Quantity{"reduction_angle", "fragment turned by", "deg"},
+                                Quantity{"axes_angle", "angle of the axes", "deg"},
+                                Quantity{"tip_apex", "tip-apex distance", "mm"}};
+
+std::string spaced(std::string text) {
+    std::replace(text.begin(), text.end(), '_', ' ');
+    std::replace(text.begin(), text.end(), '-', ' ');
+    return text;
+}
+
+/// Returns "depth at least 30 mm and at most 40 mm".
+std::string bound_in_words(std::string name, const documents::Bound& bound, const std::string& unit) {
+    if (bound.at_least) name += " at least " + text::quantity_text(*bound.at_least, unit);
+    if (bound.at_least && bound.at_most) name += " and";
+    if (bound.at_most) name += " at most " + text::quantity_text(*bound.at_most, unit);
+    return name;
+}
+
+/// Completes a limit whose quantity is set.
+/// @param name  of the quantity, for people
+ViewedLimit with_bound(ViewedLimit limit, std::string name, const documents::Bound& bound) {
+    limit.per_unit = parse_unit(limit.unit).value_or(Unit{}).factor;
+    limit.at_least = bound.at_least;
+    limit.at_most = bound.at_most;
+    limit.words = bound_in_words(std::move(name), bound, limit.unit);
+    return limit;
+}
+
+std::string unit_of_measure(const documents::Procedure& procedure, const std::string& id) {
+    for (const documents::Measure& measure : procedure.measures)
+        if (measure.id == id) return measure.unit();
+    return {};
+}
+
+/// Returns a goal or limit on a quantity of the table, a signal or a measure.
+template <class Demand>
+ViewedLimit viewed(const Demand& demand, const documents::Procedure& procedure) {
+    ViewedLimit limit{.quantity = demand.quantity};
+    if (!demand.signal.id.empty()) {
+        limit.unit = demand.signal.unit;
+        return with_bound(std::move(limit), spaced(demand.signal.id), demand.bound);
+    }
+    if (!demand.measure.empty()) {
+        limit.unit = unit_of_measure(procedure, demand.measure);
+        return with_bound(std::move(limit), spaced(demand.measure), demand.bound);
+    }
+    for (const Quantity& one : quantities) {
+        if (one.id != demand.quantity) continue;
+        limit.unit = one.unit;
+        return with_bound(std::move(limit), std::string(one.words), demand.bound);
+    }
+    return with_bound(std::move(limit), spaced(demand.quantity), demand.bound);
+}
+
+ViewedStep viewed_step(const Scene& scene, std::size_t number) {
+    const documents::Step& step = scene.procedure.steps[number];
+    const AxisFrame& frame = scene.frames[number];
+    ViewedStep viewed{.title = step.title, .tool = scene.tool_of_step[number]};
+    for (const documents::Goal& goal : step.goals) {
+        viewed.goals.push_back(viewed_goal(goal, scene.procedure));
+        if (goal.quantity == "depth" && goal.bound.at_least) viewed.depth_goal = goal.bound.at_least;
+    }
+    for (const documents::Limit& limit : step.limits) {
+        viewed.limits.push_back(viewed_limit(limit, scene.procedure));
+        if (limit.quantity == "depth" && limit.bound.at_most) viewed.depth_limit = limit.bound.at_most;
+    }
+    viewed.entry = frame.entry;
+    viewed.along = frame.along;
+    constexpr double without_goal = 20e-3;
+    viewed.length = viewed.depth_goal.value_or(without_goal);
+    if (length(frame.across) > 0.5) viewed.plane_normal = frame.across;
+    return viewed;
+}
+
+/// A zone of a tissue lies in bone: it is drawn only if a step has a limit on it.
+bool is_drawn(const documents::Zone& zone, const documents::Procedure& procedure) {
+    const auto is_limited = [&](const documents::Step& step) {
+        return std::any_of(step.limits.begin(), step.limits.end(),
+                           [&](const documents::Limit& limit) { return limit.zone == zone.id; });
+    };
+    return !zone.is_tissue || std::any_of(procedure.steps.begin(), procedure.steps.end(), is_limited);
+}
+
+std::string name_of(const Scene& scene, std::size_t tool) {
+    const documents::Instrument& instrument = instrument_of(scene, tool);
+    return spaced(instrument.id);
+}
+
+}  // namespace
+
+ViewedLimit viewed_goal(const documents::Goal& goal, const documents::Procedure& procedure) {
+    return viewed(goal, procedure);
+}
+
+ViewedLimit viewed_limit(const documents::Limit& limit, const documents::Procedure& procedure) {
+    if (limit.quantity == "clearance") {
+        ViewedLimit viewed{.quantity = limit.zone, .unit = "mm"};
+        return with_bound(std::move(viewed), "distance to " + spaced(limit.zone), limit.bound);
+    }
+    if (limit.quantity == "damage") return {.words = "no " + spaced(limit.event), .quantity = limit.event};
+    return viewed(limit, procedure);
+}
+
+ViewedScene viewed_scene(const Scene& scene, std::string mode, std::string hand) {
+    ViewedScene viewed{.title = scene.procedure.title, .mode = std::move(mode), .hand = std::move(hand)};
+    for (std::size_t m = 0; m < scene.body.materials.size(); ++m) {
+        const std::string& name = scene.body.materials[m].id;
+        const text::Colour colour = text::tissue_colour(name, m);
+        viewed.tissues.push_back({spaced(name), {colour.red, colour.green, colour.blue}});
+    }
+    for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+        const ToolOutline& outline = scene.tools[t].outline;
+        viewed.tools.push_back({.name = name_of(scene, t),
+                                .mesh = tool_shape(scene.tools[t]),
+                                .staying = outline.is_implant() ? staying_shape(scene.tools[t]) : ViewedMesh{},
+                                .is_implant = outline.is_implant(),
+                                .lead = outline.thread_lead});
+    }
+    for (const Body& implant : scene.implants) viewed.implants.push_back(body_shape(implant));
+    for (const documents::Zone& zone : scene.anatomy.zones)
+        viewed.zones.push_back({spaced(zone.id), is_drawn(zone, scene.procedure)
+                                                     ? zone_shape(zone, scene.procedure.spacing)
+                                                     : ViewedMesh{}});
+    for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s) viewed.steps.push_back(viewed_step(scene, s));
+    viewed.spacing = scene.procedure.spacing;
+    viewed.time_limit = scene.procedure.time_limit;
+    return viewed;
+}
+
+}  // namespace kerf::run
