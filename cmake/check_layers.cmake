@@ -19,7 +19,7 @@ set(layers
   core/sdk core/field core/field/grid core/field/cut core/field/surface core/field/pieces core/plugin
   core/haptics core/haptics/law core/haptics/loop core/haptics/scene core/haptics/watch
   text documents session
-  bone/report bone/image bone/surface bone/import bone/measure bone/remesh bone/exact)
+  bone/report bone/image bone/surface bone/import bone/measure bone/radiograph bone/remesh bone/exact)
 set(nested core/field/grid/kernel documents/made documents/made/femur documents/made/mandible documents/made/vertebra documents/shapes documents/yaml session/report)   # parts of the layer above them, without an order
 set(rooms core text documents session bone)
 set(c_library dlfcn.h elf.h emmintrin.h fcntl.h immintrin.h poll.h pthread.h sched.h semaphore.h unistd.h x86intrin.h)
