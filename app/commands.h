@@ -9,10 +9,13 @@
 
 namespace kerf::app {
 
+class RunDisplay;
+
 /// The plugins and files that a command works with.
 struct Environment {
     const PluginRegistry& plugins;
     const Installation& here;
+    RunDisplay* display = nullptr;  ///< of kerf-window; null: the program has none
 };
 
 /// The commands that are part of `kerf`. Each prints its result and returns how the program ends.   [main]
@@ -30,6 +33,7 @@ namespace commands {
 [[nodiscard]] ExitCode anatomy(const AnatomyOptions& options, const Environment& with);
 [[nodiscard]] ExitCode report(const ReportOptions& options, const Environment& with);
 [[nodiscard]] ExitCode remesh(const RemeshOptions& options, const Environment& with);
+[[nodiscard]] ExitCode view(const ViewOptions& options, const Environment& with);
 [[nodiscard]] ExitCode print_privacy(const PrivacyOptions& options, const Environment& with);
 [[nodiscard]] ExitCode list(const ListOptions& options, const Environment& with);
 [[nodiscard]] ExitCode devices(const DevicesOptions& options, const Environment& with);

@@ -13,9 +13,13 @@ void print_notes(const std::optional<run::Scene>& scene) {
     for (const auto& note : scene->import.notes) print_error(note + "\n");
 }
 
-text::Result<run::Scene> make_bone(run::Documents documents, const std::string& file, bone::ImportOptions options) {
+text::Result<run::Scene> make_bone(run::Documents documents, const std::string& file, bone::ImportOptions options,
+                                   const std::function<void(double)>& also) {
     StillWorking sign_of_life("making the bone of " + file);
-    options.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
+    options.progress = [&](double fraction, const std::string& what) {
+        sign_of_life.is_at(fraction, what);
+        if (also) also(fraction);
+    };
     return make_scene(std::move(documents), options);
 }
 

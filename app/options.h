@@ -31,7 +31,9 @@ struct RunOptions : DocumentOptions {
     std::string learner;            ///< a code, never a name
     std::string out;                ///< folder; empty: out/ and the procedure's id
     std::string mode = "practice";  ///< practice | exam | demo
-    bool is_headless = false;       ///< accepted for scripts: every run is headless at present
+    bool is_headless = false;       ///< accepted for scripts: a run has a window only with `--window`
+    bool is_in_window = false;
+    std::string screenshot;  ///< file of the window's last picture; empty: the window stays open
     bool is_watched = false;
     bool is_live = false;  ///< on the wall clock
     std::string device;    ///< that leads the tool, as `kerf devices` shows it; empty: the rehearsal's hand
@@ -99,14 +101,24 @@ struct ReportOptions {
     std::string out;  ///< page; empty: report.html next to the session
 };
 
-struct RemeshOptions {
+/// A session, and the documents that it was recorded with.
+struct SessionOptions {
     std::string session;
     std::string procedure;  ///< empty: the shipped procedure with the same text
     std::string anatomy;    ///< empty: the anatomy that the procedure names
     std::vector<std::string> patches;
     std::vector<std::string> settings;
+};
+
+struct RemeshOptions : SessionOptions {
     std::string strategy;  ///< empty: the strategy that the procedure names, or else one that suits the tool
     std::string out;       ///< folder; empty: the session's folder
+};
+
+struct ViewOptions : SessionOptions {
+    std::string at;          ///< [s] shown first; empty: the start
+    std::string screenshot;  ///< file of a picture, drawn without a window; empty: a window opens
+    std::string frames;      ///< folder of the pictures of a film, drawn without a window; empty: none
 };
 
 struct PrivacyOptions {
@@ -166,7 +178,7 @@ struct ManOptions {};
 
 using Options = std::variant<RunOptions, ValidateOptions, RehearseOptions, ExpandOptions, PreviewOptions, PlanOptions,
                              ExplainOptions, SchemaOptions, ImportSourceOptions, AnatomyOptions, ReportOptions,
-                             RemeshOptions, PrivacyOptions, ListOptions, DevicesOptions, DescribeOptions, CheckOptions,
-                             NewOptions, StabilityOptions, ChartOptions, CompletionOptions, ManOptions>;
+                             RemeshOptions, ViewOptions, PrivacyOptions, ListOptions, DevicesOptions, DescribeOptions,
+                             CheckOptions, NewOptions, StabilityOptions, ChartOptions, CompletionOptions, ManOptions>;
 
 }  // namespace kerf::app

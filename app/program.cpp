@@ -66,4 +66,14 @@ ExitCode become_program_of(const std::string& command, const Installation& here,
                     exit_fault);
 }
 
+ExitCode become_window(const Installation& here, char** argv) {
+    const std::string file = here.helper("kerf-window");
+    execv(file.c_str(), argv);
+    const std::string why = std::strerror(errno);
+    return complain("the window is a program of its own, " + file + ", which cannot be started: " + why +
+                        ". Install the package `kerf-window`; in a copy of the source, `./dev run … --window` builds "
+                        "it.",
+                    exit_fault);
+}
+
 }  // namespace kerf::app

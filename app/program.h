@@ -43,4 +43,7 @@ template <class T>
 /// started, and prints how to get it.   [main]
 [[nodiscard]] ExitCode become_program_of(const std::string& command, const Installation& here, char** argv);
 
+/// Replaces this process by libexec/kerf/kerf-window, with the same arguments. Returns as above.   [main]
+[[nodiscard]] ExitCode become_window(const Installation& here, char** argv);
+
 }  // namespace kerf::app

@@ -10,13 +10,12 @@
 #include <vector>
 
 #include "app/interruption.h"
-#include "app/make_bone.h"
 #include "app/outputs.h"
 #include "app/progress.h"
+#include "app/recorded_documents.h"
 #include "app/replay.h"
 #include "app/standard_streams.h"
 #include "bone/exact/exact_surface.h"
-#include "documents/read_procedure.h"
 #include "documents/yaml/read_map.h"
 #include "run/exact/exact_files.h"
 #include "run/exact/exact_strategies.h"
@@ -31,23 +30,6 @@ namespace kerf::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Returns the shipped procedure whose text is in the session; empty: none.
-std::string shipped_procedure(const RemeshOptions& options, const Environment& with,
-                              const session::RecordedInputs& recorded) {
-    std::vector<std::string> files;
-    std::error_code error;
-    for (auto entry = fs::directory_iterator(with.here.procedures(), error);
-         !error && entry != fs::directory_iterator(); entry.increment(error))
-        if (entry->path().extension() == ".yaml") files.push_back(entry->path().string());
-    std::sort(files.begin(), files.end());
-    for (const std::string& file : files) {
-        const auto procedure = documents::read_procedure(file, with.plugins.catalog(),
-                                                         {recorded.variant, options.settings, options.patches});
-        if (procedure && procedure->text == recorded.procedure_text) return file;
-    }
-    return {};
-}
 
 std::string json_of(const bone::ExactSurface& made, const run::ExactStrategies& strategies) {
     const session::ExactRow row = run::exact_row(made, strategies);
@@ -146,48 +128,26 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
         if (!id) return complain("--strategy: " + error, exit_bad_input);
         wanted = *id;
     }
-    const auto recorded = session::read_session(options.session, error);
-    if (!recorded) return complain(error, exit_bad_input);
     std::string folder = options.out;
     if (folder.empty()) folder = fs::path(options.session).parent_path().string();
     if (folder.empty()) folder = ".";
     if (error = refusal_of_folder(folder); !error.empty()) return complain(error, exit_bad_input);
-    const std::string file =
-        !options.procedure.empty() ? options.procedure : shipped_procedure(options, with, *recorded);
-    if (file.empty())
-        return complain(options.session +
-                            ": no shipped procedure has the text that it was recorded with. Name its procedure, as in "
-                            "`--procedure amputation.yaml`, with the `--patch` and `--set` it was run with.",
-                        exit_bad_input);
-
-    text::Diagnostics diagnostics;
-    auto documents =
-        run::check_documents(
-            {file, options.anatomy, {recorded->variant, options.settings, options.patches}, with.here.procedures()},
-            with.plugins)
-            .take(diagnostics);
-    if (!documents) {
-        print_error(to_text(diagnostics));
-        return exit_bad_input;
-    }
-    if (error = refusal_of_replay(*recorded, options.session, documents->procedure); !error.empty())
-        return complain(error, exit_bad_input);
+    RecordedDocuments of_session;
+    if (const ExitCode code = read_documents_of(options, with, of_session); code != exit_pass) return code;
+    const session::RecordedInputs& recorded = of_session.recorded;
     // While this process has one thread and little memory.
     run::ExactStrategies strategies(with.here.strategies(with.plugins));
-    if (error = strategies.start(documents->procedure, wanted); !error.empty()) {
-        print_error(text::to_text({text::error_about(file, text::code_text(text::Code::no_strategy),
+    if (error = strategies.start(of_session.documents->procedure, wanted); !error.empty()) {
+        print_error(text::to_text({text::error_about(of_session.file, text::code_text(text::Code::no_strategy),
                                                      "No exact surface can be made: " + error)}));
         return exit_fault;
     }
     const Interruption interruption;
-    auto bone = make_bone(std::move(*documents), file).take(diagnostics);
-    if (!diagnostics.empty()) print_error(to_text(diagnostics));
+    const auto bone = scene_of(of_session, options.session);
     if (!bone) return exit_bad_input;
-    if (recorded->anatomy_hash != bone->anatomy_hash)
-        return complain(refusal_of_other_text(options.session), exit_bad_input);
 
     run::RunRequest request;
-    if (error = repeat(*recorded, options.session, request); !error.empty()) return complain(error, exit_bad_input);
+    if (error = repeat(recorded, options.session, request); !error.empty()) return complain(error, exit_bad_input);
     Remesher remesher(*bone, strategies, interruption);
     request.observers = {&remesher};
     const auto start = std::chrono::steady_clock::now();
@@ -195,9 +155,9 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     if (interruption.has_come()) return complain("interrupted; nothing is written", exit_fault);
-    if (!recorded->hash.empty() && recorded->hash != session::hex16(outcome.summary.hash))
+    if (!recorded.hash.empty() && recorded.hash != session::hex16(outcome.summary.hash))
         return complain(options.session + ": the replay hash differs: got " + session::hex16(outcome.summary.hash) +
-                            ", expected " + recorded->hash + ". The recorded cuts cannot be used.",
+                            ", expected " + recorded.hash + ". The recorded cuts cannot be used.",
                         exit_fault);
     const bone::ExactSurface& made = remesher.made;
     if (!made.error.empty()) {

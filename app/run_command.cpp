@@ -20,6 +20,7 @@
 #include "app/progress.h"
 #include "app/read_scene.h"
 #include "app/replay.h"
+#include "app/shown_in_window.h"
 #include "app/shown_run.h"
 #include "app/standard_streams.h"
 #include "app/watch.h"
@@ -106,6 +107,12 @@ void print_summary(const session::RunSummary& s) {
 
 /// Returns why options do not fit together, or to the procedure; empty if they do.
 std::string refusal_of(const RunOptions& options, const documents::Procedure& procedure) {
+    if (options.is_in_window && !options.replay.empty())
+        return "a replay has no clock, and a window needs one. Leave out `--window` or `--replay`.";
+    if (options.is_in_window && options.is_headless)
+        return "`--headless` runs without a window. Leave out one of both.";
+    if (!options.screenshot.empty() && !options.is_in_window)
+        return "`--screenshot` is a picture of the window. Add `--window`.";
     if (options.is_live && !options.replay.empty()) return "a replay has no clock. Leave out `--live` or `--replay`.";
     if (options.device.empty()) return {};
     if (!options.replay.empty()) return "a replay repeats the recorded hand. Leave out `--device` or `--replay`.";
@@ -169,6 +176,8 @@ ExitCode compare(const session::RecordedInputs& recorded, const session::RunSumm
 namespace commands {
 
 ExitCode run(const RunOptions& options, const Environment& with) {
+    if (options.is_in_window && with.display == nullptr)
+        return complain("this program has no window. Write `kerf run … --window`.", exit_bad_input);
     if (const std::string refusal = options.out.empty() ? "" : refusal_of_folder(options.out); !refusal.empty())
         return complain(refusal, exit_bad_input);
     const std::string& file = options.procedure;
@@ -209,7 +218,11 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (const ExitCode code = choose_device(options, recorded, with, interruption, of_run); code != exit_pass)
         return code;
     if (of_run.record() != nullptr) documents->device = of_run.record();
-    auto made = make_bone(std::move(*documents), file).take(diagnostics);
+    if (options.is_in_window)
+        if (const std::string why_not = with.display->open(documents->procedure.title); !why_not.empty())
+            return complain(why_not, exit_fault);
+    auto made = options.is_in_window ? make_bone_shown(std::move(*documents), file, *with.display).take(diagnostics)
+                                     : make_bone(std::move(*documents), file).take(diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
     if (!scene) return exit_bad_input;
     if (interruption.has_come()) return complain("interrupted before anything was cut; nothing is written", exit_fault);
@@ -232,10 +245,14 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
 
     if (of_run.own.opened != nullptr) fit_to_workspace(*scene, rehearsal, of_run.own);
-    const run::RunOutcome outcome = of_run.own.opened != nullptr ? run::run_live(*scene, with.plugins, request,
-                                                                                 *of_run.own.opened, of_run.own.station)
-                                    : options.is_live            ? run::run_live(*scene, with.plugins, request)
-                                                                 : run::run_procedure(*scene, with.plugins, request);
+    const auto run = [&](const run::RunRequest& requested) {
+        if (of_run.own.opened != nullptr)
+            return run::run_live(*scene, with.plugins, requested, *of_run.own.opened, of_run.own.station);
+        return options.is_live || options.is_in_window ? run::run_live(*scene, with.plugins, requested)
+                                                       : run::run_procedure(*scene, with.plugins, requested);
+    };
+    const run::RunOutcome outcome =
+        options.is_in_window ? run_shown(*scene, request, interruption, *with.display, run) : run(request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print_summary(outcome.summary);
     if (outcome.summary.clock) print(text_of(*outcome.summary.clock));

@@ -34,6 +34,19 @@ if(EXISTS ${CMAKE_SOURCE_DIR}/text)   # core and its tests alone need none of th
   target_include_directories(dep_gdcm SYSTEM INTERFACE ${GDCM_INCLUDE_DIRS})
   add_library(dep::gdcm ALIAS dep_gdcm)
 
+  if(KERF_WINDOW)
+    find_package(glfw3 3.3 CONFIG REQUIRED)
+    find_package(glm CONFIG REQUIRED)
+    pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
+    pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)
+    pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
+    dep_wrap(glfw glfw)
+    dep_wrap(glm glm::glm)
+    dep_wrap(epoxy PkgConfig::EPOXY)
+    dep_wrap(egl PkgConfig::EGL)
+    dep_wrap(imgui PkgConfig::IMGUI)
+  endif()
+
   # The backend over hidraw: the one over libusb takes devices from the kernel, keyboards too.
   pkg_check_modules(HIDAPI QUIET IMPORTED_TARGET hidapi-hidraw)
   if(HIDAPI_FOUND)

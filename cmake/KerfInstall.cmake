@@ -17,6 +17,8 @@
 #     lib/kerf-run/*.a         these as libraries, by run/CMakeLists.txt: target kerf::run
 #     lib/cmake/kerf           find_package(kerf): kerf::sdk, kerf::program, kerf_add_plugin(); COMPONENTS run: kerf::run
 #     share/kerf/examples      plugins and a program to begin with, each a project of its own
+#   component window
+#     libexec/kerf/kerf-window
 #   component remesh_cgal, under the GPL
 #     lib/kerf/kerf_remesh_cgal.so
 #

@@ -3,11 +3,15 @@
 #
 #   kerf               component program
 #   kerf-dev           component sdk
+#   kerf-window        component window, apart because a machine without a display needs none of its libraries
 #   kerf-remesh-cgal   component remesh_cgal, apart because it is under the GPL
 if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
 set(kerf_packages program kerf sdk kerf-dev remesh_cgal kerf-remesh-cgal)   # component, package, …
+if(KERF_WINDOW)
+  list(APPEND kerf_packages window kerf-window)
+endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "Kerf developers <maintainers@kerf.invalid>")   # no address is public
@@ -29,7 +33,16 @@ simulated hand carries out procedures, which are YAML files. Drivers connect
 haptic devices over UDP, SpaceMouse and a foot pedal.
 
 ${notice}")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS kerf-remesh-cgal)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "kerf-remesh-cgal, kerf-window")
+
+set(CPACK_DEBIAN_WINDOW_DESCRIPTION "haptic simulation of bone surgery: the window
+Shows an operation while it runs, and a recorded one again: bone, tool, forces,
+steps, limits and verdict. Needs OpenGL 3.3; a software renderer suffices.
+
+${notice}")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS   # libglfw3: the one for X11; ImGui loads OpenGL and EGL by name
+  "kerf (= ${PROJECT_VERSION}), libglfw3, libgl1, libegl1, fonts-dejavu-core")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS libgl1-mesa-dri)
 
 set(CPACK_DEBIAN_SDK_DESCRIPTION "haptic simulation of bone surgery: plugins and embedding
 Headers to write a plugin for Kerf, static libraries to run a procedure in

@@ -12,9 +12,10 @@ constexpr const char* hint_of_run =
     "Exit code: 0 pass, 1 fail, incomplete or invalid, 2 bad input, 3 fault or interrupted.\n"
     "A replay: 1 too where nothing could be compared, 3 where it differs or its recording was changed.";
 
-/// A run that is watched loads no plugin itself: each of its runs is a process.
+/// A run that is watched loads no plugin itself: each of its runs is a process. A window has a program of its own.
 ExitCode run_or_watch(const Options& options, const Invocation& call) {
     const auto& of_run = std::get<RunOptions>(options);
+    if (of_run.is_in_window) return become_window(call.here, call.argv);
     return of_run.is_watched ? commands::watch(of_run, call) : with_environment(&commands::run)(options, call);
 }
 
@@ -55,7 +56,12 @@ Command run_command_row() {
                      .help = "Lead the tool with this device, on the wall clock",
                      .default_value = "the rehearsal's hand",
                      .member = in<T>(&T::device)},
-                    flag("--headless", "Run without a window, as every run does at present", in<T>(&T::is_headless)),
+                    flag("--window", "Show the operation in a window, on the wall clock", in<T>(&T::is_in_window)),
+                    {.name = "--screenshot",
+                     .value = file("the name of a picture, as in `--screenshot end.png`", ".png"),
+                     .help = "With --window: write its last picture and close it",
+                     .member = in<T>(&T::screenshot)},
+                    flag("--headless", "Run without a window, as without `--window`", in<T>(&T::is_headless)),
                     flag("--watch", "Run again whenever a plugin, the procedure or its anatomy changes, until Ctrl-C",
                          in<T>(&T::is_watched))},
         .when_missing = "which procedure? Write `kerf run PROCEDURE.yaml`.",

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/shown_in_window.h"
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <future>
+#include <utility>
+
+#include "app/make_bone.h"
+#include "run/view/run_view.h"
+
+namespace kerf::app {
+
+text::Result<run::Scene> make_bone_shown(run::Documents documents, const std::string& file, RunDisplay& display) {
+    std::atomic<double> fraction{0.0};
+    auto made = std::async(std::launch::async, [&] {
+        return make_bone(std::move(documents), file, {}, [&](double done) { fraction = done; });
+    });
+    display.wait(
+        "Making the bone", [&] { return fraction.load(); },
+        [&] { return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
+    return made.get();
+}
+
+run::RunOutcome run_shown(const run::Scene& scene, run::RunRequest request, const Interruption& interruption,
+                          RunDisplay& display, const std::function<run::RunOutcome(const run::RunRequest&)>& run) {
+    const std::string hand = request.leader.empty()
+                                 ? "rehearsal " + run::rehearsal_of(scene.procedure, request.rehearsal).id
+                                 : request.leader;
+    run::RunView view(scene, request.mode, hand, request.out);
+    request.observers.push_back(&view);
+    auto running = std::async(std::launch::async, [&] {
+        run::RunOutcome outcome;
+        try {
+            outcome = run(request);
+        } catch (...) {
+            view.close();
+            throw;
+        }
+        if (!outcome.error.empty() || interruption.has_come()) view.close();
+        return outcome;
+    });
+    const std::string why_not = display.show(view);
+    if (!why_not.empty()) view.stop();
+    run::RunOutcome outcome = running.get();
+    if (!why_not.empty() && outcome.error.empty()) outcome.error = "the window cannot draw: " + why_not;
+    return outcome;
+}
+
+}  // namespace kerf::app

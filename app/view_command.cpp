@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// `kerf view`.
+#include <charconv>
+#include <cmath>
+#include <future>
+#include <memory>
+#include <string>
+
+#include "app/commands.h"
+#include "app/interruption.h"
+#include "app/recorded_documents.h"
+#include "app/replay.h"
+#include "app/run_display.h"
+#include "app/standard_streams.h"
+#include "core/haptics/loop/stated_device.h"
+#include "run/run_procedure.h"
+#include "run/view/run_view.h"
+
+namespace kerf::app::commands {
+
+namespace {
+
+/// Ends the replay when the display has closed or the user has pressed Ctrl-C.
+class Stop final : public run::RunObserver {
+public:
+    explicit Stop(const Interruption& interruption) : interruption_(&interruption) {}
+    [[nodiscard]] std::optional<run::RunEnd> end() override {
+        return interruption_->has_come() ? std::optional(run::RunEnd::interrupted) : std::nullopt;
+    }
+
+private:
+    const Interruption* interruption_;
+};
+
+}  // namespace
+
+ExitCode view(const ViewOptions& options, const Environment& with) {
+    RecordedDocuments of_session;
+    if (const ExitCode code = read_documents_of(options, with, of_session); code != exit_pass) return code;
+    const session::RecordedInputs& recorded = of_session.recorded;
+    std::unique_ptr<StatedDevice> device;
+    if (!recorded.device_values.empty()) {
+        std::string fault;
+        device = StatedDevice::of(recorded.device, recorded.device_values, fault);
+        if (device == nullptr)
+            return complain(
+                options.session + ": the recorded device cannot be used: " + fault + ". The file was changed.",
+                exit_bad_input);
+        of_session.documents->device = &device->record();
+    }
+    if (const std::string why_not = with.display->open(of_session.documents->procedure.title); !why_not.empty())
+        return complain(why_not, exit_fault);
+    const Interruption interruption;
+    auto made = std::async(std::launch::async, [&] { return scene_of(of_session, options.session); });
+    with.display->wait(
+        "Making the bone", [] { return 0.5; },
+        [&] { return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
+    const auto scene = made.get();
+    if (!scene) return exit_bad_input;
+
+    run::RunRequest request;
+    if (const std::string error = repeat(recorded, options.session, request); !error.empty())
+        return complain(error, exit_bad_input);
+    const double duration = 1e-3 * static_cast<double>(recorded.device_from_handle.size());
+    run::RunView run_view(*scene, "debrief", "recorded hand", "", duration);
+    Stop stop(interruption);
+    request.observers = {&stop, &run_view};
+    auto running = std::async(std::launch::async, [&] {
+        auto outcome = run::run_procedure(*scene, with.plugins, request);
+        if (!outcome.error.empty() || interruption.has_come()) run_view.close();
+        return outcome;
+    });
+    const std::string why_not = with.display->show(run_view);
+    run_view.stop();
+    const run::RunOutcome outcome = running.get();
+    if (!why_not.empty()) return complain(why_not, exit_fault);
+    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
+    return interruption.has_come() ? complain("interrupted", exit_fault) : exit_pass;
+}
+
+}  // namespace kerf::app::commands

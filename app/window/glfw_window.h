@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/window/input.h"
+
+struct GLFWwindow;
+
+namespace kerf::window {
+
+/// A window of the desktop with a context of OpenGL 3.3, through GLFW. One at a time.   [main]
+class GlfwWindow {
+public:
+    /// Opens a window. Returns null with the reason in `error`: no display, or a driver without OpenGL 3.3.
+    [[nodiscard]] static std::unique_ptr<GlfwWindow> open(const std::string& title, std::string& error);
+    ~GlfwWindow();
+    GlfwWindow(const GlfwWindow&) = delete;
+    GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+    /// Handles the events of the desktop. Returns the input since the last call.
+    [[nodiscard]] std::vector<Input> poll();
+    [[nodiscard]] bool should_close() const;
+    /// Shows what was drawn.
+    void swap();
+    /// Size of the picture in pixels; 0 while the window is minimised.
+    [[nodiscard]] int width() const;
+    [[nodiscard]] int height() const;
+    void set_title(const std::string& title);
+
+private:
+    explicit GlfwWindow(GLFWwindow* window);
+    static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);
+    static void on_button(GLFWwindow* window, int button, int action, int mods);
+    static void on_move(GLFWwindow* window, double x, double y);
+    static void on_wheel(GLFWwindow* window, double x, double y);
+
+    GLFWwindow* window_;
+    std::vector<Input> inputs_;
+    bool has_control_ = false, has_shift_ = false;
+};
+
+}  // namespace kerf::window

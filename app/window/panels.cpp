@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/window/panels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "app/window/panel_painter.h"
+
+namespace kerf::window {
+
+namespace {
+
+std::string formatted(const char* form, ...) {
+    std::array<char, 256> text{};
+    va_list values;
+    va_start(values, form);
+    std::vsnprintf(text.data(), text.size(), form, values);
+    va_end(values);
+    return text.data();
+}
+
+std::string clock_text(double seconds) {
+    const int all = static_cast<int>(std::max(0.0, seconds));
+    return formatted("%02d:%02d", all / 60, all % 60);
+}
+
+/// Returns the running step; null after the last one.
+const run::ViewedStep* step_of(const PanelModel& model) {
+    const auto number = static_cast<std::size_t>(std::max(0, model.state->step));
+    return number < model.scene->steps.size() ? &model.scene->steps[number] : nullptr;
+}
+
+/// Returns the first goal of the step that is not reached, in words.
+std::string next_goal(const PanelModel& model, const run::ViewedStep& step) {
+    for (std::size_t g = 0; g < step.goals.size() && g < 32; ++g)
+        if ((model.state->goals_done >> g & 1u) == 0) return step.goals[g].words;
+    return "withdraw the tool";
+}
+
+// ---- top and bottom -----------------------------------------------------------------------------------------------
+
+void paint_top(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    list.AddRectFilled({0, 0}, {layout.width, Layout::top}, theme::header);
+    const float text_y = 11.0f;
+    list.AddText(fonts.bold, fonts.bold->FontSize, {14, text_y}, theme::text,
+                 shortened(fonts.bold, model.scene->title, 0.36f * layout.width).c_str());
+    const std::string mode = model.scene->mode + " · " + model.scene->hand;
+    list.AddText(fonts.text, fonts.text->FontSize, {0.40f * layout.width, text_y}, theme::soft,
+                 shortened(fonts.text, mode, 0.2f * layout.width).c_str());
+    const bool is_late = model.real_time_factor < 0.97 && !model.state->is_over;
+    const ImU32 lamp = model.state->is_faulty                   ? theme::bad
+                       : is_late || model.state->is_gate_closed ? theme::limit
+                                                                : theme::good;
+    float x = layout.width - 470.0f;
+    list.AddCircleFilled({x, 19}, 6.0f, lamp);
+    const std::string pace = formatted("%.2f×   late %u", model.real_time_factor, model.state->late_ticks);
+    list.AddText(fonts.text, fonts.text->FontSize, {x + 14, text_y}, theme::text, pace.c_str());
+    list.AddText(fonts.text, fonts.text->FontSize, {x + 150, text_y}, theme::soft, model.renderer.c_str());
+    list.AddText(fonts.text, fonts.text->FontSize, {layout.width - 172, text_y}, theme::text,
+                 clock_text(model.state->time).c_str());
+    list.AddText(fonts.text, fonts.text->FontSize, {layout.width - 106, text_y}, theme::soft, "F1 keys");
+}
+
+ImU32 colour_of(run::ViewedEvent::Kind kind) {
+    using Kind = run::ViewedEvent::Kind;
+    switch (kind) {
+        case Kind::goal:
+        case Kind::step:
+            return theme::good;
+        case Kind::limit:
+            return theme::limit;
+        case Kind::fault:
+            return theme::bad;
+        case Kind::note:
+            break;
+    }
+    return theme::modelled;
+}
+
+/// Returns "live", "▶ 1×" or "paused".
+std::string pace_text(const Timeline& timeline, bool is_over) {
+    if (timeline.is_following()) return is_over ? "end" : "live";
+    if (!timeline.is_playing()) return "paused";
+    return timeline.speed() < 1.0 ? formatted("play 1/%.0f", 1.0 / timeline.speed())
+                                  : formatted("play %.0f×", timeline.speed());
+}
+
+/// Paints the time line with a mark for each event. Goals and limits have marks of their own shape.
+void paint_bottom(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    const float top = layout.height - Layout::bottom, y = top + 17.0f, from = layout.line_from(), to = layout.line_to();
+    list.AddRectFilled({0, top}, {layout.width, layout.height}, theme::header);
+    const double span = line_span(*model.timeline, model.duration);
+    const auto at = [&](double time) {
+        return from + (to - from) * static_cast<float>(std::clamp(time / span, 0.0, 1.0));
+    };
+    list.AddText(fonts.text, fonts.text->FontSize, {14, top + 10}, theme::soft,
+                 pace_text(*model.timeline, model.state->is_over).c_str());
+    list.AddRectFilled({from, y - 2}, {to, y + 2}, theme::line, 2.0f);
+    list.AddRectFilled({from, y - 2}, {at(model.timeline->newest()), y + 2}, theme::modelled, 2.0f);
+    for (const run::ViewedEvent& event : model.timeline->events()) {
+        const float x = at(event.time);
+        if (event.kind == run::ViewedEvent::Kind::limit || event.kind == run::ViewedEvent::Kind::fault) {
+            list.AddTriangleFilled({x - 6, y - 12}, {x + 6, y - 12}, {x, y - 2}, colour_of(event.kind));
+        } else if (event.kind != run::ViewedEvent::Kind::note) {
+            list.AddCircleFilled({x, y}, 4.5f, colour_of(event.kind));
+        }
+    }
+    const float x = at(model.state->time);
+    list.AddRectFilled({x - 2, y - 10}, {x + 2, y + 10}, theme::text, 1.5f);
+    list.AddText(fonts.text, fonts.text->FontSize, {to + 14, top + 10}, theme::text, clock_text(span).c_str());
+}
+
+// ---- left: steps, depth, zones, tool ------------------------------------------------------------------------------
+
+void paint_steps(const PanelModel& model, PanelPainter& painter) {
+    painter.heading("STEPS");
+    const auto current = static_cast<std::size_t>(std::max(0, model.state->step));
+    for (std::size_t s = 0; s < model.scene->steps.size(); ++s) {
+        const bool is_done = s < current, is_now = s == current;
+        if (is_now)
+            painter.list().AddRectFilled({painter.left() - 6, painter.top() - 3},
+                                         {painter.right() + 6, painter.top() + 19}, theme::lit, 3.0f);
+        painter.line(formatted("%zu  ", s + 1) + model.scene->steps[s].title,
+                     is_now    ? theme::text
+                     : is_done ? theme::soft
+                               : theme::text,
+                     is_done ? "✓" : "", theme::good);
+    }
+}
+
+void paint_depth(const PanelModel& model, const run::ViewedStep& step, PanelPainter& painter) {
+    painter.skip(8.0f);
+    painter.heading("DEPTH", formatted("%.1f mm", 1e3 * std::max(0.0, model.state->depth)));
+    const double goal = step.depth_goal.value_or(step.length), limit = step.depth_limit.value_or(1.3 * goal);
+    const double full = 1.08 * std::max({goal, limit, 1e-3});
+    const float y = painter.top();
+    painter.bar(std::max(0.0, model.state->depth) / full, model.state->depth > limit ? theme::bad : theme::modelled,
+                14.0f);
+    const auto mark = [&](double depth, ImU32 colour) {
+        const float x = painter.left() + painter.width() * static_cast<float>(depth / full);
+        painter.list().AddLine({x, y - 3}, {x, y + 17}, colour, 2.0f);
+    };
+    if (step.depth_goal) mark(goal, theme::text);
+    if (step.depth_limit) mark(limit, theme::limit);
+    if (step.depth_goal) painter.line("goal", theme::soft, formatted("%.1f mm", 1e3 * goal));
+    if (step.depth_limit) painter.line("limit", theme::limit, formatted("%.1f mm", 1e3 * limit), theme::limit);
+    painter.line("cortices passed", theme::soft, formatted("%u", model.state->cortices));
+}
+
+void paint_zone(const PanelModel& model, PanelPainter& painter) {
+    if (model.state->zone < 0) return;
+    constexpr double warn = 2e-3, shown = 10e-3;
+    const double distance = model.state->zone_distance;
+    const auto zone = static_cast<std::size_t>(model.state->zone);
+    painter.skip(8.0f);
+    painter.heading("NEAREST ZONE");
+    painter.line(model.scene->zones[zone].name);
+    const bool is_in = distance <= 0.0, is_near = distance < warn;
+    const ImU32 colour = is_in ? theme::forbidden : is_near ? theme::limit : theme::good;
+    painter.bar(std::clamp(distance, 0.0, shown) / shown, colour, 10.0f);
+    painter.line(is_in     ? "inside!"
+                 : is_near ? "close"
+                           : "well clear",
+                 colour, formatted("%.1f mm", 1e3 * distance), colour);
+}
+
+void paint_left(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    PanelPainter painter(list, fonts, {0, Layout::top}, {Layout::left, layout.height - Layout::bottom}, theme::panel);
+    paint_steps(model, painter);
+    const run::ViewedStep* step = step_of(model);
+    if (step != nullptr) paint_depth(model, *step, painter);
+    paint_zone(model, painter);
+    painter.skip(8.0f);
+    painter.heading("TOOL");
+    if (model.state->tool < model.scene->tools.size()) painter.line(model.scene->tools[model.state->tool].name);
+    painter.line(model.state->is_running ? "cutting" : "not cutting",
+                 model.state->is_running ? theme::text : theme::soft, formatted("%.1f mm/s", 1e3 * model.state->feed));
+    painter.line(model.state->tissue >= 0
+                     ? "in " + model.scene->tissues[static_cast<std::size_t>(model.state->tissue)].name
+                     : "in air",
+                 theme::soft);
+    if (!model.next_action.empty() && painter.space() > 60.0f) {
+        painter.skip(8.0f);
+        painter.heading("NEXT ACTION");
+        painter.paragraph(model.next_action, theme::text, 3);
+    }
+}
+
+// ---- centre -------------------------------------------------------------------------------------------------------
+
+void paint_header(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    const ImVec2 low{Layout::left, Layout::top}, high{layout.width - Layout::right, Layout::top + Layout::header};
+    list.AddRectFilled(low, high, theme::bar);
+    const run::ViewedStep* step = step_of(model);
+    const float wide = high.x - low.x - 28.0f;
+    const std::string title =
+        step == nullptr ? "All steps are done"
+                        : formatted("%d  ", model.state->step + 1) + step->title + ": " + next_goal(model, *step);
+    list.AddText(fonts.bold, fonts.bold->FontSize, {low.x + 14, low.y + 5}, theme::text,
+                 shortened(fonts.bold, title, wide).c_str());
+    std::string hint;
+    ImU32 colour = theme::limit;
+    if (step != nullptr && model.state->broken != 0) {
+        for (std::size_t i = 0; i < step->limits.size() && i < run::max_viewed_limits; ++i)
+            if ((model.state->broken >> i & 1u) != 0) hint = "Limit broken: " + step->limits[i].words;
+        colour = theme::bad;
+    } else if (model.state->is_gate_closed) {
+        hint = "The force has faded; it returns when hand and tool are together again.";
+    } else if (!model.next_action.empty()) {
+        hint = "Next action: " + model.next_action;
+    }
+    list.AddText(fonts.text, fonts.text->FontSize, {low.x + 14, low.y + 25}, colour,
+                 shortened(fonts.text, hint, wide).c_str());
+}
+
+float height_of_card(const PanelModel& model) {
+    if (!model.result->has_value()) return 50.0f;
+    const run::ViewedResult& result = **model.result;
+    return 110.0f + 48.0f * static_cast<float>(std::min<std::size_t>(2, result.reasons.size())) +
+           (result.deductions.empty() ? 0.0f : 24.0f) +
+           22.0f * static_cast<float>(std::min<std::size_t>(3, result.deductions.size()));
+}
+
+/// Paints the verdict over the picture.
+void paint_end_card(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    if (!model.state->is_over) return;
+    const ImVec2 low = layout.picture_low(), high = layout.picture_high();
+    const float wide = std::min(460.0f, high.x - low.x - 20.0f), tall = height_of_card(model), x = high.x - wide - 12.0f,
+                y = high.y - tall - 12.0f;
+    PanelPainter painter(list, fonts, {x, y}, {x + wide, y + tall}, IM_COL32(0x12, 0x16, 0x1b, 235));
+    if (!model.result->has_value()) {
+        painter.line("Writing the results …", theme::soft);
+        return;
+    }
+    const run::ViewedResult& result = **model.result;
+    const bool is_pass = result.verdict == "pass";
+    painter.line_in(fonts.large, (is_pass ? "✓ " : "✗ ") + result.verdict + formatted("   %.0f of 100", result.score),
+                    is_pass ? theme::good : theme::bad);
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, result.reasons.size()); ++i)
+        painter.paragraph(result.reasons[i], theme::text, 3);
+    painter.skip(6.0f);
+    if (!result.deductions.empty()) painter.heading("LARGEST DEDUCTIONS");
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, result.deductions.size()); ++i) {
+        const auto& deduction = result.deductions[i];
+        painter.line(deduction.words, theme::text, formatted("−%.1f", deduction.points), theme::limit);
+    }
+    painter.skip(6.0f);
+    if (!result.folder.empty()) painter.paragraph("Report: " + result.folder + "/report.html", theme::soft, 2);
+    painter.paragraph("For training and research; not for diagnosis, planning or deciding treatment.", theme::soft, 2);
+}
+
+// ---- right: plots and limits --------------------------------------------------------------------------------------
+
+std::optional<double> bound_of(const run::ViewedStep* step, const std::string& quantity) {
+    if (step != nullptr)
+        for (const run::ViewedLimit& limit : step->limits)
+            if (limit.quantity == quantity && limit.at_most) return limit.at_most;
+    return std::nullopt;
+}
+
+void paint_force(const PanelModel& model, const run::ViewedStep* step, PanelPainter& painter) {
+    painter.heading("FORCE, last 5 s", formatted("%.1f N", model.state->force));
+    PlotLine modelled{{}, theme::modelled}, on_hand{{}, theme::on_hand};
+    const std::span<const run::ViewedRow> rows = model.timeline->recent();
+    const float now = static_cast<float>(model.state->time);
+    PlotAxes axes{.x_low = -static_cast<float>(Timeline::plot_span), .x_high = 0.0f, .y_low = 0.0f, .y_high = 10.0f};
+    const std::size_t stride = std::max<std::size_t>(1, rows.size() / 400);
+    for (std::size_t i = 0; i < rows.size(); i += stride) {
+        run::ViewedRow row = rows[i];
+        for (std::size_t k = i; k < std::min(i + stride, rows.size()); ++k) {
+            row.force = std::max(row.force, rows[k].force);
+            row.hand_force = std::max(row.hand_force, rows[k].hand_force);
+        }
+        const float time = static_cast<float>(row.time) - now;
+        modelled.points.push_back({time, row.force});
+        on_hand.points.push_back({time, row.hand_force});
+        axes.y_high = std::max({axes.y_high, 1.1f * row.force, 1.1f * row.hand_force});
+    }
+    if (const auto limit = bound_of(step, "thrust")) {
+        axes.limits.push_back(static_cast<float>(*limit));
+        axes.y_high = std::max(axes.y_high, 1.1f * axes.limits.back());
+    }
+    const float height = 110.0f;
+    paint_plot(painter.list(), painter.fonts(), {painter.left(), painter.top()},
+               {painter.right(), painter.top() + height}, axes, {modelled, on_hand});
+    painter.skip(height + 4.0f);
+    ImDrawList& list = painter.list();
+    const Fonts& fonts = painter.fonts();
+    const auto legend = [&](float x, const char* text, ImU32 colour) {
+        list.AddText(fonts.small, fonts.small->FontSize, {painter.left() + x, painter.top()}, colour, text);
+    };
+    legend(0, "— modelled", theme::modelled);
+    legend(92, "— on the hand", theme::on_hand);
+    if (!axes.limits.empty()) legend(200, "- - limit", theme::limit);
+    painter.skip(24.0f);
+}
+
+void paint_torque(const PanelModel& model, const run::ViewedStep* step, PanelPainter& painter) {
+    const bool has_thread =
+        model.state->tool < model.scene->tools.size() && model.scene->tools[model.state->tool].lead > 0.0;
+    if (!has_thread) return;
+    painter.heading("TORQUE over turns", formatted("%.2f N·m", model.state->torque));
+    PlotLine torque{{}, theme::modelled};
+    PlotAxes axes{.x_low = 0.0f, .x_high = 5.0f, .y_low = 0.0f, .y_high = 0.5f};
+    constexpr float turn = 6.2831853f;
+    const std::span<const Timeline::Turn> turns = model.timeline->turns();
+    const float sign = !turns.empty() && turns.back().turned < 0.0f ? -1.0f : 1.0f;
+    for (const Timeline::Turn& one : turns) {
+        torque.points.push_back({sign * one.turned / turn, one.torque});
+        axes.x_high = std::max(axes.x_high, sign * one.turned / turn);
+        axes.y_high = std::max(axes.y_high, 1.1f * one.torque);
+        axes.y_low = std::min(axes.y_low, 1.1f * one.torque);
+    }
+    if (const auto limit = bound_of(step, "torque")) {
+        axes.limits.push_back(static_cast<float>(*limit));
+        axes.y_high = std::max(axes.y_high, 1.1f * axes.limits.back());
+    }
+    const float height = 90.0f;
+    paint_plot(painter.list(), painter.fonts(), {painter.left(), painter.top()},
+               {painter.right(), painter.top() + height}, axes, {torque});
+    painter.skip(height + 10.0f);
+}
+
+void paint_limits(const PanelModel& model, const run::ViewedStep& step, PanelPainter& painter) {
+    if (step.limits.empty()) return;
+    painter.skip(4.0f);
+    painter.heading("LIMITS OF THE STEP");
+    for (std::size_t i = 0; i < step.limits.size() && i < run::max_viewed_limits; ++i) {
+        if (painter.space() < 36.0f) {
+            painter.line("…", theme::soft);
+            return;
+        }
+        const run::ViewedLimit& limit = step.limits[i];
+        const bool is_broken = (model.state->broken >> i & 1u) != 0;
+        const double value = static_cast<double>(model.state->limit_values[i]);
+        const std::string now = std::isnan(value) ? "" : formatted("%.3g", value / limit.per_unit);
+        painter.line(limit.words, is_broken ? theme::bad : theme::text, now, is_broken ? theme::bad : theme::soft);
+        if (limit.at_most && *limit.at_most > 0.0 && !limit.at_least) {
+            painter.skip(-2.0f);
+            const double fraction = std::isnan(value) ? 0.0 : value / *limit.at_most;
+            painter.bar(fraction, is_broken ? theme::bad : fraction > 0.8 ? theme::limit : theme::good, 5.0f);
+        }
+    }
+}
+
+void paint_right(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    PanelPainter painter(list, fonts, {layout.width - Layout::right, Layout::top},
+                         {layout.width, layout.height - Layout::bottom}, theme::panel);
+    const run::ViewedStep* step = step_of(model);
+    paint_force(model, step, painter);
+    paint_torque(model, step, painter);
+    if (step != nullptr) paint_limits(model, *step, painter);
+}
+
+// ---- over the picture ---------------------------------------------------------------------------------------------
+
+void paint_keys(const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    const float wide = 430.0f, tall = 40.0f + 22.0f * static_cast<float>(key_help().size());
+    const ImVec2 low{0.5f * (layout.width - wide), std::max(10.0f, 0.5f * (layout.height - tall))};
+    PanelPainter painter(list, fonts, low, {low.x + wide, low.y + tall}, IM_COL32(0x12, 0x16, 0x1b, 245));
+    painter.line_in(fonts.bold, "Keys", theme::text);
+    for (const KeyHelp& help : key_help()) painter.line(help.words, theme::text, help.key, theme::modelled);
+}
+
+void paint_values(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    const ImVec2 low = layout.picture_low();
+    PanelPainter painter(list, fonts, {low.x + 12, low.y + 12}, {low.x + 322, low.y + 222},
+                         IM_COL32(0x12, 0x16, 0x1b, 220));
+    const run::ViewedState& s = *model.state;
+    painter.line("thrust", theme::soft, formatted("%.1f N", s.thrust));
+    painter.line("torque", theme::soft, formatted("%.3f N·m", s.torque));
+    painter.line("feed", theme::soft, formatted("%.2f mm/s", 1e3 * s.feed));
+    painter.line("bone removed", theme::soft, formatted("%.1f mm³", 1e9 * s.removed));
+    const Vec3 tip = s.world_from_tool.position;
+    painter.line("tip", theme::soft, formatted("%.1f  %.1f  %.1f mm", 1e3 * tip.x, 1e3 * tip.y, 1e3 * tip.z));
+    painter.line("device force scale", theme::soft, formatted("1/%.1f", 1.0 / s.device_scale));
+    painter.line("triangles", theme::soft, formatted("%zu", model.triangles));
+    painter.line("frame", theme::soft, formatted("%.1f ms", 1e3 * model.frame_time));
+    painter.line("tick", theme::soft, formatted("%llu", static_cast<unsigned long long>(s.tick)));
+}
+
+}  // namespace
+
+double line_span(const Timeline& timeline, const std::optional<double>& duration) {
+    if (duration) return std::max(*duration, 1e-3);
+    return std::max(30.0, 1.25 * timeline.newest());
+}
+
+const std::vector<KeyHelp>& key_help() {
+    static const std::vector<KeyHelp> keys{{"F1", "this page"},
+                                           {"F2", "values"},
+                                           {"1", "view freely"},
+                                           {"2", "view along the tool"},
+                                           {"3", "view from the side"},
+                                           {"X", "see through bone"},
+                                           {"C", "cut bone away at the tool"},
+                                           {"Z", "zones"},
+                                           {"P", "planned axis or plane"},
+                                           {"O", "arrow of force"},
+                                           {"right drag", "turn the view"},
+                                           {"middle drag", "move the view"},
+                                           {"Ctrl + wheel", "zoom"},
+                                           {"Space", "play or pause, away from the live end"},
+                                           {", and .", "one moment back or on"},
+                                           {"[ and ]", "slower or faster"},
+                                           {"L", "back to the live end"},
+                                           {"Tab", "hide the panels"},
+                                           {"F12", "save a picture"},
+                                           {"Ctrl + Q", "end the operation"}};
+    return keys;
+}
+
+void paint_panels(const PanelModel& model, const Layout& layout, const Fonts& fonts) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    if (layout.has_panels) {
+        paint_left(model, layout, fonts, list);
+        paint_right(model, layout, fonts, list);
+        paint_header(model, layout, fonts, list);
+        paint_bottom(model, layout, fonts, list);
+        paint_top(model, layout, fonts, list);
+    }
+    paint_end_card(model, layout, fonts, list);
+    if (model.shows_values) paint_values(model, layout, fonts, list);
+    if (model.shows_keys) paint_keys(layout, fonts, list);
+}
+
+}  // namespace kerf::window

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture of a run, drawn without a display. All cases share one drawn run.
+#include "app/window/run_screen.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "app/window/offscreen.h"
+#include "run/run_procedure.h"
+#include "run/view/run_view.h"
+#include "tests/support/short_scene.h"
+
+namespace kerf::window {
+namespace {
+
+constexpr int width = 1280, height = 800;
+
+/// The short scene after its run, on a screen.
+struct Shown {
+    std::unique_ptr<Offscreen> offscreen;
+    run::RunView view{test::short_scene(), "practice", "rehearsal expert", ""};
+    std::unique_ptr<RunScreen> screen;
+
+    Shown() {
+        std::string error;
+        offscreen = Offscreen::open(width, height, error);
+        if (offscreen == nullptr) throw std::runtime_error(error);
+        run::RunRequest request;
+        request.observers = {&view};
+        static_cast<void>(run::run_procedure(test::short_scene(), test::plugins(), request));
+        screen = std::make_unique<RunScreen>(view);
+    }
+    Pixels picture(int wide = width, int tall = height) {
+        screen->draw(wide, tall, wall += 0.02);
+        return screen->pixels();
+    }
+    void press(int key) { screen->take({.kind = Input::Kind::key, .code = key, .is_pressed = true}); }
+    double wall = 0.0;
+};
+
+Shown& shown() {
+    static Shown one;
+    return one;
+}
+
+struct Region {
+    int left = 0, top = 0, right = width, bottom = height;
+};
+constexpr Region picture_region{240, 90, 980, 750}, left_panel{0, 40, 230, 750}, plot_above_zero{1020, 80, 1265, 172};
+
+/// Counts the pixels of a region for which `is_one(red, green, blue)` is true.
+template <class IsOne>
+int count(const Pixels& pixels, const Region& region, const IsOne& is_one) {
+    int found = 0;
+    for (int y = region.top; y < region.bottom; ++y)
+        for (int x = region.left; x < region.right; ++x) {
+            const std::uint8_t* p = &pixels.rgb[3 * static_cast<std::size_t>(y * pixels.width + x)];
+            found += is_one(int{p[0]}, int{p[1]}, int{p[2]}) ? 1 : 0;
+        }
+    return found;
+}
+const auto is_bone = [](int r, int g, int b) { return r > 110 && r > g && g > b && r - b < 90 && r - b > 12; };
+const auto is_zone = [](int r, int g, int b) { return r > g + 40 && b > g + 25; };
+const auto is_steel = [](int r, int g, int b) { return r > 120 && std::abs(r - g) < 12 && b >= g && b - r < 25; };
+const auto is_plan = [](int r, int g, int b) { return b > r + 80 && b > g + 30; };
+const auto is_plotted = [](int r, int g, int b) { return r > 200 && g > 200 && b > 200; };
+
+TEST(RunScreen, ShowsBoneToolZonesAndPlan) {
+    const Pixels pixels = shown().picture();
+    EXPECT_GT(count(pixels, picture_region, is_bone), 30'000);
+    EXPECT_GT(count(pixels, picture_region, is_steel), 2'000);
+    EXPECT_GT(count(pixels, picture_region, is_zone), 1'000);
+    EXPECT_GT(count(pixels, picture_region, is_plan), 200);
+}
+
+TEST(RunScreen, DrawsTheSamePictureTwice) {
+    const Pixels first = shown().picture(), second = shown().picture();
+    EXPECT_EQ(first.rgb, second.rgb);
+}
+
+TEST(RunScreen, HidesZonesPlanAndForceByKeys) {
+    for (const int key : {'Z', 'P', 'O'}) shown().press(key);
+    const Pixels pixels = shown().picture();
+    for (const int key : {'Z', 'P', 'O'}) shown().press(key);
+    EXPECT_EQ(count(pixels, picture_region, is_zone), 0);
+    EXPECT_LT(count(pixels, picture_region, is_plan), 20);
+    EXPECT_GT(count(pixels, picture_region, is_bone), 30'000);
+}
+
+TEST(RunScreen, SeesThroughBone) {
+    shown().press('Z');
+    const int solid = count(shown().picture(), picture_region, is_bone);
+    shown().press('X');
+    const int through = count(shown().picture(), picture_region, is_bone);
+    shown().press('X');
+    shown().press('Z');
+    EXPECT_LT(through, solid / 10);
+}
+
+TEST(RunScreen, CutsBoneAway) {
+    const int whole = count(shown().picture(), picture_region, is_bone);
+    shown().press('C');
+    const Pixels cut = shown().picture();
+    shown().press('C');
+    EXPECT_NE(count(cut, picture_region, is_bone), whole);
+    EXPECT_GT(count(cut, picture_region, is_bone), whole / 10);
+}
+
+TEST(RunScreen, PlotsTheForceUpToTheShownTime) {
+    const int at_end = count(shown().picture(), plot_above_zero, is_plotted);
+    shown().screen->timeline().show_at(0.1);
+    const int at_start = count(shown().picture(), plot_above_zero, is_plotted);
+    EXPECT_NEAR(shown().screen->state().time, 0.1, 17e-3);
+    shown().screen->timeline().follow();
+    EXPECT_EQ(at_start, 0);
+    EXPECT_GT(at_end, 100);
+}
+
+TEST(RunScreen, HidesThePanels) {
+    const auto is_panel = [](int r, int g, int b) { return r == 0x12 && g == 0x16 && b == 0x1b; };
+    EXPECT_GT(count(shown().picture(), left_panel, is_panel), 100'000);
+    shown().press(Input::tab);
+    EXPECT_EQ(count(shown().picture(), left_panel, is_panel), 0);
+    shown().press(Input::tab);
+}
+
+TEST(RunScreen, ListsItsKeys) {
+    const Pixels before = shown().picture();
+    shown().press(Input::f1);
+    const Pixels with_keys = shown().picture();
+    shown().press(Input::escape);
+    EXPECT_NE(before.rgb, with_keys.rgb);
+    EXPECT_EQ(before.rgb, shown().picture().rgb);
+}
+
+TEST(RunScreen, TurnsWithTheMouse) {
+    const Pixels before = shown().picture();
+    shown().screen->take({.kind = Input::Kind::move, .x = 600, .y = 400});
+    shown().screen->take({.kind = Input::Kind::button, .code = 1, .is_pressed = true});
+    shown().screen->take({.kind = Input::Kind::move, .x = 700, .y = 380});
+    shown().screen->take({.kind = Input::Kind::button, .code = 1, .is_pressed = false});
+    EXPECT_NE(before.rgb, shown().picture().rgb);
+    shown().press('3');
+    EXPECT_EQ(before.rgb, shown().picture().rgb);
+}
+
+TEST(RunScreen, ScrubsOnTheTimeLine) {
+    const double end = shown().screen->state().time;
+    const Layout layout{width, height, true};
+    const float x = layout.line_from() + 0.1f * (layout.line_to() - layout.line_from());
+    shown().screen->take({.kind = Input::Kind::move, .x = x, .y = height - 10});
+    shown().screen->take({.kind = Input::Kind::button, .code = 0, .is_pressed = true});
+    shown().screen->take({.kind = Input::Kind::button, .code = 0, .is_pressed = false});
+    shown().picture();
+    EXPECT_NEAR(shown().screen->state().time, 0.1 * std::max(30.0, 1.25 * end), 0.05);
+    shown().press('L');
+    shown().picture();
+    EXPECT_EQ(shown().screen->state().time, end);
+}
+
+TEST(RunScreen, IsSoundInAnySize) {
+    for (const auto& [wide, tall] : {std::pair{0, 0}, {1, 1}, {1, 800}, {60, 40}, {400, 300}, {760, 420}})
+        EXPECT_NO_THROW(shown().picture(wide, tall)) << wide << " × " << tall;
+    shown().picture();
+}
+
+}  // namespace
+}  // namespace kerf::window

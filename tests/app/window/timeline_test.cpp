@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/window/timeline.h"
+
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <utility>
+
+namespace kerf::window {
+namespace {
+
+/// A run of which a test makes each tick.
+class MadeRun final : public run::ViewedRun {
+public:
+    void pass_to(double end) {
+        for (; state_.time < end - 1e-9;) {
+            state_.time += 1e-3;
+            ++state_.tick;
+            rows_.push_back({state_.time, static_cast<float>(10.0 * state_.time), 0, static_cast<float>(state_.time),
+                             static_cast<float>(6.0 * state_.time), 0, state_.step});
+            if (state_.tick % 16 == 0) moments_.push_back({state_, nullptr});
+        }
+    }
+    run::ViewedState state_;
+
+    [[nodiscard]] const run::ViewedScene& scene() const noexcept override { return scene_; }
+    bool take(run::ViewedState& state) noexcept override {
+        state = state_;
+        return true;
+    }
+    void take(std::vector<run::ViewedRow>& rows) override { move(rows_, rows); }
+    void take(std::vector<run::ViewedEvent>&) override {}
+    void take(std::vector<run::ViewedMoment>& moments) override { move(moments_, moments); }
+    [[nodiscard]] std::shared_ptr<const run::ViewedSurface> surface() const override { return nullptr; }
+    [[nodiscard]] std::optional<double> duration() const noexcept override { return std::nullopt; }
+    [[nodiscard]] std::string next_action() const override { return {}; }
+    [[nodiscard]] std::optional<run::ViewedResult> result() const override { return std::nullopt; }
+    [[nodiscard]] bool is_closed() const noexcept override { return false; }
+    void stop() noexcept override {}
+
+private:
+    template <class T>
+    static void move(std::vector<T>& from, std::vector<T>& to) {
+        to.insert(to.end(), from.begin(), from.end());
+        from.clear();
+    }
+    run::ViewedScene scene_;
+    std::vector<run::ViewedRow> rows_;
+    std::vector<run::ViewedMoment> moments_;
+};
+
+TEST(Timeline, FollowsTheNewestState) {
+    MadeRun run;
+    Timeline timeline;
+    run.pass_to(2.0);
+    timeline.take(run, 0.0);
+    EXPECT_NEAR(timeline.state().time, 2.0, 1e-9);
+    run.pass_to(3.0);
+    timeline.take(run, 0.0);
+    EXPECT_NEAR(timeline.state().time, 3.0, 1e-9);
+}
+
+TEST(Timeline, ShowsAnEarlierTimeWhileTheRunGoesOn) {
+    MadeRun run;
+    Timeline timeline;
+    run.pass_to(8.0);
+    timeline.take(run, 0.0);
+    timeline.show_at(4.0);
+    run.pass_to(9.0);
+    timeline.take(run, 1.0);
+    EXPECT_NEAR(timeline.state().time, 4.0, 16e-3);
+    EXPECT_NEAR(timeline.newest(), 9.0, 1e-9);
+    ASSERT_FALSE(timeline.recent().empty());
+    EXPECT_NEAR(timeline.recent().back().time, timeline.state().time, 1e-9);
+    EXPECT_EQ(timeline.recent().size(), static_cast<std::size_t>(std::lround(1e3 * timeline.state().time)));
+    timeline.follow();
+    EXPECT_NEAR(timeline.state().time, 9.0, 1e-9);
+    EXPECT_NEAR(timeline.recent().front().time, 4.0, 2e-3) << "five seconds";
+}
+
+TEST(Timeline, PlaysAtItsSpeedAndStopsAtTheEnd) {
+    MadeRun run;
+    Timeline timeline;
+    run.pass_to(10.0);
+    run.state_.is_over = true;
+    timeline.take(run, 0.0);
+    timeline.show_at(1.0);
+    timeline.play(true);
+    timeline.change_speed(2.0);
+    timeline.take(run, 0.5);
+    EXPECT_NEAR(timeline.state().time, 2.0, 17e-3);
+    timeline.change_speed(100.0);
+    EXPECT_EQ(timeline.speed(), 8.0);
+    timeline.take(run, 2.0);
+    EXPECT_NEAR(timeline.state().time, 10.0, 17e-3);
+    EXPECT_FALSE(timeline.is_playing());
+}
+
+TEST(Timeline, WaitsForATimeThatIsStillToCome) {
+    MadeRun run;
+    Timeline timeline;
+    timeline.show_at(5.0);
+    run.pass_to(2.0);
+    timeline.take(run, 0.1);
+    EXPECT_NEAR(timeline.state().time, 2.0, 17e-3);
+    run.pass_to(7.0);
+    timeline.take(run, 0.1);
+    EXPECT_NEAR(timeline.state().time, 5.0, 17e-3);
+}
+
+TEST(Timeline, StepsByMoments) {
+    MadeRun run;
+    Timeline timeline;
+    run.pass_to(1.0);
+    timeline.take(run, 0.0);
+    timeline.show_at(0.5);
+    const double from = timeline.state().time;
+    timeline.step(2);
+    EXPECT_NEAR(timeline.state().time, from + 32e-3, 1e-9);
+    timeline.step(-1000);
+    EXPECT_NEAR(timeline.state().time, 16e-3, 1e-9);
+}
+
+TEST(Timeline, KeepsTurnsOfTheRunningStepOnly) {
+    MadeRun run;
+    Timeline timeline;
+    run.pass_to(1.0);
+    run.state_.step = 1;
+    run.pass_to(2.0);
+    timeline.take(run, 0.0);
+    ASSERT_FALSE(timeline.turns().empty());
+    EXPECT_GT(timeline.turns().front().time, 1.0);
+    timeline.show_at(0.8);
+    EXPECT_LT(timeline.turns().back().time, 0.81);
+}
+
+TEST(RealTimeFactor, IsTheRatioOfBothClocks) {
+    RealTimeFactor factor;
+    factor.show(0.0, 100.0);
+    factor.show(0.9, 101.2);
+    EXPECT_NEAR(factor.value(), 0.75, 1e-12);
+}
+
+}  // namespace
+}  // namespace kerf::window
