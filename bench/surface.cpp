@@ -30,6 +30,7 @@
 
 #include "core/field/surface/bone_surface.h"
 #include "core/field/surface/patch_table.h"
+#include "core/field/surface/surface_patches.h"
 #include "studies/times.h"
 #include "tests/support/block.h"
 #include "tests/support/with_kernel.h"

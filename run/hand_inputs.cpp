@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "run/arm_views.h"
+
 namespace kerf::run {
 
 bool carry_out_at(HapticLoop& loop, const documents::HandInput& input) noexcept {
@@ -63,6 +65,12 @@ std::string carry_out(const documents::HandInput& input, const Scene& scene, Sim
             return carry_out_at(simulation, input)
                        ? ""
                        : "the tool in hand has no thread, so it is not turned by regripping";
+        case documents::HandInput::Kind::pause:
+            return {};
+        case documents::HandInput::Kind::image:
+            return is_arm_angle(input.value) && is_arm_angle(input.tilt)
+                       ? ""
+                       : "an angle of the C-arm is not -360 deg to 360 deg";
         case documents::HandInput::Kind::undo:
             return simulation.undo();
         case documents::HandInput::Kind::redo:

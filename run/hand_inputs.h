@@ -15,9 +15,11 @@ namespace kerf::run {
 /// Inputs other than motion of a recorded run, each with the tick before which it came, in order.
 using RecordedInputs = std::vector<std::pair<std::uint64_t, documents::HandInput>>;
 
-/// Returns whether an input only sets the motor or the grip of the loop, which takes no time: `drive` and `regrip`.
+/// Returns whether an input takes no time: `drive` and `regrip` set the motor or the grip of the loop, and `pause` sets
+/// nothing.
 [[nodiscard]] constexpr bool is_immediate(documents::HandInput::Kind kind) noexcept {
-    return kind == documents::HandInput::Kind::drive || kind == documents::HandInput::Kind::regrip;
+    using Kind = documents::HandInput::Kind;
+    return kind == Kind::drive || kind == Kind::regrip || kind == Kind::pause;
 }
 /// Carries out an immediate input at a loop. Returns false if the tool in hand has no such drive, or no thread to
 /// regrip.   [haptic, nonblocking] between ticks

@@ -11,6 +11,7 @@
 #include "run/clock/wall_clock.h"
 #include "run/live/followed_run.h"
 #include "run/live/live_hands.h"
+#include "run/live/live_mouse.h"
 
 namespace kerf::run {
 
@@ -82,6 +83,19 @@ RunOutcome with_device(const Scene& scene, const PluginRegistry& plugins, RunReq
     return run(*followed, hand);
 }
 
+/// Calls `run(followed, hand)` with a hand at a mouse.
+template <class RunWith>
+RunOutcome with_mouse(const Scene& scene, const PluginRegistry& plugins, RunRequest request, MouseBox& box,
+                      const RunWith& run) {
+    request.leader = "mouse";
+    request.is_led_by_mouse = true;
+    RunOutcome outcome;
+    const auto followed = FollowedRun::create(scene, plugins, request, outcome);
+    if (followed == nullptr) return outcome;
+    LiveMouse hand(box, scene, followed->run().rehearsal(), followed->run().simulation().world_from_tool());
+    return run(*followed, hand);
+}
+
 }  // namespace
 
 RunOutcome run_on_clock(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
@@ -111,6 +125,23 @@ RunOutcome run_live(const Scene& scene, const PluginRegistry& plugins, const Run
                     const documents::DeviceStation& station) {
     return with_device(scene, plugins, request, device, station,
                        [](FollowedRun& followed, LiveHand& hand) { return run_live(followed, hand); });
+}
+
+RunOutcome run_on_clock(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request, TickClock& clock,
+                        MouseBox& box) {
+    return with_mouse(scene, plugins, request, box,
+                      [&](FollowedRun& followed, LiveHand& hand) { return run_alone(followed, hand, clock); });
+}
+
+RunOutcome run_beside_clock(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
+                            TickClock& clock, MouseBox& box) {
+    return with_mouse(scene, plugins, request, box,
+                      [&](FollowedRun& followed, LiveHand& hand) { return run_beside(followed, hand, clock); });
+}
+
+RunOutcome run_live(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request, MouseBox& box) {
+    return with_mouse(scene, plugins, request, box,
+                      [](FollowedRun& followed, LiveHand& hand) { return run_live(followed, hand); });
 }
 
 }  // namespace kerf::run

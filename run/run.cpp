@@ -9,6 +9,7 @@
 
 #include "bone/exact/exact_follower.h"
 #include "core/field/cut/removed_volume.h"
+#include "run/arm_views.h"
 #include "run/body_ownership.h"
 #include "run/exact/exact_files.h"
 #include "run/exact/exact_strategies.h"
@@ -64,7 +65,10 @@ session::RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins
     summary.variant = scene.procedure.variant;
     summary.anatomy = scene.anatomy.id;
     summary.rehearsal = rehearsal.id;
-    summary.hand = !request.replay.empty() ? "replay" : request.leader.empty() ? "simulated" : "device";
+    summary.hand = !request.replay.empty()   ? "replay"
+                   : request.leader.empty()  ? "simulated"
+                   : request.is_led_by_mouse ? "mouse"
+                                             : "device";
     summary.leader = request.leader;
     summary.leader_setup = request.leader_setup;
     summary.device = scene.device->id;
@@ -118,6 +122,7 @@ Run::Run(const Scene& scene, const RunRequest& request, const documents::Rehears
       next_actions_(rehearsal),
       world_from_body_(1, identity_pose()) {
     if (files_ != nullptr) observers_.insert(observers_.begin(), files_.get());
+    if (request_.is_examination()) hash_.add(std::uint32_t{1});
     outcome_.summary = std::move(summary);
     simulation_.find_pieces(crumb, body_ownership_of(*scene_));
     if (scene_->fragment) simulation_.begin_with(*scene_->fragment, scene_->world_from_fragment);
@@ -137,6 +142,7 @@ Run::~Run() = default;
 // ---- a tick -------------------------------------------------------------------------------------------------------
 
 bool Run::step() {
+    take_images();
     if (changes_.is_in_lock_step()) take_tool_of_step();
     make_due_changes();
     if (is_replay()) {
@@ -144,11 +150,13 @@ bool Run::step() {
         return tick(recorded_reading());
     }
     take_rehearsed_inputs();
+    if (!requested_.empty()) take_hand_inputs(std::exchange(requested_, {}));
     return tick({.world_from_handle = hand_.reported()});
 }
 
 bool Run::step(const DeviceSample& sample) {
     is_led_ = true;
+    take_images();
     take_tool_of_step();
     take_hand_inputs(std::exchange(requested_, {}));
     return tick(sample);
@@ -168,6 +176,36 @@ void Run::take_recorded_inputs() {
     if (!inputs.empty()) take_hand_inputs(inputs);
 }
 
+/// Takes the images that were requested, or recorded, before the coming tick: before all else, as they change nothing.
+void Run::take_images() {
+    const auto is_image = [](const documents::HandInput& input) {
+        return input.kind == documents::HandInput::Kind::image;
+    };
+    if (is_replay()) {
+        const RecordedInputs& recorded = request_.hand_inputs;
+        for (; next_input_ < recorded.size() && recorded[next_input_].first <= simulation_.ticks() &&
+               is_image(recorded[next_input_].second);
+             ++next_input_)
+            take_image(recorded[next_input_].second);
+        requested_.clear();
+        return;
+    }
+    for (const documents::HandInput& input : requested_)
+        if (is_image(input)) take_image(input);
+    std::erase_if(requested_, is_image);
+    if (changes_.is_following()) requested_.clear();
+}
+
+/// Records and counts a radiograph. Observers make the picture.
+void Run::take_image(const documents::HandInput& input) {
+    const std::uint64_t tick = simulation_.ticks();
+    add_event_at(tick, session::hand_input_event, text_of(input));
+    if (const std::string why_not = carry_out(input, *scene_, simulation_); !why_not.empty())
+        return add_event_at(tick, "hand.refused", text_of(input) + ": " + why_not);
+    ++images_;
+    add_event_at(tick, session::image_taken_event, arm_words(input.value, input.tilt) + " " + std::to_string(images_));
+}
+
 // ---- a loop on the clock ------------------------------------------------------------------------------------------
 
 std::unique_ptr<HapticLoop> Run::follow_loop(LoopLink& link) {
@@ -181,6 +219,8 @@ std::unique_ptr<HapticLoop> Run::follow_loop(LoopLink& link) {
 bool Run::take(const LoopMessage& message) {
     using Kind = LoopMessage::Kind;
     using documents::HandInput;
+    // Each of these messages is followed by one of a tick.
+    if (message.kind != Kind::ended && !std::exchange(has_begun_tick_, message.kind != Kind::tick)) take_images();
     switch (message.kind) {
         case Kind::tick:
             return follow_tick(message);
@@ -211,6 +251,9 @@ bool Run::take(const LoopMessage& message) {
             break;
         case Kind::undo:
             take_hand_inputs({{HandInput::Kind::undo}});
+            break;
+        case Kind::pause:
+            take_hand_inputs({{HandInput::Kind::pause}});
             break;
         case Kind::ended:
             end_ = static_cast<RunEnd>(message.index);
@@ -353,6 +396,10 @@ void Run::note_tool(std::size_t tool) {
 
 void Run::take_hand_inputs(const std::vector<documents::HandInput>& inputs) {
     for (const documents::HandInput& input : inputs) {
+        if (input.kind == documents::HandInput::Kind::image) {
+            take_image(input);
+            continue;
+        }
         add_event_at(simulation_.ticks(), session::hand_input_event, text_of(input));
         if (is_immediate(input.kind)) {
             if (const std::string why_not = carry_out(input, *scene_, simulation_); !why_not.empty())
@@ -375,6 +422,8 @@ void Run::change(const documents::HandInput& input) {
             why_not = "nothing is held";
         else
             changes_.remove_held();
+    } else if (request_.is_examination() && (input.kind == Kind::undo || input.kind == Kind::redo)) {
+        why_not = "an examination has no undo";
     } else {
         why_not = carry_out(input, *scene_, simulation_);
         if (why_not.empty() && input.kind == Kind::release) why_not = monitor_.release();
@@ -703,6 +752,7 @@ void Run::measure() {
     summary.metrics = metrics_of(monitor_, *scene_);
     std::move(left_.begin(), left_.end(), std::back_inserter(summary.metrics));
     if (simulation_.threads().count() > 0) summary.metrics.push_back(groove_row(simulation_.threads().volume()));
+    if (images_ > 0) summary.metrics.push_back(images_row(images_));
     summary.metrics.push_back(port_energy_row(simulation_.passivity()));
     for (std::size_t body = 0; body < bone.count(); ++body)
         summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)),

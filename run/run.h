@@ -52,8 +52,9 @@ public:
     /// rehearsal's path and the inputs at its waypoints. Missed ticks are recorded and replayed; `time` counts the
     /// ticks that ran.
     bool step(const DeviceSample& sample);
-    /// Requests an input other than motion before the next tick with a device: an undo, a clutch (`regrip`). It is
-    /// recorded and replayed. A refusal causes the event `hand.refused`.
+    /// Requests an input other than motion before the next tick: an undo, a clutch (`regrip`), an image. It is recorded
+    /// and replayed. A refusal causes the event `hand.refused`. A run that follows a loop takes only images; a replay
+    /// takes none.
     void request(documents::HandInput input) { requested_.push_back(std::move(input)); }
     /// Returns the result of the last tick.
     [[nodiscard]] const TickResult& last() const noexcept { return result_; }
@@ -115,6 +116,8 @@ private:
     void take_hand_inputs(const std::vector<documents::HandInput>& inputs);
     void take_rehearsed_inputs();
     void take_recorded_inputs();
+    void take_images();
+    void take_image(const documents::HandInput& input);
     void change(const documents::HandInput& input);
     void make_waiting_changes();
     void make_last_changes();
@@ -155,7 +158,9 @@ private:
     session::TickRow row_;                                          ///< of the last tick
     std::size_t next_input_ = 0, next_missed_ = 0, next_lost_ = 0;  ///< indices into what was recorded
     NextActions next_actions_;
-    bool is_lost_ = false;  ///< the device, in the last tick
+    std::size_t images_ = 0;       ///< number of radiographs
+    bool has_begun_tick_ = false;  ///< a message of the loop came since the last one of a tick
+    bool is_lost_ = false;         ///< the device, in the last tick
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]

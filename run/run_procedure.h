@@ -22,6 +22,8 @@ struct RunRequest {
         /// Folder for session.db, summary.json, report.html, bone.stl, bone-1.stl …; empty: no files are written.
         out;
     std::string learner, mode = "practice";
+    /// Returns whether the run has no undo, and viewers hide what helps.
+    [[nodiscard]] bool is_examination() const noexcept { return mode == "exam"; }
     std::vector<Pose> replay;              ///< device poses of a recorded run, which the hand repeats
     std::vector<std::uint64_t> adoptions;  ///< of that run: ticks after which the loop took over separated bodies
     RecordedInputs hand_inputs;            ///< of that run: other inputs, each with the tick before which it came
@@ -33,6 +35,7 @@ struct RunRequest {
     /// Name of the device that leads the tool; the rehearsal then only gives the start and the actions of its steps.
     /// Empty: the rehearsal's hand leads it.
     std::string leader, leader_setup;             ///< the latter as in RunSummary
+    bool is_led_by_mouse = false;                 ///< the leader is a mouse
     std::vector<RunObserver*> observers;          ///< they must outlive the run
     const ExactStrategies* strategies = nullptr;  ///< of the procedure's instruments, started; null: no exact surface
 };

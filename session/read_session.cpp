@@ -49,6 +49,7 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         const std::string key = keys.text(0);
         if (key == "procedure_text") inputs.procedure_text = keys.text(1);
         if (key == "condition.variant") inputs.variant = keys.text(1);
+        if (key == "condition.examination") inputs.is_examination = true;
         if (key == "run.rehearsal") inputs.rehearsal = keys.text(1);
         if (key == "anatomy_hash") inputs.anatomy_hash = std::strtoull(keys.text(1).c_str(), nullptr, 16);
         if (key == "hash") inputs.hash = keys.text(1);

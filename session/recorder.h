@@ -22,6 +22,8 @@ inline constexpr std::int32_t first_schema_with_checksum = 3, first_schema_with_
 inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_event = "bone.crumbled";
 /// An input of the hand other than the handle's motion, before this tick.
 inline constexpr const char* hand_input_event = "hand.input";
+/// A radiograph of the bone before this tick, after the input that requested it. Its detail: "AP 2", the second one.
+inline constexpr const char* image_taken_event = "image.taken";
 /// A number of missed ticks before this one, in its detail. Also an input.
 inline constexpr const char* missed_event = "device.missed";
 /// The device was lost before this tick, or is back. Also inputs.
@@ -52,6 +54,7 @@ struct SessionConditions {
     std::string assist;               ///< ids of the active aids, comma-separated; empty for none
     double coupling_stiffness = 0.0;  ///< [N/m] in device newtons
     std::string variant{};            ///< of the procedure; empty for none
+    bool is_examination = false;      ///< without undo and help
 };
 
 /// The data of a session that are known before the first tick.

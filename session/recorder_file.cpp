@@ -64,6 +64,7 @@ void Recorder::Impl::create(const SessionHeader& header) {
     set("session", "condition.force_scale", text_of(header.conditions.force_scale));
     set("session", "condition.assist", header.conditions.assist);
     set("session", "condition.variant", header.conditions.variant);
+    if (header.conditions.is_examination) set("session", "condition.examination", "1");
     set("session", "condition.coupling_stiffness", text_of(header.conditions.coupling_stiffness));
 
     for (const auto& [name, value] : header.device_values) set("session", "device." + name, text_of(value));

@@ -31,6 +31,9 @@ public:
 class LiveHand {
 public:
     virtual ~LiveHand() = default;
+    /// Returns whether no tick is to run in this period. No simulated time passes then, whatever the clock does.
+    /// [haptic, nonblocking]
+    [[nodiscard]] virtual bool is_paused() noexcept { return false; }
     /// Requests what is due before the next tick.   [haptic, nonblocking]
     /// @param missed  periods that passed without a tick
     /// @param last    result of the last tick
@@ -46,6 +49,8 @@ public:
     virtual void feel(const TickResult& result, const HapticLoop& loop) noexcept = 0;
     /// Notices that the loop has taken a tool, which begins with its configured drives.   [haptic, nonblocking]
     virtual void take_tool() noexcept {}
+    /// Notices that another step of the procedure runs.   [haptic, nonblocking]
+    virtual void follow_step(std::size_t /*step*/) noexcept {}
     /// Returns the reason to end the run after this tick; nothing to continue.   [haptic, nonblocking]
     [[nodiscard]] virtual std::optional<RunEnd> end() const noexcept = 0;
     /// Ends the force after the last tick.   [haptic, nonblocking]

@@ -20,7 +20,19 @@ LiveLoop::LiveLoop(std::unique_ptr<HapticLoop> loop, const Scene& scene, const H
       with_run_(std::move(with_run)),
       next_actions_(rehearsal) {}
 
+/// Lets a period pass without a tick. Returns whether the loop continues.
+bool LiveLoop::pause() noexcept {
+    was_paused_ = true;
+    if (is_over()) hand_->rest();
+    return !is_over();
+}
+
 bool LiveLoop::step(std::uint32_t missed) {
+    if (hand_->is_paused()) return pause();
+    if (std::exchange(was_paused_, false)) {
+        missed = 0;
+        send({.kind = LoopMessage::Kind::pause});
+    }
     take_changes();
     end_of(TickPart::change);
     hand_->act(missed, last_, *this);
@@ -50,7 +62,7 @@ bool LiveLoop::step(std::uint32_t missed) {
     auto end = hand_->end();
     if (end == RunEnd::path_ended && awaits_run()) end.reset();  // what the hand requested last
     if (end) send({.kind = LoopMessage::Kind::ended, .index = static_cast<std::size_t>(*end)});
-    const bool has_more = !end && !link_->is_overrun && !link_->should_stop.load(std::memory_order_acquire);
+    const bool has_more = !end && !is_over();
     if (!has_more) hand_->rest();
     if (end) catch_up();
     return has_more;
@@ -79,7 +91,8 @@ bool LiveLoop::take_change() {
         ++taken_;
         if (change.tool) hand_->take_tool();
     }
-    if (answer.kind != LoopMessage::Kind::outdated) step_ = posted->step;
+    if (answer.kind != LoopMessage::Kind::outdated && std::exchange(step_, posted->step) != posted->step)
+        hand_->follow_step(step_);
     link_->change.give_back();
     send(answer);
     awaited_ = sent_;

@@ -34,7 +34,7 @@ public:
     };
     [[nodiscard]] const Fades& fades() const noexcept { return fades_; }
 
-    /// Runs one tick after this number of missed periods. Returns whether the loop continues.
+    /// Runs one tick after this number of missed periods, unless the hand pauses. Returns whether the loop continues.
     /// [haptic] without `with_run` it neither allocates nor blocks
     bool step(std::uint32_t missed);
 
@@ -45,6 +45,10 @@ private:
     void run_drives(bool is_running) noexcept override;
     void loosen(bool is_loose) noexcept override;
 
+    [[nodiscard]] bool is_over() const noexcept {
+        return link_->is_overrun || link_->should_stop.load(std::memory_order_acquire);
+    }
+    [[nodiscard]] bool pause() noexcept;
     void carry_out_immediate(const std::vector<documents::HandInput>& inputs) noexcept;
     bool take_change();
     void take_changes() {
@@ -79,6 +83,7 @@ private:
     std::size_t milestone_ = 0;
     std::uint64_t sent_ = 0;     ///< number of messages
     std::uint64_t awaited_ = 0;  ///< number of messages that the run must have taken before the hand continues
+    bool was_paused_ = false;
     bool was_fading_ = false;
     Fades fades_;
 };

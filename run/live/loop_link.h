@@ -27,6 +27,7 @@ struct LoopMessage {
         drive,       ///< drive `index` was set to `value`
         regrip,      ///< the tool is loose about its shaft (`value` 1), or gripped again (0)
         undo,        ///< an undo was requested
+        pause,       ///< before the next tick, the run was paused
         ended,       ///< the loop has ended, for the reason `index`, a `RunEnd`
     } kind;
     bool has_adopted = false;  ///< `tick`: after it, the loop took over the posted separation

@@ -463,6 +463,16 @@ session::MetricRow groove_row(double volume) {
     return row;
 }
 
+session::MetricRow images_row(std::size_t count) {
+    session::MetricRow row;
+    row.id = "image.shots";
+    row.scope = "run";
+    row.value = static_cast<double>(count);
+    row.status = "info";
+    row.help = "Radiographs that were taken.";
+    return row;
+}
+
 std::vector<session::MetricRow> piece_metrics(const session::RunSummary& summary, double before, std::size_t crumbs,
                                               double crumb_volume) {
     if (summary.pieces.size() < 2 && crumbs == 0) return {};

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "run/arm_views.h"
 #include "run/run.h"
 #include "run/view/scene_view.h"
 #include "session/recorder.h"
@@ -43,7 +44,13 @@ RunView::RunView(const Scene& scene, std::string mode, std::string hand, std::st
     : scene_(&scene),
       viewed_(viewed_scene(scene, std::move(mode), std::move(hand))),
       folder_(std::move(folder)),
-      duration_(duration) {
+      duration_(duration),
+      radiograph_worker_(viewed_, [this](std::shared_ptr<const ViewedRadiograph> made) {
+          const std::lock_guard lock(mutex_);
+          radiographs_.push_back(made);
+          radiograph_ = std::move(made);
+      }) {
+    for (const ArmView& view : arm_views) viewed_.arms.push_back({view.words, view.about_head_axis, view.tilt});
     for (std::size_t m = 0; m < scene.body.materials.size(); ++m)
         if (scene.body.materials[m].id == "cortical") cortical_.push_back(static_cast<std::int32_t>(m));
 }
@@ -69,8 +76,14 @@ void RunView::on_begin(Run& run) {
 void RunView::on_event(const session::EventRow& event) {
     if (event.id == session::missed_event)
         state_.late_ticks += static_cast<std::uint32_t>(std::strtoul(event.detail.c_str(), nullptr, 10));
+    if (event.id == session::hand_input_event)
+        if (const auto input = documents::hand_input(event.detail);
+            input && input->kind == documents::HandInput::Kind::image)
+            image_ = *input;
+    if (event.id == session::image_taken_event) take_radiograph(event.time);
     const auto kind = kind_of(event.id);
     if (!kind) return;
+    if (viewed_.is_examination) return;
     const std::lock_guard lock(mutex_);
     events_.push_back({event.time, *kind, event.id + (event.detail.empty() ? "" : ": " + event.detail)});
 }
@@ -88,6 +101,34 @@ void RunView::on_tick(const session::TickRow& row) {
         show_moment();
     }
     newest_.put(state_);
+    if (is_image_wanted_ && radiograph_worker_.is_idle()) pass_request_on();
+}
+
+/// Requests the image that the viewer wants. The run takes it before its next tick.
+void RunView::pass_request_on() {
+    const std::lock_guard lock(mutex_);
+    is_image_wanted_ = false;
+    run_->request(wanted_image_);
+}
+
+/// Gives the worker a copy of all that a radiograph shows. The run waits for that copy alone.
+void RunView::take_radiograph(double time) {
+    ++state_.shots;
+    show_bodies();
+    Vec3 target{};  // the middle of the step's axis
+    if (!viewed_.steps.empty()) {
+        const auto number = static_cast<std::size_t>(std::max(0, state_.step));
+        const ViewedStep& step = viewed_.steps[std::min(number, viewed_.steps.size() - 1)];
+        target = step.entry + 0.5 * step.depth_goal.value_or(0.0) * step.along;
+    }
+    radiograph_worker_.make({.bone = picture_of(run_->present()),
+                             .state = state_,
+                             .target = target,
+                             .radiograph = {.time = time,
+                                            .shot = static_cast<int>(state_.shots),
+                                            .words = arm_words(image_.value, image_.tilt),
+                                            .about_head_axis = image_.value,
+                                            .tilt = image_.tilt}});
 }
 
 /// Lets the viewer take a moment, and the rows up to it.
@@ -170,6 +211,7 @@ void RunView::show_surface() {
 void RunView::show_zone() {
     state_.zone = -1;
     state_.zone_distance = HUGE_VAL;
+    if (viewed_.is_examination) return;
     const std::vector<documents::Zone>& zones = scene_->anatomy.zones;
     const auto& owners = run_->monitor().owners().zone;
     const auto bodies = run_->simulation().bodies();
@@ -194,13 +236,13 @@ void RunView::show_step() {
         state_.limit_values.fill(std::numeric_limits<float>::quiet_NaN());
         for (std::size_t g = 0; g < step.goal_done.size() && g < 32; ++g)
             if (step.goal_done[g]) state_.goals_done |= 1u << g;
-        for (std::size_t i = 0; i < step.limits.size() && i < max_viewed_limits; ++i) {
+        for (std::size_t i = 0; i < viewed_.steps[monitor.current()].limits.size() && i < max_viewed_limits; ++i) {
             const LimitState& limit = step.limits[i];
             if (limit.broken_at) state_.broken |= 1u << i;
             if (limit.is_seen) state_.limit_values[i] = static_cast<float>(limit.worst);
         }
     }
-    std::string next = run_->next_action();
+    std::string next = viewed_.is_examination ? "" : run_->next_action();
     const std::lock_guard lock(mutex_);
     next_action_ = std::move(next);
 }
@@ -219,8 +261,10 @@ std::string RunView::on_result(const session::RunSummary& summary, const Simulat
                         .deductions = {},
                         .folder = folder_};
     for (const session::DeductionRow& row : summary.deductions)
-        result.deductions.push_back(
-            {row.loss, row.at.value_or(-1.0), row.detail.empty() ? row.name : row.name + ": " + row.detail});
+        result.deductions.push_back({row.loss, row.at.value_or(-1.0),
+                                     row.name.empty()     ? row.detail
+                                     : row.detail.empty() ? row.name
+                                                          : row.name + ": " + row.detail});
     std::stable_sort(result.deductions.begin(), result.deductions.end(),
                      [](const auto& a, const auto& b) { return a.points > b.points; });
     const std::lock_guard lock(mutex_);
@@ -229,6 +273,19 @@ std::string RunView::on_result(const session::RunSummary& summary, const Simulat
 }
 
 // ---- the viewer's thread ------------------------------------------------------------------------------------------
+
+/// A run ends between two ticks, and a paused one has none.
+void RunView::lead(const MouseTotals& totals) noexcept {
+    if (mouse_ == nullptr) return;
+    totals_ = totals;
+    if (should_stop_ || (is_interrupted_ && is_interrupted_())) totals_.is_paused = false;
+    mouse_->put(totals_);
+}
+
+void RunView::stop() noexcept {
+    should_stop_ = true;
+    lead(totals_);
+}
 
 bool RunView::take(ViewedState& state) noexcept {
     state = newest_.get();
@@ -249,6 +306,23 @@ void RunView::take(std::vector<ViewedEvent>& events) {
 void RunView::take(std::vector<ViewedMoment>& moments) {
     const std::lock_guard lock(mutex_);
     take_all(moments_, moments);
+}
+
+void RunView::take(std::vector<std::shared_ptr<const ViewedRadiograph>>& radiographs) {
+    const std::lock_guard lock(mutex_);
+    take_all(radiographs_, radiographs);
+}
+
+std::shared_ptr<const ViewedRadiograph> RunView::radiograph() const {
+    const std::lock_guard lock(mutex_);
+    return radiograph_;
+}
+
+void RunView::request_radiograph(double about_head_axis, double tilt) {
+    if (duration_ || !is_arm_angle(about_head_axis) || !is_arm_angle(tilt)) return;
+    const std::lock_guard lock(mutex_);
+    wanted_image_ = {documents::HandInput::Kind::image, {}, about_head_axis, tilt};
+    is_image_wanted_ = true;
 }
 
 std::shared_ptr<const ViewedSurface> RunView::surface() const {

@@ -5,15 +5,19 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "documents/hand_input.h"
 #include "kerf/newest.hpp"
 #include "run/run_observer.h"
 #include "run/scene.h"
+#include "run/view/radiograph_worker.h"
 #include "run/view/surface_view.h"
 #include "run/view/viewed_run.h"
 
@@ -38,6 +42,12 @@ public:
     [[nodiscard]] std::optional<RunEnd> end() override;
     [[nodiscard]] std::string on_result(const session::RunSummary& summary, const Simulation& simulation) override;
 
+    /// Lets the viewer's mouse lead the tool. `box` must outlive this object.   [main] before the first tick
+    /// @param is_interrupted  whether the run is to end, called on the viewer's thread: a paused run continues then
+    void let_mouse_lead(MouseBox& box, std::function<bool()> is_interrupted = {}) {
+        mouse_ = &box;
+        is_interrupted_ = std::move(is_interrupted);
+    }
     /// Lets the viewer close.   [any]
     void close() noexcept { is_closed_ = true; }
 
@@ -47,12 +57,17 @@ public:
     void take(std::vector<ViewedRow>& rows) override;
     void take(std::vector<ViewedEvent>& events) override;
     void take(std::vector<ViewedMoment>& moments) override;
+    void take(std::vector<std::shared_ptr<const ViewedRadiograph>>& radiographs) override;
+    [[nodiscard]] std::shared_ptr<const ViewedRadiograph> radiograph() const override;
+    void request_radiograph(double about_head_axis, double tilt) override;
     [[nodiscard]] std::optional<double> duration() const noexcept override { return duration_; }
     [[nodiscard]] std::shared_ptr<const ViewedSurface> surface() const override;
     [[nodiscard]] std::string next_action() const override;
     [[nodiscard]] std::optional<ViewedResult> result() const override;
+    [[nodiscard]] bool is_led_by_mouse() const noexcept override { return mouse_ != nullptr; }
+    void lead(const MouseTotals& totals) noexcept override;
     [[nodiscard]] bool is_closed() const noexcept override { return is_closed_; }
-    void stop() noexcept override { should_stop_ = true; }
+    void stop() noexcept override;
 
 private:
     void show_bodies();
@@ -62,13 +77,17 @@ private:
     void show_moment();
     void show_tick(const session::TickRow& row);
     void add_cortex(std::int32_t tissue);
+    void pass_request_on();
+    void take_radiograph(double time);
 
     const Scene* scene_;
     ViewedScene viewed_;
     std::string folder_;
     std::optional<double> duration_;
-    std::atomic<bool> should_stop_{false}, is_closed_{false};
+    std::atomic<bool> should_stop_{false}, is_closed_{false}, is_image_wanted_{false};
     Newest<ViewedState> newest_;
+
+    MouseBox* mouse_ = nullptr;
 
     // Of the run's thread.
     Run* run_ = nullptr;
@@ -77,9 +96,12 @@ private:
     std::vector<ViewedRow> new_rows_;     ///< that the viewer cannot take yet
     std::vector<std::int32_t> cortical_;  ///< indices of the tissues that count as cortex
     bool was_in_cortex_ = false;
+    documents::HandInput image_;  ///< the last one that was requested
 
     // Of the viewer's thread.
     std::uint64_t seen_ = 0;  ///< number of the state taken last
+    MouseTotals totals_;      ///< put last
+    std::function<bool()> is_interrupted_;
 
     mutable std::mutex mutex_;  ///< guards the members below
     std::shared_ptr<const ViewedSurface> surface_;
@@ -88,6 +110,11 @@ private:
     std::vector<ViewedMoment> moments_;
     std::string next_action_;
     std::optional<ViewedResult> result_;
+    documents::HandInput wanted_image_;
+    std::vector<std::shared_ptr<const ViewedRadiograph>> radiographs_;
+    std::shared_ptr<const ViewedRadiograph> radiograph_;
+
+    RadiographWorker radiograph_worker_;  ///< the last member: its thread ends first
 };
 
 }  // namespace kerf::run

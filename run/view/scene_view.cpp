@@ -128,6 +128,23 @@ bool is_drawn(const documents::Zone& zone, const documents::Procedure& procedure
     return !zone.is_tissue || std::any_of(procedure.steps.begin(), procedure.steps.end(), is_limited);
 }
 
+ViewedTool::Lead lead_of(const Tool& tool) {
+    using Lead = ViewedTool::Lead;
+    if (tool.outline.whole.is_prism()) return Lead::in_blade;
+    return tool.setup.tool->tool->feed == KERF_FEED_SIDE ? Lead::facing : Lead::across;
+}
+
+/// Removes all that a trainee must know without help.
+void hide_help(ViewedScene& viewed) {
+    viewed.zones.clear();
+    for (ViewedStep& step : viewed.steps) {
+        step.limits.clear();
+        step.depth_limit.reset();
+        step.length = 0.0;
+        step.plane_normal.reset();
+    }
+}
+
 std::string name_of(const Scene& scene, std::size_t tool) {
     const documents::Instrument& instrument = instrument_of(scene, tool);
     return spaced(instrument.id);
@@ -144,7 +161,8 @@ ViewedLimit viewed_limit(const documents::Limit& limit, const documents::Procedu
         ViewedLimit viewed{.quantity = limit.zone, .unit = "mm"};
         return with_bound(std::move(viewed), "distance to " + spaced(limit.zone), limit.bound);
     }
-    if (limit.quantity == "damage") return {.words = "no " + spaced(limit.event), .quantity = limit.event};
+    if (limit.quantity == "damage")
+        return {.words = "no " + spaced(limit.event.substr(limit.event.find('.') + 1)), .quantity = limit.event};
     return viewed(limit, procedure);
 }
 
@@ -161,6 +179,7 @@ ViewedScene viewed_scene(const Scene& scene, std::string mode, std::string hand)
                                 .mesh = tool_shape(scene.tools[t]),
                                 .staying = outline.is_implant() ? staying_shape(scene.tools[t]) : ViewedMesh{},
                                 .is_implant = outline.is_implant(),
+                                .lead_by = lead_of(scene.tools[t]),
                                 .lead = outline.thread_lead});
     }
     for (const Body& implant : scene.implants) viewed.implants.push_back(body_shape(implant));
@@ -169,6 +188,8 @@ ViewedScene viewed_scene(const Scene& scene, std::string mode, std::string hand)
                                                      ? zone_shape(zone, scene.procedure.spacing)
                                                      : ViewedMesh{}});
     for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s) viewed.steps.push_back(viewed_step(scene, s));
+    viewed.is_examination = viewed.mode == "exam";
+    if (viewed.is_examination) hide_help(viewed);
     viewed.spacing = scene.procedure.spacing;
     viewed.time_limit = scene.procedure.time_limit;
     return viewed;

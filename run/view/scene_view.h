@@ -8,7 +8,8 @@
 
 namespace kerf::run {
 
-/// Returns what viewers draw of a scene and does not change: names, colours, shapes, steps in words.   [main]
+/// Returns what viewers draw of a scene and does not change: names, colours, shapes, steps in words. Of an examination
+/// it has no zone, no limit and no plan.   [main]
 /// @param mode  "practice"
 /// @param hand  who leads the tool, for people
 [[nodiscard]] ViewedScene viewed_scene(const Scene& scene, std::string mode, std::string hand);

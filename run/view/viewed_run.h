@@ -11,6 +11,7 @@
 
 #include "core/field/surface/paged_table.h"
 #include "kerf/math.hpp"
+#include "run/device/mouse_totals.h"
 
 /// All that a viewer needs of a run. A viewer includes no other header of Kerf. It shares no mutable state with the
 /// run: values come out, commands go in.
@@ -42,6 +43,8 @@ struct ViewedTool {
     ViewedMesh mesh{};     ///< tool frame: tip at z = 0, +z ahead of it
     ViewedMesh staying{};  ///< of an implant: the part that stays in bone; else empty
     bool is_implant = false;
+    /// How a mouse moves it: across its axis, in the plane of a blade, or in the plane of the picture.
+    enum class Lead : std::uint8_t { across, in_blade, facing } lead_by = Lead::across;
     double lead = 0.0;  ///< [m] per turn of its thread; 0: it has none
 };
 
@@ -69,16 +72,26 @@ struct ViewedStep {
     std::optional<Vec3> plane_normal{};                 ///< unit, world, of a step with a plane
 };
 
+/// A position of the C-arm. Angles [rad] about the head's axis, 0: the source is in front of the patient, π/2: at the
+/// left; and of the source towards the head.
+struct ViewedArm {
+    std::string words{};  ///< "AP", "lateral"
+    double about_head_axis = 0.0, tilt = 0.0;
+};
+
 struct ViewedScene {
     std::string title{}, mode{};  ///< of the procedure; "practice"
+    /// Zones, limits and plan are left out, and no state, event or word contains them.
+    bool is_examination = false;
     std::vector<ViewedTissue> tissues{};
     std::vector<ViewedTool> tools{};
     std::vector<ViewedMesh> implants{};  ///< shapes of bodies that are inserted whole, such as plates
     std::vector<ViewedZone> zones{};
     std::vector<ViewedStep> steps{};
-    double spacing = 0.0;     ///< [m] of the cut field
-    double time_limit = 0.0;  ///< [s]
-    std::string hand{};       ///< "rehearsal expert", "mouse", the name of a device
+    double spacing = 0.0;           ///< [m] of the cut field
+    double time_limit = 0.0;        ///< [s]
+    std::vector<ViewedArm> arms{};  ///< between which a viewer turns the C-arm; the first one is AP
+    std::string hand{};             ///< "rehearsal expert", "mouse", the name of a device
 };
 
 // ---- the surface --------------------------------------------------------------------------------------------------
@@ -100,7 +113,7 @@ struct ViewedPatch {
 /// The surface of a body. Unchanged patches keep their address from one surface to the next.
 ///
 /// Brick (i, j, k) has the index (k · bricks[1] + j) · bricks[0] + i. Its triangles lie between the samples 8 (i, j, k)
-/// and 8 (i + 1, j + 1, k + 1) of the grid. Vertices that two bricks share have the same bits in both.
+/// and 8 (i + 1, j + 1, k + 1) of the grid. A vertex that belongs to two bricks has the same bits in both.
 struct ViewedBodySurface {
     std::array<int, 3> bricks{};
     double spacing = 0.0;  ///< [m] of the samples
@@ -153,10 +166,23 @@ struct ViewedState {
     std::uint32_t broken = 0;                             ///< bit for each limit of the running step
     std::array<float, max_viewed_limits> limit_values{};  ///< SI: of each limit, worst so far; NaN: none yet
 
+    std::uint32_t shots = 0;       ///< number of radiographs that were taken
     std::uint32_t late_ticks = 0;  ///< periods without a tick so far
     double device_scale = 1.0;     ///< [–] device newton per newton of bone
     bool is_device_lost = false, is_gate_closed = false, is_faulty = false;
     bool is_over = false;  ///< no tick follows
+};
+
+/// A fluoroscopic picture of the bone, with tools and implants: the patient seen from the source, the head up. Outside
+/// the circle of the collimator it is black.
+struct ViewedRadiograph {
+    int columns = 0, rows = 0;
+    std::vector<std::uint8_t> grey{};          ///< rows from the top, 0 black
+    double time = 0.0;                         ///< [s]
+    int shot = 0;                              ///< its number, from 1 on
+    std::string words{};                       ///< "AP", "lateral"
+    double about_head_axis = 0.0, tilt = 0.0;  ///< [rad], as in ViewedArm
+    std::string error{};                       ///< not empty: there is no picture
 };
 
 /// State and surface at one time.
@@ -207,6 +233,14 @@ public:
     virtual void take(std::vector<ViewedEvent>& events) = 0;
     /// Appends the moments since the last call, about sixty for each second of the run.
     virtual void take(std::vector<ViewedMoment>& moments) = 0;
+    /// Appends the radiographs that were made since the last call, in the order of their numbers.
+    virtual void take(std::vector<std::shared_ptr<const ViewedRadiograph>>& /*radiographs*/) {}
+    /// Returns the newest radiograph; null before the first one.
+    [[nodiscard]] virtual std::shared_ptr<const ViewedRadiograph> radiograph() const { return nullptr; }
+    /// Requests a radiograph of the bone as it is then; `ViewedState::shots` counts it when it is taken. While one is
+    /// made, the newest request waits. A run that is over takes none; a replay repeats those of the run. Angles [rad]
+    /// as in ViewedArm, at most a turn; others are ignored.   nonblocking
+    virtual void request_radiograph(double /*about_head_axis*/, double /*tilt*/) {}
     /// Returns the newest surface; null before the first one.
     [[nodiscard]] virtual std::shared_ptr<const ViewedSurface> surface() const = 0;
     /// Returns the end of the last tick that there will be [s]; nothing if it is unknown, as in a live run.
@@ -217,6 +251,10 @@ public:
     [[nodiscard]] virtual std::optional<ViewedResult> result() const = 0;
     /// Returns whether there is nothing more to show: the run failed to start or to write, or was ended elsewhere.
     [[nodiscard]] virtual bool is_closed() const noexcept = 0;
+    /// Returns whether a mouse leads the tool.
+    [[nodiscard]] virtual bool is_led_by_mouse() const noexcept = 0;
+    /// Moves the aim of the hand, if a mouse leads it.   nonblocking
+    virtual void lead(const MouseTotals& totals) noexcept = 0;
     /// Ends the run after the present tick; its results are written.
     virtual void stop() noexcept = 0;
 };

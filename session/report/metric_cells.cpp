@@ -11,7 +11,7 @@
 namespace kerf::session {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 33> names{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 34> names{{
     {"axis-in-bone", "Planned axis in bone"},
     {"bone.balance", "Balance of volumes"},
     {"bone.crumb-volume", "Volume of crumbs"},
@@ -30,6 +30,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 33> names{{
     {"heary", "Breach of the thread, Heary"},
     {"held", "Piece held"},
     {"hole-angle", "Angle to the planned axis"},
+    {"image.shots", "Radiographs taken"},
     {"lateral-force", "Force across the shaft"},
     {"moved", "Piece moved"},
     {"narrowest-offset", "Offset at the narrowest bone"},

@@ -223,13 +223,19 @@ TEST(ReadProcedure, RefusesATurnThatNoHandMakesAndWaitsForNoUnknownEvent) {
 }
 
 TEST(HandInput, IsReadAsItIsWritten) {
-    for (const char* text : {"regrip:1", "regrip:0", "undo", "insert:plate", "place:plate", "jaws 1"}) {
+    for (const char* text : {"regrip:1", "regrip:0", "undo", "insert:plate", "place:plate", "jaws 1", "image:0 0",
+                             "image:1.5707963267948966 -0.1"}) {
         const auto input = hand_input(text);
         ASSERT_TRUE(input) << text;
         EXPECT_EQ(text_of(*input), text);
     }
     EXPECT_EQ(hand_input("regrip:1")->kind, HandInput::Kind::regrip);
     EXPECT_EQ(hand_input("regrip:1")->value, 1.0);
+    EXPECT_EQ(hand_input("image:1.5 -0.25")->value, 1.5);
+    EXPECT_EQ(hand_input("image:1.5 -0.25")->tilt, -0.25);
+    for (const char* text :
+         {"image:", "image:1", "image:1 ", "image: 1", "image:nan 0", "image:0 1e999", "image:0 0 0"})
+        EXPECT_FALSE(hand_input(text)) << text;
     EXPECT_FALSE(hand_input("regrip:2"));
     EXPECT_FALSE(hand_input("regrip"));
 }

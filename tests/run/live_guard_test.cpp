@@ -15,6 +15,8 @@
 #include "session/read_session.h"
 #include "tests/support/loop_guard.h"
 #include "tests/support/operation.h"
+#include "tests/support/scripted_mouse.h"
+#include "tests/support/short_scene.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::run {
@@ -51,17 +53,19 @@ struct EventCounter final : RunObserver {
     void on_event(const session::EventRow& event) override { ++count[event.id]; }
 };
 
-/// Carries out an operation and replays it. Returns its events.
-std::map<std::string, int> expect_nothing_forbidden_in(const std::string& procedure,
-                                                       const std::vector<std::string>& settings) {
-    const Scene scene = test::scene_of(KERF_SOURCE_DIR "/procedures/" + procedure + ".yaml", "", settings);
+/// Carries out an operation on a guarded clock, by the rehearsal or by a scripted mouse, and replays it. Returns its
+/// events.
+std::map<std::string, int> expect_nothing_forbidden_in(const Scene& scene, bool is_by_mouse = false) {
     const test::TemporaryFolder folder;
     EventCounter events;
+    MouseBox box;
+    test::ScriptedMouse mouse(scene, box);
     RunRequest request;
     request.out = folder.path() + "/live";
-    request.observers = {&events};
+    request.observers = {&events, &mouse};
     GuardedClock clock;
-    const RunOutcome live = run_beside_clock(scene, test::plugins(), request, clock);
+    const RunOutcome live = is_by_mouse ? run_beside_clock(scene, test::plugins(), request, clock, box)
+                                        : run_beside_clock(scene, test::plugins(), request, clock);
     EXPECT_EQ(live.error, "");
     EXPECT_GE(clock.ticks(), live.summary.ticks);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -76,6 +80,18 @@ std::map<std::string, int> expect_nothing_forbidden_in(const std::string& proced
     EXPECT_EQ(app::repeat(*inputs, "session.db", again), "");
     EXPECT_EQ(run_procedure(scene, test::plugins(), again).summary.hash, live.summary.hash);
     return events.count;
+}
+
+std::map<std::string, int> expect_nothing_forbidden_in(const std::string& procedure,
+                                                       const std::vector<std::string>& settings) {
+    return expect_nothing_forbidden_in(
+        test::scene_of(KERF_SOURCE_DIR "/procedures/" + procedure + ".yaml", "", settings));
+}
+
+// The drill meets bone. The mouse is moved on the thread of the run.
+TEST(LiveGuard, NothingIsForbiddenByMouse) {
+    auto events = expect_nothing_forbidden_in(test::short_scene(), true);
+    EXPECT_EQ(events["entered_bone"], 1);
 }
 
 // The cut bone comes apart, forceps take the part and remove it.

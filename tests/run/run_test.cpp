@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/replay.h"
 #include "session/read_session.h"
 #include "tests/support/short_scene.h"
 #include "tests/support/temporary_folder.h"
@@ -46,6 +47,38 @@ TEST(Run, StepByStepItIsTheSameRunToTheBit) {
     EXPECT_EQ(outcome.summary.hash, whole.summary.hash);
     EXPECT_EQ(outcome.summary.verdict, session::Verdict::incomplete) << "the time was over";
     EXPECT_GT(outcome.summary.removed, 0.0);
+}
+
+// A shallow cut, then the tool in air, where an undo restores the bone.
+TEST(Run, HasNoUndoInAnExamination) {
+    const Scene scene = scene_with({"rehearsals.expert.path=[{depth: -3 mm, speed: 10 mm/s}, {depth: 0.5 mm, speed: 1 "
+                                    "mm/s}, {depth: -10 mm, speed: 10 mm/s, do: undo}, {depth: -11 mm}]",
+                                    "rehearsals.expert.hand.push=40 N"});
+    const auto refusals = [](const test::WatchedRun& run) {
+        std::string all;
+        for (const session::EventRow& event : run.events)
+            if (event.id == "hand.refused") all += event.detail + "\n";
+        return all;
+    };
+    const test::TemporaryFolder folder;
+    RunRequest request;
+    const test::WatchedRun practice = test::watched_run(scene, test::plugins(), request);
+    EXPECT_EQ(refusals(practice), "");
+    EXPECT_NEAR(practice.summary.removed, 0.0, 1e-15);
+    request.mode = "exam";
+    request.out = folder / "exam";
+    const test::WatchedRun exam = test::watched_run(scene, test::plugins(), request);
+    EXPECT_EQ(refusals(exam), "undo: an examination has no undo\n");
+    EXPECT_GT(exam.summary.removed, 0.05e-9);
+
+    // A replay is an examination, too.
+    std::string error;
+    const auto recorded = session::read_session(request.out + "/session.db", error);
+    ASSERT_TRUE(recorded) << error;
+    EXPECT_TRUE(recorded->is_examination);
+    RunRequest again;
+    ASSERT_EQ(app::repeat(*recorded, "session.db", again), "");
+    EXPECT_EQ(run_procedure(scene, test::plugins(), again).summary.hash, exam.summary.hash);
 }
 
 // A device that is led as the simulated hand was meets the same bone with the same force.

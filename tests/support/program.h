@@ -21,13 +21,17 @@ struct Ended {
     std::string out, err;
 };
 
-/// `environment` stands before the program, as in a shell. What `arguments` redirects stays redirected.
-inline Ended kerf(const std::string& arguments, const std::string& environment = "") {
+/// Runs a command of the shell.
+inline Ended shell(const std::string& words) {
     const TemporaryFolder folder;
-    const std::string command = "{ " + environment + " " KERF_BUILD_DIR "/bin/kerf " + arguments + "; } > " +
-                                (folder / "out") + " 2> " + (folder / "err");
+    const std::string command = "{ " + words + "; } > " + (folder / "out") + " 2> " + (folder / "err");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(folder / "out"), contents_of(folder / "err")};
+}
+
+/// `environment` precedes the program, as in a shell. What `arguments` redirects stays redirected.
+inline Ended kerf(const std::string& arguments, const std::string& environment = "") {
+    return shell(environment + " " KERF_BUILD_DIR "/bin/kerf " + arguments);
 }
 
 /// How `kerf run` ended for an operation, and where its files are.

@@ -165,6 +165,18 @@ TEST(RunView, EndsTheRunWhenTheViewerStopsIt) {
     EXPECT_EQ(outcome.summary.ticks, 1u);
 }
 
+TEST(RunView, EndsAPausedRun) {
+    RunView view(test::short_scene(), "practice", "", "");
+    MouseBox box;
+    view.let_mouse_lead(box);
+    view.lead({.is_paused = true});
+    EXPECT_TRUE(box.get().is_paused);
+    view.stop();
+    EXPECT_FALSE(box.get().is_paused);
+    view.lead({.is_paused = true});
+    EXPECT_FALSE(box.get().is_paused) << "the run must end";
+}
+
 // ---- the scene in words -------------------------------------------------------------------------------------------
 
 TEST(SceneView, StatesGoalsAndLimitsWithTheirUnits) {
@@ -190,6 +202,36 @@ TEST(SceneView, HasTheTissuesToolsAndStepsOfTheScene) {
     EXPECT_EQ(viewed.steps[0].depth_goal, 30e-3);
     ASSERT_EQ(viewed.tools.size(), scene.tools.size());
     for (const ViewedTool& tool : viewed.tools) EXPECT_FALSE(tool.mesh.triangles.empty()) << tool.name;
+}
+
+TEST(SceneView, HasNoHelpInAnExamination) {
+    const Scene& scene = test::short_scene();
+    const ViewedScene viewed = viewed_scene(scene, "exam", "mouse");
+    EXPECT_TRUE(viewed.zones.empty());
+    for (const ViewedStep& step : viewed.steps) {
+        EXPECT_TRUE(step.limits.empty());
+        EXPECT_FALSE(step.depth_limit);
+        EXPECT_FALSE(step.plane_normal);
+    }
+    EXPECT_EQ(viewed.steps.size(), scene.procedure.steps.size());
+
+    RunView view(scene, "exam", "", "");
+    RunRequest request;
+    request.mode = "exam";
+    request.observers = {&view};
+    static_cast<void>(run_procedure(scene, test::plugins(), request));
+    std::vector<ViewedMoment> moments;
+    view.take(moments);
+    for (const ViewedMoment& moment : moments) {
+        ASSERT_EQ(moment.state.zone, -1);
+        ASSERT_EQ(moment.state.broken, 0u);
+        for (const float value : moment.state.limit_values) ASSERT_TRUE(std::isnan(value));
+    }
+    std::vector<ViewedEvent> events;
+    view.take(events);
+    EXPECT_TRUE(events.empty());
+    EXPECT_TRUE(view.next_action().empty());
+    EXPECT_TRUE(view.result()) << "at the end";
 }
 
 // ---- light --------------------------------------------------------------------------------------------------------
