@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/learner_code.h"
 #include "documents/yaml/read_map.h"
 #include "run/shipped.h"
 #include "session/recorder.h"
@@ -19,13 +20,6 @@ namespace {
 constexpr int max_values = 1000;  // of an argument that takes several
 
 // ---- checks of values --------------------------------------------------------------------------------------------
-
-bool is_code(const std::string& word) {
-    return !word.empty() && word.size() <= 64 && std::all_of(word.begin(), word.end(), [](unsigned char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
-               c == '-';
-    });
-}
 
 /// Keys and ids with dots between them, then a value.
 bool is_setting(const std::string& word) {

@@ -29,6 +29,8 @@ Interruption::~Interruption() {
         if (is_taken_[i]) sigaction(signals[i], &before_[i], nullptr);
 }
 
+void Interruption::come() const noexcept { is_noted = 1; }
+
 bool Interruption::has_come() const noexcept { return is_noted != 0; }
 
 }  // namespace kerf::app

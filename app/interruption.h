@@ -16,6 +16,8 @@ public:
     Interruption& operator=(const Interruption&) = delete;
 
     [[nodiscard]] bool has_come() const noexcept;  // [any]
+    /// Sets the flag, as a Ctrl-C does.   [any]
+    void come() const noexcept;
 
 private:
     static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};

@@ -121,6 +121,12 @@ struct ViewOptions : SessionOptions {
     std::string frames;      ///< folder of the pictures of a film, drawn without a window; empty: none
 };
 
+struct WindowOptions {
+    std::string procedures;             ///< folder; empty: the shipped ones
+    std::string attempts = "attempts";  ///< folder
+    std::string learner;                ///< a code; empty: none
+};
+
 struct PrivacyOptions {
     std::vector<std::string> files;
     bool shows_values = false;
@@ -176,9 +182,10 @@ struct CompletionOptions {
 
 struct ManOptions {};
 
-using Options = std::variant<RunOptions, ValidateOptions, RehearseOptions, ExpandOptions, PreviewOptions, PlanOptions,
-                             ExplainOptions, SchemaOptions, ImportSourceOptions, AnatomyOptions, ReportOptions,
-                             RemeshOptions, ViewOptions, PrivacyOptions, ListOptions, DevicesOptions, DescribeOptions,
-                             CheckOptions, NewOptions, StabilityOptions, ChartOptions, CompletionOptions, ManOptions>;
+using Options =
+    std::variant<RunOptions, ValidateOptions, RehearseOptions, ExpandOptions, PreviewOptions, PlanOptions,
+                 ExplainOptions, SchemaOptions, ImportSourceOptions, AnatomyOptions, ReportOptions, RemeshOptions,
+                 ViewOptions, WindowOptions, PrivacyOptions, ListOptions, DevicesOptions, DescribeOptions, CheckOptions,
+                 NewOptions, StabilityOptions, ChartOptions, CompletionOptions, ManOptions>;
 
 }  // namespace kerf::app

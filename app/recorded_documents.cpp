@@ -22,9 +22,11 @@ std::string shipped_procedure(const SessionOptions& options, const Environment& 
                               const session::RecordedInputs& recorded) {
     std::vector<std::string> files;
     std::error_code error;
-    for (auto entry = fs::directory_iterator(with.here.procedures(), error);
-         !error && entry != fs::directory_iterator(); entry.increment(error))
-        if (entry->path().extension() == ".yaml") files.push_back(entry->path().string());
+    // A copy of the source has them in a folder of its own.
+    for (const std::string& folder : {with.here.procedures(), std::string("procedures")})
+        for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+             entry.increment(error))
+            if (entry->path().extension() == ".yaml") files.push_back(entry->path().string());
     std::sort(files.begin(), files.end());
     for (const std::string& file : files) {
         const auto procedure = documents::read_procedure(file, with.plugins.catalog(),

@@ -105,6 +105,9 @@ void print_summary(const session::RunSummary& s) {
     print_metrics(true);
 }
 
+/// Returns whether a mouse leads the tool.
+bool is_by_mouse(const RunOptions& options) { return options.device == "mouse"; }
+
 /// Returns why options do not fit together, or to the procedure; empty if they do.
 std::string refusal_of(const RunOptions& options, const documents::Procedure& procedure) {
     if (options.is_in_window && !options.replay.empty())
@@ -115,6 +118,7 @@ std::string refusal_of(const RunOptions& options, const documents::Procedure& pr
         return "`--screenshot` is a picture of the window. Add `--window`.";
     if (options.is_live && !options.replay.empty()) return "a replay has no clock. Leave out `--live` or `--replay`.";
     if (options.device.empty()) return {};
+    if (is_by_mouse(options) && !options.is_in_window) return "the mouse leads the tool in the window. Add `--window`.";
     if (!options.replay.empty()) return "a replay repeats the recorded hand. Leave out `--device` or `--replay`.";
     if (procedure.is_direct)
         return options.procedure +
@@ -145,8 +149,9 @@ ExitCode choose_device(const RunOptions& options, const std::optional<session::R
                 options.replay + ": the recorded device cannot be used: " + fault + ". The file was changed.",
                 exit_bad_input);
     }
-    return options.device.empty() ? exit_pass
-                                  : open_leading_device(options.device, with.plugins, interruption, chosen.own);
+    return options.device.empty() || is_by_mouse(options)
+               ? exit_pass
+               : open_leading_device(options.device, with.plugins, interruption, chosen.own);
 }
 
 /// Prints whether a replay ended as its recording did, and whether the recording is unchanged.
@@ -215,17 +220,22 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
     const Interruption interruption;  // a second Ctrl-C ends the program at once
     DeviceOfRun of_run;
-    if (const ExitCode code = choose_device(options, recorded, with, interruption, of_run); code != exit_pass)
-        return code;
-    if (of_run.record() != nullptr) documents->device = of_run.record();
     if (options.is_in_window)
         if (const std::string why_not = with.display->open(documents->procedure.title); !why_not.empty())
             return complain(why_not, exit_fault);
+    const auto choose = [&] { return choose_device(options, recorded, with, interruption, of_run); };
+    const bool waits_for_device = options.is_in_window && !options.device.empty();
+    if (const ExitCode code =
+            waits_for_device ? wait_shown("Waiting for the device", *with.display, interruption, choose) : choose();
+        code != exit_pass)
+        return code;
+    if (of_run.record() != nullptr) documents->device = of_run.record();
     auto made = options.is_in_window ? make_bone_shown(std::move(*documents), file, *with.display).take(diagnostics)
                                      : make_bone(std::move(*documents), file).take(diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
     if (!scene) return exit_bad_input;
-    if (interruption.has_come()) return complain("interrupted before anything was cut; nothing is written", exit_fault);
+    if (interruption.has_come() || (options.is_in_window && with.display->wants_end()))
+        return complain("ended before anything was cut; nothing is written", exit_fault);
     if (recorded && recorded->anatomy_hash != scene->anatomy_hash)
         return complain(refusal_of_other_text(options.replay), exit_bad_input);
 
@@ -245,14 +255,18 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
 
     if (of_run.own.opened != nullptr) fit_to_workspace(*scene, rehearsal, of_run.own);
+    run::MouseBox mouse;
     const auto run = [&](const run::RunRequest& requested) {
+        if (is_by_mouse(options)) return run::run_live(*scene, with.plugins, requested, mouse);
         if (of_run.own.opened != nullptr)
             return run::run_live(*scene, with.plugins, requested, *of_run.own.opened, of_run.own.station);
         return options.is_live || options.is_in_window ? run::run_live(*scene, with.plugins, requested)
                                                        : run::run_procedure(*scene, with.plugins, requested);
     };
     const run::RunOutcome outcome =
-        options.is_in_window ? run_shown(*scene, request, interruption, *with.display, run) : run(request);
+        options.is_in_window
+            ? run_shown(*scene, request, is_by_mouse(options) ? &mouse : nullptr, interruption, *with.display, run)
+            : run(request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print_summary(outcome.summary);
     if (outcome.summary.clock) print(text_of(*outcome.summary.clock));

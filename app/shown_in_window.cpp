@@ -8,9 +8,22 @@
 #include <utility>
 
 #include "app/make_bone.h"
+#include "app/run_thread.h"
 #include "run/view/run_view.h"
 
 namespace kerf::app {
+
+ExitCode wait_shown(const std::string& what, RunDisplay& display, const Interruption& interruption,
+                    const std::function<ExitCode()>& work) {
+    auto running = std::async(std::launch::async, work);
+    display.wait(
+        what, [] { return 0.5; },
+        [&] {
+            if (display.wants_end()) interruption.come();
+            return running.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+        });
+    return running.get();
+}
 
 text::Result<run::Scene> make_bone_shown(run::Documents documents, const std::string& file, RunDisplay& display) {
     std::atomic<double> fraction{0.0};
@@ -23,14 +36,17 @@ text::Result<run::Scene> make_bone_shown(run::Documents documents, const std::st
     return made.get();
 }
 
-run::RunOutcome run_shown(const run::Scene& scene, run::RunRequest request, const Interruption& interruption,
-                          RunDisplay& display, const std::function<run::RunOutcome(const run::RunRequest&)>& run) {
-    const std::string hand = request.leader.empty()
-                                 ? "rehearsal " + run::rehearsal_of(scene.procedure, request.rehearsal).id
-                                 : request.leader;
+run::RunOutcome run_shown(const run::Scene& scene, run::RunRequest request, run::MouseBox* mouse,
+                          const Interruption& interruption, RunDisplay& display,
+                          const std::function<run::RunOutcome(const run::RunRequest&)>& run) {
+    const std::string hand = mouse != nullptr ? "mouse"
+                             : !request.leader.empty()
+                                 ? request.leader
+                                 : "rehearsal " + run::rehearsal_of(scene.procedure, request.rehearsal).id;
     run::RunView view(scene, request.mode, hand, request.out);
+    if (mouse != nullptr) view.let_mouse_lead(*mouse, [&] { return interruption.has_come(); });
     request.observers.push_back(&view);
-    auto running = std::async(std::launch::async, [&] {
+    auto running = RunThread::of_process().run([&] {
         run::RunOutcome outcome;
         try {
             outcome = run(request);

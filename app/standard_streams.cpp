@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 
 #include "text/printable_lines.h"
 
@@ -23,6 +24,17 @@ void write_to(std::FILE* stream, std::string_view text) {
 
 int first_error = 0;  // of stdout; the stream itself does not keep its code
 
+/// What an ErrorCopy has copied.
+struct Copied {
+    std::mutex mutex;
+    bool is_on = false;
+    std::string text;
+};
+Copied& copied() {
+    static Copied one;
+    return one;
+}
+
 }  // namespace
 
 void print(std::string_view text) {
@@ -35,6 +47,24 @@ void print_error(std::string_view text) {
     std::fflush(stdout);  // keeps the order if both streams go to one file
     if (std::ferror(stdout) != 0 && first_error == 0) first_error = errno;
     write_to(stderr, text);
+    const std::lock_guard lock(copied().mutex);
+    if (copied().is_on) copied().text += text::printable_lines(text);
+}
+
+ErrorCopy::ErrorCopy() {
+    const std::lock_guard lock(copied().mutex);
+    copied().is_on = true;
+    copied().text.clear();
+}
+
+ErrorCopy::~ErrorCopy() {
+    const std::lock_guard lock(copied().mutex);
+    copied().is_on = false;
+}
+
+std::string ErrorCopy::text() const {
+    const std::lock_guard lock(copied().mutex);
+    return copied().text;
 }
 
 ExitCode complain(const std::string& error, ExitCode code) {

@@ -16,6 +16,16 @@ void print(std::string_view text);
 /// Prints to stderr, with hidden characters escaped.   [main]
 void print_error(std::string_view text);
 
+/// Copies what is printed to stderr while it lives, for a user without a terminal.   [main] one at a time
+class ErrorCopy {
+public:
+    ErrorCopy();
+    ~ErrorCopy();
+    ErrorCopy(const ErrorCopy&) = delete;
+    ErrorCopy& operator=(const ErrorCopy&) = delete;
+    [[nodiscard]] std::string text() const;
+};
+
 /// Prints an error to stderr and returns `code`.   [main]
 ExitCode complain(const std::string& error, ExitCode code);
 

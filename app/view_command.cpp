@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `kerf view`.
-#include <charconv>
-#include <cmath>
+#include <cstdlib>
 #include <future>
 #include <memory>
 #include <string>
@@ -11,6 +10,7 @@
 #include "app/recorded_documents.h"
 #include "app/replay.h"
 #include "app/run_display.h"
+#include "app/run_thread.h"
 #include "app/standard_streams.h"
 #include "core/haptics/loop/stated_device.h"
 #include "run/run_procedure.h"
@@ -23,13 +23,16 @@ namespace {
 /// Ends the replay when the display has closed or the user has pressed Ctrl-C.
 class Stop final : public run::RunObserver {
 public:
-    explicit Stop(const Interruption& interruption) : interruption_(&interruption) {}
+    Stop(const Interruption& interruption, run::RunView& view) : interruption_(&interruption), view_(&view) {}
     [[nodiscard]] std::optional<run::RunEnd> end() override {
-        return interruption_->has_come() ? std::optional(run::RunEnd::interrupted) : std::nullopt;
+        if (!interruption_->has_come()) return std::nullopt;
+        view_->close();  // before the result of a replay that was cut short
+        return run::RunEnd::interrupted;
     }
 
 private:
     const Interruption* interruption_;
+    run::RunView* view_;
 };
 
 }  // namespace
@@ -38,6 +41,11 @@ ExitCode view(const ViewOptions& options, const Environment& with) {
     RecordedDocuments of_session;
     if (const ExitCode code = read_documents_of(options, with, of_session); code != exit_pass) return code;
     const session::RecordedInputs& recorded = of_session.recorded;
+    const double duration = 1e-3 * static_cast<double>(recorded.device_from_handle.size());
+    if (!options.at.empty() && std::strtod(options.at.c_str(), nullptr) > duration)
+        return complain("`--at` is " + options.at + " s, and the recording ends after " + formatted("%.1f", duration) +
+                            " s. Write an earlier time.",
+                        exit_bad_input);
     std::unique_ptr<StatedDevice> device;
     if (!recorded.device_values.empty()) {
         std::string fault;
@@ -61,11 +69,10 @@ ExitCode view(const ViewOptions& options, const Environment& with) {
     run::RunRequest request;
     if (const std::string error = repeat(recorded, options.session, request); !error.empty())
         return complain(error, exit_bad_input);
-    const double duration = 1e-3 * static_cast<double>(recorded.device_from_handle.size());
     run::RunView run_view(*scene, "debrief", "recorded hand", "", duration);
-    Stop stop(interruption);
+    Stop stop(interruption, run_view);
     request.observers = {&stop, &run_view};
-    auto running = std::async(std::launch::async, [&] {
+    auto running = RunThread::of_process().run([&] {
         auto outcome = run::run_procedure(*scene, with.plugins, request);
         if (!outcome.error.empty() || interruption.has_come()) run_view.close();
         return outcome;

@@ -15,9 +15,6 @@
 
 namespace kerf::app {
 
-namespace {
-
-/// Writes a picture, without text or time in its file. Returns the error as text, empty on success.
 std::string write_picture(const std::string& file, const window::Pixels& pixels) {
     Picture picture(pixels.width, pixels.height);
     picture.rgb = pixels.rgb;
@@ -27,13 +24,14 @@ std::string write_picture(const std::string& file, const window::Pixels& pixels)
     return text::write_file(file, png_of(picture));
 }
 
-}  // namespace
-
 // ---- a window -----------------------------------------------------------------------------------------------------
 
 std::string WindowDisplay::open(const std::string& title) {
     std::string error;
-    window_ = window::GlfwWindow::open("Kerf: " + title, error);
+    if (window_ != nullptr)
+        window_->set_title("Kerf: " + title);
+    else
+        window_ = window::GlfwWindow::open("Kerf: " + title, error);
     return error;
 }
 
@@ -50,9 +48,11 @@ std::string WindowDisplay::show(run::ViewedRun& run) {
         const std::string error = write_picture(file, pixels);
         print_error("kerf: " + (error.empty() ? "picture written to " + file : error) + "\n");
     };
-    return window::show_run(
-        *window_, run,
-        {.on_picture = save, .begins_at = options_.begins_at, .closes_at_end = !options_.screenshot.empty()});
+    return window::show_run(*window_, run,
+                            {.on_picture = save,
+                             .begins_at = options_.begins_at,
+                             .closes_at_end = !options_.screenshot.empty(),
+                             .has_start_page = options_.window != nullptr});
 }
 
 // ---- pictures -----------------------------------------------------------------------------------------------------

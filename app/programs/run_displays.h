@@ -12,6 +12,10 @@
 
 namespace kerf::app {
 
+/// Writes a picture, without text or time in its file, and makes its folder. Returns the error as text, empty on
+/// success.   [main]
+[[nodiscard]] std::string write_picture(const std::string& file, const window::Pixels& pixels);
+
 /// A window of the desktop.
 class WindowDisplay final : public RunDisplay {
 public:
@@ -19,17 +23,19 @@ public:
         std::string folder{};               ///< for pictures that the user takes
         std::string screenshot{};           ///< file of a picture after the result, with which it closes; empty: none
         std::optional<double> begins_at{};  ///< [s] nothing: it shows the newest state
+        std::shared_ptr<window::GlfwWindow> window{};  ///< that shows the start page before and after; null: a new one
     };
-    explicit WindowDisplay(Options options) : options_(std::move(options)) {}
+    explicit WindowDisplay(Options options) : options_(std::move(options)), window_(options_.window) {}
 
     [[nodiscard]] std::string open(const std::string& title) override;
     bool wait(const std::string& what, const std::function<double()>& fraction,
               const std::function<bool()>& is_done) override;
+    [[nodiscard]] bool wants_end() const override { return window_ != nullptr && window_->should_close(); }
     [[nodiscard]] std::string show(run::ViewedRun& run) override;
 
 private:
     Options options_;
-    std::unique_ptr<window::GlfwWindow> window_;
+    std::shared_ptr<window::GlfwWindow> window_;
 };
 
 /// Pictures in files, drawn without a display.

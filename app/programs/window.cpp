@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// kerf-window: `kerf run --window`, `kerf view`.
+// kerf-window: `kerf window`, `kerf run --window`, `kerf view`.
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/program.h"
 #include "app/programs/run_displays.h"
+#include "app/programs/start_program.h"
 #include "app/standard_streams.h"
 
 namespace kerf::app {
@@ -50,6 +51,10 @@ ExitCode view(const ViewOptions& options, const Installation& here) {
     });
 }
 
+ExitCode show_start(const WindowOptions& options, const Installation& here) {
+    return with_plugins(here, [&](const PluginRegistry& plugins) { return run_start_page(options, {plugins, here}); });
+}
+
 }  // namespace
 
 }  // namespace kerf::app
@@ -59,6 +64,7 @@ int main(int argc, char** argv) {
     kerf::window::prepare_process();
     return run_program(argc, argv, [](const CommandLine& line, const Invocation& call) {
         if (const auto* of_run = std::get_if<RunOptions>(&line.options)) return run_in_window(*of_run, call.here);
+        if (const auto* of_window = std::get_if<WindowOptions>(&line.options)) return show_start(*of_window, call.here);
         if (const auto* of_view = std::get_if<ViewOptions>(&line.options)) return view(*of_view, call.here);
         return complain_about_other_command(*line.command);
     });

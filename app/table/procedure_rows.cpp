@@ -53,7 +53,7 @@ Command run_command_row() {
                     flag("--live", "Run on the wall clock: one tick each millisecond", in<T>(&T::is_live)),
                     {.name = "--device",
                      .value = text("ID", "a device as `kerf devices` shows it, as in `--device udp`"),
-                     .help = "Lead the tool with this device, on the wall clock",
+                     .help = "Lead the tool with this device, on the wall clock; `mouse` with --window",
                      .default_value = "the rehearsal's hand",
                      .member = in<T>(&T::device)},
                     flag("--window", "Show the operation in a window, on the wall clock", in<T>(&T::is_in_window)),
@@ -73,11 +73,44 @@ Command run_command_row() {
         .run = &run_or_watch};
 }
 
+Command window_row() {
+    using T = WindowOptions;
+    const auto folder_of = [](const std::string& example) {
+        return Value{
+            .placeholder = "FOLDER", .kind = ValueKind::folder, .expects = "a folder, as in `" + example + "`"};
+    };
+    return {.name = "window",
+            .group = "Procedures",
+            .summary = "Start operations from a page: choose a procedure, watch earlier attempts",
+            .options = {{.name = "--procedures",
+                         .value = folder_of("--procedures my-operations"),
+                         .help = "Folder of the procedures",
+                         .default_value = "the shipped ones",
+                         .member = in<T>(&T::procedures)},
+                        {.name = "--attempts",
+                         .value = folder_of("--attempts attempts"),
+                         .help = "Folder for the attempts, each in a folder of its own",
+                         .default_value = "attempts",
+                         .note = "Replaces nothing",
+                         .member = in<T>(&T::attempts)},
+                        {.name = "--learner",
+                         .value = {.placeholder = "CODE", .kind = ValueKind::code},
+                         .help = "Code of the trainee, never a name; the page can change it",
+                         .member = in<T>(&T::learner)}},
+            .examples = {{"kerf window", "shows the shipped procedures"},
+                         {"kerf window --procedures my-operations --learner L17",
+                          "shows the procedures of a folder, and the attempts of a trainee"}},
+            .footer = "Exit code: 0 closed, 2 bad input, 3 fault or no display.",
+            .defaults = T{},
+            .run = [](const Options&, const Invocation& call) { return become_window(call.here, call.argv); }};
+}
+
 }  // namespace
 
 std::vector<Command> procedure_commands() {
     std::vector<Command> rows;
     rows.push_back(run_command_row());
+    rows.push_back(window_row());
     rows.push_back(
         {.name = "validate",
          .group = "Procedures",

@@ -64,9 +64,7 @@ Command view_row() {
                       "writes a picture of the operation after 20 s"}},
         .footer = "Exit code: 0 shown, 2 bad input, 3 fault, no display or interrupted.",
         .defaults = T{},
-        .run = [](const Options&, const Invocation& call) {
-            return become_window(call.here, call.argv);
-        }};
+        .run = [](const Options&, const Invocation& call) { return become_window(call.here, call.argv); }};
 }
 
 Command remesh_row() {

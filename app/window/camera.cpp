@@ -48,7 +48,10 @@ void Camera::zoom(double factor) { distance_ = std::clamp(distance_ * factor, 5e
 
 double Camera::height_at_target() const { return 2.0 * distance_ * std::tan(0.5 * field_of_view); }
 
-glm::mat4 Camera::view_from_world() const { return glm::lookAt(single(eye()), single(target_), single(up_)); }
+glm::mat4 Camera::view_from_world() const {
+    return glm::inverse(glm::mat4(glm::vec4(single(right()), 0), glm::vec4(single(up_), 0),
+                                  glm::vec4(single(towards_), 0), glm::vec4(single(eye()), 1)));
+}
 
 glm::mat4 Camera::clip_from_view(double aspect) const {
     const double near = std::max(1e-3, 0.05 * distance_), far = distance_ + 1.0;

@@ -19,7 +19,6 @@ public:
     void pan(double right, double up);
     /// Moves the eye nearer; `factor` < 1.
     void zoom(double factor);
-    void look_at(Vec3 target) { target_ = target; }
 
     [[nodiscard]] Vec3 eye() const { return target_ + distance_ * towards_; }
     [[nodiscard]] Vec3 target() const { return target_; }

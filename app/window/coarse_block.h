@@ -25,8 +25,8 @@ struct BlockMesh {
 
 /// Returns the patches of a block as one mesh. With `lattice` > 1, vertices that lie in one cell of `lattice` voxels,
 /// and have the same tissue and the same main direction of the normal, become one, and triangles without area are left
-/// out. Vertices that other blocks share stay as they are. So blocks of any lattice fit together without a gap.
-/// [any] pure
+/// out. Vertices that also belong to other blocks stay as they are. So blocks of any lattice fit together without a
+/// gap. [any] pure
 /// @param lattice  edge of a cell [voxels]; 1: nothing is merged
 [[nodiscard]] BlockMesh block_mesh(const run::ViewedBodySurface& surface, const Block& block, int lattice);
 

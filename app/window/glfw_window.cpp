@@ -44,6 +44,17 @@ int code_of(int key) {
             return Input::arrow_up;
         case GLFW_KEY_DOWN:
             return Input::arrow_down;
+        case GLFW_KEY_ENTER:
+        case GLFW_KEY_KP_ENTER:
+            return Input::enter;
+        case GLFW_KEY_BACKSPACE:
+            return Input::backspace;
+        case GLFW_KEY_DELETE:
+            return Input::erase;
+        case GLFW_KEY_HOME:
+            return Input::home;
+        case GLFW_KEY_END:
+            return Input::end;
         default:
             return key < 256 ? key : 0;
     }
@@ -82,6 +93,7 @@ GlfwWindow::GlfwWindow(GLFWwindow* window) : window_(window) {
     glfwSetMouseButtonCallback(window, on_button);
     glfwSetCursorPosCallback(window, on_move);
     glfwSetScrollCallback(window, on_wheel);
+    glfwSetCharCallback(window, on_character);
 }
 
 GlfwWindow::~GlfwWindow() {
@@ -94,9 +106,23 @@ std::vector<Input> GlfwWindow::poll() {
     return std::exchange(inputs_, {});
 }
 
+Input GlfwWindow::pointer() const {
+    double x = 0.0, y = 0.0;
+    glfwGetCursorPos(window_, &x, &y);
+    return {.kind = Input::Kind::move, .x = static_cast<float>(x), .y = static_cast<float>(y)};
+}
+
+void GlfwWindow::keep_open() { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
 bool GlfwWindow::should_close() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 void GlfwWindow::swap() { glfwSwapBuffers(window_); }
 void GlfwWindow::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+void GlfwWindow::capture_cursor(bool captures) {
+    if (std::exchange(has_captured_, captures) == captures) return;
+    glfwSetInputMode(window_, GLFW_CURSOR, captures ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    if (glfwRawMouseMotionSupported() == GLFW_TRUE)
+        glfwSetInputMode(window_, GLFW_RAW_MOUSE_MOTION, captures ? GLFW_TRUE : GLFW_FALSE);
+}
 
 int GlfwWindow::width() const {
     int width = 0, height = 0;
@@ -134,6 +160,10 @@ void GlfwWindow::on_button(GLFWwindow* window, int button, int action, int mods)
 void GlfwWindow::on_move(GLFWwindow* window, double x, double y) {
     self_of(window)->inputs_.push_back(
         {.kind = Input::Kind::move, .x = static_cast<float>(x), .y = static_cast<float>(y)});
+}
+
+void GlfwWindow::on_character(GLFWwindow* window, unsigned code) {
+    self_of(window)->inputs_.push_back({.kind = Input::Kind::character, .code = static_cast<int>(code)});
 }
 
 void GlfwWindow::on_wheel(GLFWwindow* window, double /*x*/, double y) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdarg>
+#include <cstdint>
 #include <cstdio>
 
 #include "app/window/panel_painter.h"
@@ -54,14 +55,14 @@ void paint_top(const PanelModel& model, const Layout& layout, const Fonts& fonts
     const ImU32 lamp = model.state->is_faulty                   ? theme::bad
                        : is_late || model.state->is_gate_closed ? theme::limit
                                                                 : theme::good;
-    float x = layout.width - 470.0f;
+    float x = layout.width - 486.0f;
     list.AddCircleFilled({x, 19}, 6.0f, lamp);
     const std::string pace = formatted("%.2f×   late %u", model.real_time_factor, model.state->late_ticks);
     list.AddText(fonts.text, fonts.text->FontSize, {x + 14, text_y}, theme::text, pace.c_str());
     list.AddText(fonts.text, fonts.text->FontSize, {x + 150, text_y}, theme::soft, model.renderer.c_str());
-    list.AddText(fonts.text, fonts.text->FontSize, {layout.width - 172, text_y}, theme::text,
-                 clock_text(model.state->time).c_str());
-    list.AddText(fonts.text, fonts.text->FontSize, {layout.width - 106, text_y}, theme::soft, "F1 keys");
+    list.AddText(fonts.text, fonts.text->FontSize, {layout.width - 192, text_y}, theme::text,
+                 (clock_text(model.state->time) + " of " + clock_text(model.scene->time_limit)).c_str());
+    list.AddText(fonts.text, fonts.text->FontSize, {layout.width - 70, text_y}, theme::soft, "F1 keys");
 }
 
 ImU32 colour_of(run::ViewedEvent::Kind kind) {
@@ -92,6 +93,10 @@ std::string pace_text(const Timeline& timeline, bool is_over) {
 void paint_bottom(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
     const float top = layout.height - Layout::bottom, y = top + 17.0f, from = layout.line_from(), to = layout.line_to();
     list.AddRectFilled({0, top}, {layout.width, layout.height}, theme::header);
+    if (model.scene->is_examination && !model.state->is_over) {
+        list.AddText(fonts.text, fonts.text->FontSize, {14, top + 10}, theme::soft, "Examination: no help, no undo");
+        return;
+    }
     const double span = line_span(*model.timeline, model.duration);
     const auto at = [&](double time) {
         return from + (to - from) * static_cast<float>(std::clamp(time / span, 0.0, 1.0));
@@ -110,7 +115,8 @@ void paint_bottom(const PanelModel& model, const Layout& layout, const Fonts& fo
     }
     const float x = at(model.state->time);
     list.AddRectFilled({x - 2, y - 10}, {x + 2, y + 10}, theme::text, 1.5f);
-    list.AddText(fonts.text, fonts.text->FontSize, {to + 14, top + 10}, theme::text, clock_text(span).c_str());
+    list.AddText(fonts.text, fonts.text->FontSize, {to + 14, top + 10}, theme::text,
+                 model.duration ? clock_text(span).c_str() : "");
 }
 
 // ---- left: steps, depth, zones, tool ------------------------------------------------------------------------------
@@ -134,19 +140,20 @@ void paint_steps(const PanelModel& model, PanelPainter& painter) {
 void paint_depth(const PanelModel& model, const run::ViewedStep& step, PanelPainter& painter) {
     painter.skip(8.0f);
     painter.heading("DEPTH", formatted("%.1f mm", 1e3 * std::max(0.0, model.state->depth)));
-    const double goal = step.depth_goal.value_or(step.length), limit = step.depth_limit.value_or(1.3 * goal);
-    const double full = 1.08 * std::max({goal, limit, 1e-3});
+    const double goal = step.depth_goal.value_or(step.length), deep = std::max(0.0, model.state->depth);
+    const double full = 1.08 * std::max({1.3 * goal, step.depth_limit.value_or(0.0), deep, 1e-3});
+    const bool is_too_deep = step.depth_limit && deep > *step.depth_limit;
     const float y = painter.top();
-    painter.bar(std::max(0.0, model.state->depth) / full, model.state->depth > limit ? theme::bad : theme::modelled,
-                14.0f);
+    painter.bar(deep / full, is_too_deep ? theme::bad : theme::modelled, 14.0f);
     const auto mark = [&](double depth, ImU32 colour) {
         const float x = painter.left() + painter.width() * static_cast<float>(depth / full);
         painter.list().AddLine({x, y - 3}, {x, y + 17}, colour, 2.0f);
     };
     if (step.depth_goal) mark(goal, theme::text);
-    if (step.depth_limit) mark(limit, theme::limit);
+    if (step.depth_limit) mark(*step.depth_limit, theme::limit);
     if (step.depth_goal) painter.line("goal", theme::soft, formatted("%.1f mm", 1e3 * goal));
-    if (step.depth_limit) painter.line("limit", theme::limit, formatted("%.1f mm", 1e3 * limit), theme::limit);
+    if (step.depth_limit)
+        painter.line("limit", theme::limit, formatted("%.1f mm", 1e3 * *step.depth_limit), theme::limit);
     painter.line("cortices passed", theme::soft, formatted("%u", model.state->cortices));
 }
 
@@ -176,20 +183,36 @@ void paint_left(const PanelModel& model, const Layout& layout, const Fonts& font
     painter.skip(8.0f);
     painter.heading("TOOL");
     if (model.state->tool < model.scene->tools.size()) painter.line(model.scene->tools[model.state->tool].name);
+    const double tenths = std::round(1e4 * model.state->feed), feed = tenths == 0.0 ? 0.0 : 0.1 * tenths;  // no "-0.0"
     painter.line(model.state->is_running ? "cutting" : "not cutting",
-                 model.state->is_running ? theme::text : theme::soft, formatted("%.1f mm/s", 1e3 * model.state->feed));
+                 model.state->is_running ? theme::text : theme::soft, formatted("%.1f mm/s", feed));
     painter.line(model.state->tissue >= 0
                      ? "in " + model.scene->tissues[static_cast<std::size_t>(model.state->tissue)].name
                      : "in air",
                  theme::soft);
+    if (model.lead != nullptr)
+        painter.line(model.lead->totals().is_driving ? "drive on" : "drive off",
+                     model.lead->totals().is_driving ? theme::good : theme::soft);
     if (!model.next_action.empty() && painter.space() > 60.0f) {
         painter.skip(8.0f);
         painter.heading("NEXT ACTION");
-        painter.paragraph(model.next_action, theme::text, 3);
+        painter.paragraph(model.next_action + (model.lead != nullptr ? "  (Enter)" : ""), theme::text, 3);
     }
+    if (model.lead == nullptr || painter.space() < 100.0f) return;
+    painter.skip(8.0f);
+    for (const char* words : {"drag moves, wheel feeds", "Space drives, T latches it", "R + drag tilts, Q E turn",
+                              model.scene->is_examination ? "" : "Backspace undoes, Esc pauses"})
+        painter.paragraph(words, theme::soft, 1);
 }
 
 // ---- centre -------------------------------------------------------------------------------------------------------
+
+/// Returns whether a mouse presses the tool against bone while its drive is off; not in an examination.
+bool is_pressed_without_drive(const PanelModel& model) {
+    constexpr double touch = 2.0;  // [N]
+    return model.lead != nullptr && !model.scene->is_examination && !model.lead->totals().is_driving &&
+           model.state->force > touch;
+}
 
 void paint_header(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
     const ImVec2 low{Layout::left, Layout::top}, high{layout.width - Layout::right, Layout::top + Layout::header};
@@ -207,6 +230,10 @@ void paint_header(const PanelModel& model, const Layout& layout, const Fonts& fo
         for (std::size_t i = 0; i < step->limits.size() && i < run::max_viewed_limits; ++i)
             if ((model.state->broken >> i & 1u) != 0) hint = "Limit broken: " + step->limits[i].words;
         colour = theme::bad;
+    } else if (model.lead != nullptr && model.lead->is_paused()) {
+        hint = "Paused. Esc continues.";
+    } else if (is_pressed_without_drive(model)) {
+        hint = "The drive is off. Hold Space, or latch it by T.";
     } else if (model.state->is_gate_closed) {
         hint = "The force has faded; it returns when hand and tool are together again.";
     } else if (!model.next_action.empty()) {
@@ -220,16 +247,17 @@ float height_of_card(const PanelModel& model) {
     if (!model.result->has_value()) return 50.0f;
     const run::ViewedResult& result = **model.result;
     return 110.0f + 48.0f * static_cast<float>(std::min<std::size_t>(2, result.reasons.size())) +
-           (result.deductions.empty() ? 0.0f : 24.0f) +
+           (result.deductions.empty() ? 0.0f : 24.0f) + (model.exit_hint.empty() ? 0.0f : 21.0f) +
            22.0f * static_cast<float>(std::min<std::size_t>(3, result.deductions.size()));
 }
 
 /// Paints the verdict over the picture.
-void paint_end_card(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+void paint_end_card(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list,
+                    std::vector<TimeLink>& links) {
     if (!model.state->is_over) return;
     const ImVec2 low = layout.picture_low(), high = layout.picture_high();
-    const float wide = std::min(460.0f, high.x - low.x - 20.0f), tall = height_of_card(model), x = high.x - wide - 12.0f,
-                y = high.y - tall - 12.0f;
+    const float wide = std::min(460.0f, high.x - low.x - 20.0f), tall = height_of_card(model),
+                x = high.x - wide - 12.0f, y = high.y - tall - 12.0f;
     PanelPainter painter(list, fonts, {x, y}, {x + wide, y + tall}, IM_COL32(0x12, 0x16, 0x1b, 235));
     if (!model.result->has_value()) {
         painter.line("Writing the results …", theme::soft);
@@ -245,10 +273,15 @@ void paint_end_card(const PanelModel& model, const Layout& layout, const Fonts& 
     if (!result.deductions.empty()) painter.heading("LARGEST DEDUCTIONS");
     for (std::size_t i = 0; i < std::min<std::size_t>(3, result.deductions.size()); ++i) {
         const auto& deduction = result.deductions[i];
-        painter.line(deduction.words, theme::text, formatted("−%.1f", deduction.points), theme::limit);
+        if (deduction.time >= 0.0)
+            links.push_back(
+                {{painter.left(), painter.top()}, {painter.right(), painter.top() + 20.0f}, deduction.time});
+        const std::string when = deduction.time >= 0.0 ? "▸ " + clock_text(deduction.time) + "  " : "";
+        painter.line(when + deduction.words, theme::text, formatted("−%.1f", deduction.points), theme::limit);
     }
     painter.skip(6.0f);
     if (!result.folder.empty()) painter.paragraph("Report: " + result.folder + "/report.html", theme::soft, 2);
+    if (!model.exit_hint.empty()) painter.line(model.exit_hint, theme::modelled);
     painter.paragraph("For training and research; not for diagnosis, planning or deciding treatment.", theme::soft, 2);
 }
 
@@ -346,23 +379,56 @@ void paint_limits(const PanelModel& model, const run::ViewedStep& step, PanelPai
     }
 }
 
+/// Returns the height of the limits of a step [pixels].
+float height_of_limits(const run::ViewedStep* step) {
+    if (step == nullptr || step->limits.empty()) return 0.0f;
+    float height = 26.0f;
+    for (const run::ViewedLimit& limit : step->limits)
+        height += limit.at_most && *limit.at_most > 0.0 && !limit.at_least ? 32.0f : 21.0f;
+    return height;
+}
+
+/// Paints the last radiograph as large as the limits below it allow, but not smaller than they could be read with.
+void paint_radiograph(const PanelModel& model, const run::ViewedStep* step, PanelPainter& painter) {
+    constexpr float texts = 22.0f + 21.0f + 8.0f, smallest = 200.0f;
+    const RadiographModel& one = model.radiograph;
+    const bool has_picture = one.texture != 0;
+    if ((one.radiograph == nullptr && one.arm.empty()) || painter.space() < texts) return;
+    painter.heading("FLUOROSCOPY", formatted("shots %u", model.state->shots));
+    if (has_picture && painter.space() >= smallest + 21.0f) {
+        const float space = painter.space() - 29.0f - height_of_limits(step);
+        const float edge = std::clamp(space, smallest, painter.width());
+        const float left = painter.left() + 0.5f * (painter.width() - edge), top = painter.top();
+        painter.list().AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(one.texture)), {left, top},
+                                {left + edge, top + edge});
+        painter.list().AddText(painter.fonts().small, painter.fonts().small->FontSize, {painter.left(), top},
+                               theme::soft, one.radiograph->words.c_str());
+        painter.skip(edge + 4.0f);
+    } else if (one.radiograph != nullptr && !one.radiograph->error.empty()) {
+        painter.paragraph("No picture: " + one.radiograph->error, theme::limit, 3);
+    }
+    if (!one.arm.empty()) painter.paragraph(one.arm + " · F takes an image · A turns the arm", theme::soft, 1);
+    painter.skip(4.0f);
+}
+
 void paint_right(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
     PanelPainter painter(list, fonts, {layout.width - Layout::right, Layout::top},
                          {layout.width, layout.height - Layout::bottom}, theme::panel);
     const run::ViewedStep* step = step_of(model);
     paint_force(model, step, painter);
     paint_torque(model, step, painter);
+    paint_radiograph(model, step, painter);
     if (step != nullptr) paint_limits(model, *step, painter);
 }
 
 // ---- over the picture ---------------------------------------------------------------------------------------------
 
-void paint_keys(const Layout& layout, const Fonts& fonts, ImDrawList& list) {
-    const float wide = 430.0f, tall = 40.0f + 22.0f * static_cast<float>(key_help().size());
+void paint_keys(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    const float wide = 460.0f, tall = 44.0f + 21.0f * static_cast<float>(key_help(model).size());
     const ImVec2 low{0.5f * (layout.width - wide), std::max(10.0f, 0.5f * (layout.height - tall))};
     PanelPainter painter(list, fonts, low, {low.x + wide, low.y + tall}, IM_COL32(0x12, 0x16, 0x1b, 245));
     painter.line_in(fonts.bold, "Keys", theme::text);
-    for (const KeyHelp& help : key_help()) painter.line(help.words, theme::text, help.key, theme::modelled);
+    for (const KeyHelp& help : key_help(model)) painter.line(help.words, theme::text, help.key, theme::modelled);
 }
 
 void paint_values(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
@@ -389,31 +455,49 @@ double line_span(const Timeline& timeline, const std::optional<double>& duration
     return std::max(30.0, 1.25 * timeline.newest());
 }
 
-const std::vector<KeyHelp>& key_help() {
-    static const std::vector<KeyHelp> keys{{"F1", "this page"},
-                                           {"F2", "values"},
-                                           {"1", "view freely"},
-                                           {"2", "view along the tool"},
-                                           {"3", "view from the side"},
-                                           {"X", "see through bone"},
-                                           {"C", "cut bone away at the tool"},
-                                           {"Z", "zones"},
-                                           {"P", "planned axis or plane"},
-                                           {"O", "arrow of force"},
-                                           {"right drag", "turn the view"},
-                                           {"middle drag", "move the view"},
-                                           {"Ctrl + wheel", "zoom"},
-                                           {"Space", "play or pause, away from the live end"},
-                                           {", and .", "one moment back or on"},
-                                           {"[ and ]", "slower or faster"},
-                                           {"L", "back to the live end"},
-                                           {"Tab", "hide the panels"},
-                                           {"F12", "save a picture"},
-                                           {"Ctrl + Q", "end the operation"}};
+std::vector<KeyHelp> key_help(const PanelModel& model) {
+    std::vector<KeyHelp> keys{{"F1", "this page"}, {"F2", "values"}};
+    if (model.lead != nullptr) {
+        const bool is_left = model.lead->is_left_handed();
+        const std::vector<KeyHelp> of_lead{
+            {is_left ? "right drag" : "left drag", "move the tool: across its axis, or in its blade"},
+            {"wheel", "feed, or withdraw"},
+            {is_left ? "I, K" : "W, S", "feed, withdraw"},
+            {"arrows", "move the tool"},
+            {is_left ? "Y + drag" : "R + drag", "tilt the tool about its tip, in air"},
+            {is_left ? "U, O" : "Q, E", "turn a screw or tap"},
+            {"Space", "drive while held"},
+            {"T", "drive until T again"},
+            {"Enter", "the next action of the step"},
+            {"Backspace", "undo the last cut or action"},
+            {"Shift", "a fifth of the speed"},
+            {"Esc", "pause"},
+            {"F3", "other hand"}};
+        keys.insert(keys.end(), of_lead.begin(), of_lead.end());
+    } else {
+        keys.push_back({"Space", "play or pause"});
+    }
+    const bool is_left = model.lead != nullptr && model.lead->is_left_handed();
+    const std::vector<KeyHelp> of_view{{"1, 2, 3", "see the whole bone, along the tool, from the side"},
+                                       {"X", "see through bone"},
+                                       {"C", "cut bone away at the tool"},
+                                       {"Z, P, V", "zones, plan, arrow of force"},
+                                       {"F, A", "take a radiograph, turn the C-arm"},
+                                       {is_left ? "left drag" : "right drag", "turn the view"},
+                                       {"middle drag", "move the view"},
+                                       {"Ctrl + wheel", "zoom"},
+                                       {", and .", "one moment back or on"},
+                                       {"[ and ]", "play slower or faster"},
+                                       {"L", "back to the live end"},
+                                       {"Tab", "hide the panels"},
+                                       {"F12", "save a picture"},
+                                       {"Ctrl + Q", "end the operation"}};
+    keys.insert(keys.end(), of_view.begin(), of_view.end());
     return keys;
 }
 
-void paint_panels(const PanelModel& model, const Layout& layout, const Fonts& fonts) {
+std::vector<TimeLink> paint_panels(const PanelModel& model, const Layout& layout, const Fonts& fonts) {
+    std::vector<TimeLink> links;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     if (layout.has_panels) {
         paint_left(model, layout, fonts, list);
@@ -422,9 +506,10 @@ void paint_panels(const PanelModel& model, const Layout& layout, const Fonts& fo
         paint_bottom(model, layout, fonts, list);
         paint_top(model, layout, fonts, list);
     }
-    paint_end_card(model, layout, fonts, list);
+    paint_end_card(model, layout, fonts, list, links);
     if (model.shows_values) paint_values(model, layout, fonts, list);
-    if (model.shows_keys) paint_keys(layout, fonts, list);
+    if (model.shows_keys) paint_keys(model, layout, fonts, list);
+    return links;
 }
 
 }  // namespace kerf::window

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "app/window/mouse_lead.h"
 #include "app/window/scene_renderer.h"
 #include "app/window/theme.h"
 #include "app/window/timeline.h"
 #include "run/view/viewed_run.h"
 
 namespace kerf::window {
+
+/// What the panels show of radiographs.
+struct RadiographModel {
+    std::shared_ptr<const run::ViewedRadiograph> radiograph{};  ///< null: none was taken
+    unsigned texture = 0;                                       ///< with its pixels; 0: there are none
+    std::string arm{};  ///< position of the C-arm for the next one, in words; empty: none can be taken
+};
 
 /// All that the panels show of a run at one moment.
 struct PanelModel {
@@ -18,10 +27,13 @@ struct PanelModel {
     const Timeline* timeline = nullptr;
     std::optional<double> duration{};  ///< [s] of a replay
     const std::optional<run::ViewedResult>* result = nullptr;
+    RadiographModel radiograph{};
     std::string next_action{};
-    std::string renderer{};  ///< empty: a graphics card draws
+    std::string renderer{};   ///< empty: a graphics card draws
+    std::string exit_hint{};  ///< how to leave the result; empty: by closing the window
     double real_time_factor = 1.0;
-    double frame_time = 0.0;  ///< [s] of the window
+    double frame_time = 0.0;          ///< [s] of the window
+    const MouseLead* lead = nullptr;  ///< null: no mouse leads the tool
     bool shows_keys = false, shows_values = false;
     std::size_t triangles = 0;
 };
@@ -45,8 +57,14 @@ struct Layout {
     [[nodiscard]] static bool fits(float width, float height) noexcept { return width >= 760.0f && height >= 420.0f; }
 };
 
-/// Paints all panels into ImGui's background. Pre: a frame of ImGui has begun.
-void paint_panels(const PanelModel& model, const Layout& layout, const Fonts& fonts);
+/// A rectangle that leads to a time when it is clicked.
+struct TimeLink {
+    ImVec2 low, high;
+    double time;  ///< [s]
+};
+
+/// Paints all panels into ImGui's background. Returns what can be clicked. Pre: a frame of ImGui has begun.
+std::vector<TimeLink> paint_panels(const PanelModel& model, const Layout& layout, const Fonts& fonts);
 
 /// Returns the length of the time line [s].
 [[nodiscard]] double line_span(const Timeline& timeline, const std::optional<double>& duration);
@@ -56,7 +74,7 @@ struct KeyHelp {
     const char* key;
     const char* words;
 };
-/// Returns the keys of the window.
-[[nodiscard]] const std::vector<KeyHelp>& key_help();
+/// Returns the keys that do something now.
+[[nodiscard]] std::vector<KeyHelp> key_help(const PanelModel& model);
 
 }  // namespace kerf::window

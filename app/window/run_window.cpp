@@ -28,13 +28,23 @@ void draw_until_closed(GlfwWindow& window, run::ViewedRun& run, const WindowRequ
         screen.timeline().show_at(*request.begins_at);
         screen.timeline().play(true);
     }
-    bool has_stopped = false;
+    if (request.has_start_page) screen.set_exit_hint("Enter: back to the start page");
+    bool has_stopped = false, goes_back = false;
     while (true) {
         const double begun = seconds_now();
-        for (const Input& input : window.poll()) screen.take(input);
-        if (window.should_close() && !std::exchange(has_stopped, true)) run.stop();
+        for (const Input& input : window.poll()) {
+            screen.take(input);
+            goes_back = goes_back || (input.kind == Input::Kind::key && input.code == Input::enter && input.is_pressed);
+        }
+        window.capture_cursor(screen.captures_cursor());
         const bool is_over = screen.is_over();
-        if ((is_over && window.should_close()) || run.is_closed()) return;
+        if (window.should_close() && !std::exchange(has_stopped, true)) {
+            run.stop();
+            const bool is_replay = run.duration().has_value();
+            if (request.has_start_page && !is_replay && !is_over) window.keep_open();
+        }
+        goes_back = goes_back && is_over && request.has_start_page;
+        if (goes_back || (is_over && window.should_close()) || run.is_closed()) return;
         screen.draw(window.width(), window.height(), begun);
         const bool is_last = is_over && request.closes_at_end;
         if ((screen.takes_picture() || is_last) && request.on_picture) {
@@ -48,11 +58,15 @@ void draw_until_closed(GlfwWindow& window, run::ViewedRun& run, const WindowRequ
     }
 }
 
-/// Waits until the run has reached a time, or its end.
+/// Waits until the run has reached a time, or its end, and its radiographs up to then are made.
 void wait_for(RunScreen& screen, run::ViewedRun& run, double time) {
     while (!run.is_closed()) {
         screen.timeline().take(run, 0.0);
-        if (screen.timeline().newest() >= time || screen.is_over()) return;
+        if (screen.timeline().newest() >= time || screen.is_over()) {
+            screen.timeline().take(run, 0.0);
+            screen.timeline().show_at(time);
+            if (screen.timeline().has_radiograph()) return;
+        }
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
 }
@@ -61,7 +75,7 @@ void wait_for(RunScreen& screen, run::ViewedRun& run, double time) {
 
 void prepare_process() {
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
-    setenv("LP_NUM_THREADS", "0", 0);  // no threads of the software renderer beside the haptic one
+    setenv("LP_NUM_THREADS", "0", 0);  // the software renderer then starts no threads
 }
 
 bool show_waiting(GlfwWindow& window, const std::string& what, const std::function<double()>& fraction,

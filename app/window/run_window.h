@@ -17,6 +17,7 @@ struct WindowRequest {
     std::function<void(const Pixels&, double, bool)> on_picture{};
     std::optional<double> begins_at{};  ///< [s] plays from there; nothing: shows the newest state
     bool closes_at_end = false;         ///< takes a picture after the result, and closes
+    bool has_start_page = false;        ///< Enter closes the end card; a user who ends a run still sees the card
 };
 
 /// Prepares the process for a window; to be called before another thread starts. On a software renderer the memory of

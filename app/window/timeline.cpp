@@ -10,6 +10,7 @@ void Timeline::take(run::ViewedRun& run, double passed) {
     run.take(newest_);
     run.take(moments_);
     run.take(events_);
+    run.take(radiographs_);
     take_rows(run);
     newest_surface_ = run.surface();
     if (is_following_ || moments_.empty()) return;
@@ -69,6 +70,11 @@ const run::ViewedState& Timeline::state() const noexcept {
 
 const std::shared_ptr<const run::ViewedSurface>& Timeline::surface() const noexcept {
     return is_following_ || moments_.empty() ? newest_surface_ : moments_[shown_].surface;
+}
+
+std::shared_ptr<const run::ViewedRadiograph> Timeline::radiograph() const noexcept {
+    const std::size_t number = std::min<std::size_t>(state().shots, radiographs_.size());
+    return number == 0 ? nullptr : radiographs_[number - 1];
 }
 
 // ---- plots --------------------------------------------------------------------------------------------------------

@@ -35,6 +35,10 @@ public:
     [[nodiscard]] double speed() const noexcept { return speed_; }
     [[nodiscard]] const run::ViewedState& state() const noexcept;
     [[nodiscard]] const std::shared_ptr<const run::ViewedSurface>& surface() const noexcept;
+    /// Returns the last radiograph taken up to the shown time; null: there is none, or it is not yet made.
+    [[nodiscard]] std::shared_ptr<const run::ViewedRadiograph> radiograph() const noexcept;
+    /// Returns whether that radiograph is made, or none was taken.
+    [[nodiscard]] bool has_radiograph() const noexcept { return radiographs_.size() >= state().shots; }
     /// Returns the time of the newest state [s].
     [[nodiscard]] double newest() const noexcept { return newest_.time; }
 
@@ -59,6 +63,7 @@ private:
     std::vector<run::ViewedRow> rows_;
     std::vector<Turn> turns_;
     std::vector<run::ViewedEvent> events_;
+    std::vector<std::shared_ptr<const run::ViewedRadiograph>> radiographs_;  ///< by number
     bool is_following_ = true, is_playing_ = false;
     double speed_ = 1.0, shown_time_ = 0.0;
     std::size_t shown_ = 0;  ///< index into `moments_`

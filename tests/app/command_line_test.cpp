@@ -171,7 +171,7 @@ TEST(CommandLine, ReportsMistakesWithACorrection) {
     for (const auto& [words, says] : {
              Wrong{{}, "Usage: kerf"},
              {{"--"}, "nothing to do. Write `kerf run PROCEDURE.yaml`"},
-             {{"fly"}, "there is no command `fly`. Write `run`, `validate`"},
+             {{"fly"}, "there is no command `fly`. Write `run`, `window`, `validate`"},
              {{"valdate", "p.yaml"}, "there is no command `valdate`. Write `kerf validate`."},
              {{"run"}, "which procedure? Write `kerf run PROCEDURE.yaml`."},
              {{"run", ""}, "`PROCEDURE` is empty. Write the name of a YAML file."},

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The picture of a run, drawn without a display. All cases share one drawn run.
+// The picture of a run, drawn without a display. All cases use one drawn run.
 #include "app/window/run_screen.h"
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
+#include <thread>
 
 #include "app/window/offscreen.h"
 #include "run/run_procedure.h"
 #include "run/view/run_view.h"
+#include "tests/app/window/made_run.h"
 #include "tests/support/short_scene.h"
 
 namespace kerf::window {
@@ -16,7 +19,7 @@ namespace {
 
 constexpr int width = 1280, height = 800;
 
-/// The short scene after its run, on a screen.
+/// The short scene after its run, on a screen. A lateral radiograph was requested by keys before the first tick.
 struct Shown {
     std::unique_ptr<Offscreen> offscreen;
     run::RunView view{test::short_scene(), "practice", "rehearsal expert", ""};
@@ -26,10 +29,14 @@ struct Shown {
         std::string error;
         offscreen = Offscreen::open(width, height, error);
         if (offscreen == nullptr) throw std::runtime_error(error);
+        screen = std::make_unique<RunScreen>(view);
+        press('A');
+        press('F');
         run::RunRequest request;
         request.observers = {&view};
         static_cast<void>(run::run_procedure(test::short_scene(), test::plugins(), request));
-        screen = std::make_unique<RunScreen>(view);
+        for (int i = 0; i < 2000 && view.radiograph() == nullptr; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     Pixels picture(int wide = width, int tall = height) {
         screen->draw(wide, tall, wall += 0.02);
@@ -80,9 +87,9 @@ TEST(RunScreen, DrawsTheSamePictureTwice) {
 }
 
 TEST(RunScreen, HidesZonesPlanAndForceByKeys) {
-    for (const int key : {'Z', 'P', 'O'}) shown().press(key);
+    for (const int key : {'Z', 'P', 'V'}) shown().press(key);
     const Pixels pixels = shown().picture();
-    for (const int key : {'Z', 'P', 'O'}) shown().press(key);
+    for (const int key : {'Z', 'P', 'V'}) shown().press(key);
     EXPECT_EQ(count(pixels, picture_region, is_zone), 0);
     EXPECT_LT(count(pixels, picture_region, is_plan), 20);
     EXPECT_GT(count(pixels, picture_region, is_bone), 30'000);
@@ -115,6 +122,22 @@ TEST(RunScreen, PlotsTheForceUpToTheShownTime) {
     shown().screen->timeline().follow();
     EXPECT_EQ(at_start, 0);
     EXPECT_GT(at_end, 100);
+}
+
+TEST(RunScreen, ShowsTheRadiographThatWasTakenByKeys) {
+    ASSERT_NE(shown().view.radiograph(), nullptr);
+    EXPECT_EQ(shown().view.radiograph()->words, "lateral");
+    EXPECT_EQ(shown().view.radiograph()->shot, 1);
+    constexpr Region right_panel{width - 292, 300, width, 760};
+    const auto is_grey = [](int r, int g, int b) { return r == g && g == b && r > 30 && r < 230; };
+    const auto is_black = [](int r, int g, int b) { return r + g + b < 12; };
+    const Pixels pixels = shown().picture();
+    EXPECT_GT(count(pixels, right_panel, is_grey), 20'000) << "a circle of at least 200 pixels";
+    EXPECT_GT(count(pixels, right_panel, is_black), 4'000) << "around the circle";
+    shown().screen->timeline().show_at(0.0);
+    const Pixels before = shown().picture();
+    shown().screen->timeline().follow();
+    EXPECT_LT(count(before, right_panel, is_grey), 500) << "it is not yet taken";
 }
 
 TEST(RunScreen, HidesThePanels) {
@@ -157,6 +180,25 @@ TEST(RunScreen, ScrubsOnTheTimeLine) {
     shown().press('L');
     shown().picture();
     EXPECT_EQ(shown().screen->state().time, end);
+}
+
+TEST(RunScreen, OpensTheMomentOfADeduction) {
+    shown();  // has a context of OpenGL
+    MadeRun run;
+    run.pass_to(10.0);
+    run.state_.is_over = true;
+    run.result_ = run::ViewedResult{.verdict = "fail", .score = 40.0};
+    run.result_->deductions.push_back({60.0, 3.5, "canal: 2 mm deep"});
+    RunScreen screen(run);
+    screen.draw(width, height, 0.0);
+    // The deduction is a line of the card in the lower right corner of the picture.
+    for (float y = 400; y < 750 && screen.timeline().is_following(); y += 8) {
+        screen.take({.kind = Input::Kind::move, .x = 700, .y = y});
+        screen.take({.kind = Input::Kind::button, .code = 0, .is_pressed = true});
+        screen.take({.kind = Input::Kind::button, .code = 0, .is_pressed = false});
+    }
+    ASSERT_FALSE(screen.timeline().is_following());
+    EXPECT_NEAR(screen.state().time, 3.5, 17e-3);
 }
 
 TEST(RunScreen, IsSoundInAnySize) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// `kerf run --window` and `kerf view` as a user starts them. The window opens on a display without a screen.
+// `kerf window`, `kerf run --window` and `kerf view` as a user starts them. The window opens on a display without a
+// screen.
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <utility>
 
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -74,6 +77,62 @@ TEST(Window, RefusesOptionsThatDoNotFit) {
     };
     refused(" --window --headless", "Leave out one of both");
     refused(" --screenshot end.png", "Add `--window`");
+}
+
+/// Writes the short operation as files of its own.
+void write_short_operation(const std::string& folder) {
+    const std::string shipped = KERF_SOURCE_DIR "/procedures/";
+    std::filesystem::create_directory(folder);
+    std::filesystem::copy_file(shipped + "anatomy/vertebra-phantom.yaml", folder + "/bone.yaml");
+    std::string text = contents_of(shipped + "pedicle-screw.yaml");
+    for (const auto& [from, to] : {std::pair<std::string, std::string>{"anatomy/vertebra-l3.yaml", "bone.yaml"},
+                                   {"spacing: 0.25 mm", "spacing: 0.5 mm"},
+                                   {"time_limit: 360 s", "time_limit: 1 s"}}) {
+        ASSERT_NE(text.find(from), std::string::npos) << from;
+        text.replace(text.find(from), from.size(), to);
+    }
+    std::ofstream(folder + "/screw.yaml") << text;
+}
+
+TEST(StartPage, StartsAnOperationAndReturns) {
+    const TemporaryFolder folder;
+    write_short_operation(folder / "own");
+    const std::string attempt = folder / "attempts/L17/pedicle-screw/001";
+    // A user: clicks `Start`, to operate by mouse, waits for the results, presses Enter, and closes the page. Keys are
+    // pressed again until the window has them.
+    std::ofstream(folder / "user.sh")
+        << "#!/bin/sh\n" KERF_BUILD_DIR "/bin/kerf window --learner L17 --procedures " << folder / "own"
+        << " --attempts " << folder / "attempts"
+        << " & page=$!\n"
+           "i=0; until [ -f "
+        << attempt
+        << "/report.html ] || [ $i -gt 100 ]; do\n"
+           "  xdotool mousemove 1120 268 click 1; sleep 0.3; i=$((i + 1)); done\n"
+           "i=0; while kill -0 $page 2> /dev/null && [ $i -lt 60 ]; do\n"
+           "  xdotool key Return; sleep 0.3; xdotool key ctrl+q; sleep 0.3; i=$((i + 1)); done\n"
+           "wait $page\n";
+    const Ended ended = shell(on_display() + " sh " + (folder / "user.sh"));
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_TRUE(std::filesystem::exists(attempt + "/session.db")) << ended.err;
+    EXPECT_NE(contents_of(attempt + "/summary.json").find("\"verdict\": \"incomplete\""), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder / "attempts/L17/pedicle-screw/002"));
+}
+
+TEST(StartPage, RefusesOptionsBeforeItOpens) {
+    const TemporaryFolder folder;
+    const auto refused = [](const std::string& arguments, const std::string& words) {
+        const Ended ended = kerf("window " + arguments, "DISPLAY= WAYLAND_DISPLAY=");
+        EXPECT_EQ(ended.exit_code, 2) << arguments;
+        EXPECT_NE(ended.err.find(words), std::string::npos) << ended.err;
+    };
+    refused("--learner 'Ann Lee'", "never a name");
+    refused("--learner ..", "begins with `.`");
+    refused("--procedures " + (folder / "missing"), "is no folder");
+    std::ofstream(folder / "file") << "text";
+    refused("--attempts " + (folder / "file"), folder / "file");
+    const Ended ended = kerf("window --attempts " + (folder / "new"), "DISPLAY= WAYLAND_DISPLAY=");
+    EXPECT_EQ(ended.exit_code, 3);
+    EXPECT_NE(ended.err.find("no window can be opened"), std::string::npos) << ended.err;
 }
 
 TEST(View, RefusesATimeThatIsNone) {

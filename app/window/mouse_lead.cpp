@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/window/mouse_lead.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace kerf::window {
+
+namespace {
+
+constexpr double slow = 0.2;                                    // [–] with Shift, and in bone
+constexpr double notch_in_air = 1e-3, notch_in_bone = 0.25e-3;  // [m] of the wheel
+constexpr double key_speed = 5e-3;                              // [m/s] of keys
+constexpr double turn_speed = std::numbers::pi;                 // [rad/s] half a turn a second
+constexpr double tilt_per_pixel = 0.15 * std::numbers::pi / 180.0;
+
+/// Two directions in which right and up on the screen move the tool [world, units].
+struct Plane {
+    Vec3 right, up;
+};
+
+/// Returns a direction without its part along an axis, as a unit; zero if nothing is left.
+Vec3 without(Vec3 direction, Vec3 axis) {
+    const Vec3 rest = direction - dot(direction, axis) * axis;
+    return length(rest) > 0.2 ? normalized(rest) : Vec3{};
+}
+
+Plane plane_of(const LeadContext& context) {
+    using Lead = run::ViewedTool::Lead;
+    const Vec3 right = context.camera.right(), up = context.camera.up();
+    if (context.lead == Lead::facing) return {right, up};
+    const Quat turn = context.world_from_tool.rotation;
+    // A plane that is seen on edge gets its second direction from the first.
+    const Vec3 normal = rotate(turn, context.lead == Lead::in_blade ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
+    Vec3 x = without(right, normal), y = without(up, normal);
+    if (length(x) < 0.5) x = cross(y, normal);
+    if (length(y) < 0.5) y = cross(normal, x);
+    return {x, y};
+}
+
+}  // namespace
+
+bool MouseLead::take(const Input& input, const LeadContext& context) {
+    switch (input.kind) {
+        case Input::Kind::key:
+            is_slow_ = input.has_shift;
+            return take_key(input);
+        case Input::Kind::button:
+            if (input.code != keys_.grip_button) return false;
+            is_gripping_ = input.is_pressed;
+            return true;
+        case Input::Kind::move: {
+            const double right = static_cast<double>(input.x - x_), up = static_cast<double>(y_ - input.y);
+            x_ = input.x;
+            y_ = input.y;
+            if (!is_gripping_ || totals_.is_paused) return false;
+            if (is_tilting_)
+                tilt(right, up, context);
+            else
+                move(right * context.metres_per_pixel, up * context.metres_per_pixel, context);
+            return true;
+        }
+        case Input::Kind::wheel:
+            if (input.has_control || totals_.is_paused) return false;
+            totals_.along += static_cast<double>(input.wheel) * (context.is_in_bone ? notch_in_bone : notch_in_air) *
+                             (input.has_shift ? slow : 1.0);
+            return true;
+        case Input::Kind::character:
+            break;
+    }
+    return false;
+}
+
+bool MouseLead::take_key(const Input& input) {
+    const auto held = [&](int code, bool& flag) {
+        if (input.code != code) return false;
+        flag = input.is_pressed;
+        return true;
+    };
+    const bool is_lead = held(keys_.feed, is_feeding_) || held(keys_.withdraw, is_withdrawing_) ||
+                         held(keys_.turn_left, is_turning_left_) || held(keys_.turn_right, is_turning_right_) ||
+                         held(keys_.tilt, is_tilting_) || held(Input::space, is_trigger_held_) ||
+                         held(Input::arrow_left, is_left_) || held(Input::arrow_right, is_right_) ||
+                         held(Input::arrow_up, is_up_) || held(Input::arrow_down, is_down_);
+    bool is_known = is_lead;
+    if (input.is_pressed && !is_lead) {
+        is_known = true;
+        if (input.code == 'T')
+            is_latched_ = !is_latched_;
+        else if (input.code == Input::enter)
+            ++totals_.actions;
+        else if (input.code == Input::backspace)
+            ++totals_.undos;
+        else if (input.code == Input::escape)
+            totals_.is_paused = !totals_.is_paused;
+        else
+            is_known = false;
+    }
+    totals_.is_driving = is_trigger_held_ || is_latched_;
+    return is_known;
+}
+
+void MouseLead::pass(double seconds, const LeadContext& context) {
+    if (totals_.is_paused) return;
+    const double speed = key_speed * (is_slow_ ? slow : 1.0);
+    const auto sign = [](bool plus, bool minus) { return (plus ? 1.0 : 0.0) - (minus ? 1.0 : 0.0); };
+    totals_.along += sign(is_feeding_, is_withdrawing_) * speed * seconds;
+    totals_.turned += sign(is_turning_right_, is_turning_left_) * turn_speed * (is_slow_ ? slow : 1.0) * seconds;
+    const double right = sign(is_right_, is_left_), up = sign(is_up_, is_down_);
+    if (right == 0.0 && up == 0.0) return;
+    if (is_tilting_) {
+        constexpr double pixels_per_second = 100.0;
+        tilt(right * pixels_per_second * seconds, up * pixels_per_second * seconds, context);
+    } else {
+        move(right * speed * seconds, up * speed * seconds, context);
+    }
+}
+
+/// Moves the aim in the plane of the tool.
+void MouseLead::move(double right, double up, const LeadContext& context) {
+    const double scale = (is_slow_ ? slow : 1.0) * (context.is_in_bone ? slow : 1.0);
+    const Plane plane = plane_of(context);
+    totals_.moved = totals_.moved + scale * (right * plane.right + up * plane.up);
+}
+
+/// Tilts the tool about its tip: its handle follows the mouse.
+void MouseLead::tilt(double right, double up, const LeadContext& context) {
+    const double scale = tilt_per_pixel * (is_slow_ ? slow : 1.0);
+    const Vec3 handle = rotate(context.world_from_tool.rotation, {0, 0, -1});
+    const Vec3 moved = right * context.camera.right() + up * context.camera.up();
+    totals_.tilted = totals_.tilted + scale * cross(handle, moved);
+}
+
+}  // namespace kerf::window
