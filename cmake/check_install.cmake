@@ -132,12 +132,14 @@ foreach(compiler IN LISTS found_compilers)
     use("examples/${folder}" ${examples}/${folder} ${WORK}/examples/${folder}-${by} ${compiler} example.${id})
   endforeach()
 endforeach()
-# A program around Kerf's library.
+# Programs around Kerf's library.
 foreach(compiler IN LISTS found_compilers)
   get_filename_component(by ${compiler} NAME)
   build_and_test("examples/04_embed" ${examples}/04_embed ${WORK}/examples/04_embed-${by} ${compiler})
   message(STATUS "examples/04_embed, by ${compiler}:\n${log}")
 endforeach()
+build_and_test("examples/09_viewer" ${examples}/09_viewer ${WORK}/examples/09_viewer ${other})
+message(STATUS "examples/09_viewer:\n${log}")
 
 run("kerf validate of an installed example" ${CMAKE_COMMAND} -E chdir ${WORK}/elsewhere ${program} validate biopsy.yaml)
 
