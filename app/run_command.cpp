@@ -176,6 +176,33 @@ ExitCode compare(const session::RecordedInputs& recorded, const session::RunSumm
     return code;
 }
 
+/// Reads the session of `--replay`, if there is one. Returns why it cannot be repeated, for people; empty if it can.
+std::string read_recording(const RunOptions& options, const documents::Procedure& procedure,
+                           std::optional<session::RecordedInputs>& recorded) {
+    if (options.replay.empty()) return {};
+    std::string error;
+    recorded = session::read_session(options.replay, error);
+    if (!recorded) return error;
+    if (error = refusal_of_replay(*recorded, options.replay, procedure); !error.empty()) return error;
+    if (!options.hand.empty() && options.hand != recorded->rehearsal)
+        return options.replay + ": was recorded with the rehearsal `" + recorded->rehearsal + "`, and `--hand` is `" +
+               options.hand + "`. Leave out `--hand`.";
+    return {};
+}
+
+/// Prints the result of a run. Returns how the program ends.
+ExitCode print_outcome(const run::RunOutcome& outcome, const std::string& folder,
+                       const std::optional<session::RecordedInputs>& recorded) {
+    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
+    print_summary(outcome.summary);
+    if (outcome.summary.clock) print(text_of(*outcome.summary.clock));
+    for (const std::string& message : outcome.over_budget) print_error("kerf: " + message + "\n");
+    print("  " + folder + "/report.html\n");
+    if (outcome.was_interrupted) return complain("interrupted; the results up to now are written", exit_fault);
+    const ExitCode judged = outcome.summary.verdict == session::Verdict::pass ? exit_pass : exit_not_passed;
+    return recorded ? std::max(judged, compare(*recorded, outcome.summary)) : judged;
+}
+
 }  // namespace
 
 namespace commands {
@@ -196,18 +223,10 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (const std::string refusal = refusal_of(options, documents->procedure); !refusal.empty())
         return complain(refusal, exit_bad_input);
     // Checked before the bone is made, which may take minutes.
-    std::string rehearsal = options.hand;
     std::optional<session::RecordedInputs> recorded;
-    if (!options.replay.empty()) {
-        std::string error;
-        recorded = session::read_session(options.replay, error);
-        if (recorded) error = refusal_of_replay(*recorded, options.replay, documents->procedure);
-        if (recorded && error.empty() && !options.hand.empty() && options.hand != recorded->rehearsal)
-            error = options.replay + ": was recorded with the rehearsal `" + recorded->rehearsal +
-                    "`, and `--hand` is `" + options.hand + "`. Leave out `--hand`.";
-        if (!error.empty()) return complain(error, exit_bad_input);
-        rehearsal = recorded->rehearsal;
-    }
+    if (const std::string refusal = read_recording(options, documents->procedure, recorded); !refusal.empty())
+        return complain(refusal, exit_bad_input);
+    const std::string rehearsal = recorded ? recorded->rehearsal : options.hand;
     if (const std::string refusal = run::refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
         return complain(refusal, exit_bad_input);
     // Started while this process has one thread and little memory.
@@ -267,14 +286,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         options.is_in_window
             ? run_shown(*scene, request, is_by_mouse(options) ? &mouse : nullptr, interruption, *with.display, run)
             : run(request);
-    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
-    print_summary(outcome.summary);
-    if (outcome.summary.clock) print(text_of(*outcome.summary.clock));
-    for (const std::string& message : outcome.over_budget) print_error("kerf: " + message + "\n");
-    print("  " + request.out + "/report.html\n");
-    if (outcome.was_interrupted) return complain("interrupted; the results up to now are written", exit_fault);
-    const ExitCode judged = outcome.summary.verdict == session::Verdict::pass ? exit_pass : exit_not_passed;
-    return recorded ? std::max(judged, compare(*recorded, outcome.summary)) : judged;
+    return print_outcome(outcome, request.out, recorded);
 }
 
 ExitCode watch(const RunOptions& options, const Invocation& call) {

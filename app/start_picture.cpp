@@ -15,7 +15,7 @@ namespace kerf::app {
 namespace {
 
 /// Checks the documents on a grid of twice the spacing, or on their own where a tool is too thin for that.
-std::optional<run::Documents> coarse_documents(run::DocumentRequest request, double spacing,
+std::optional<run::Documents> coarse_documents(const run::DocumentRequest& request, double spacing,
                                                const PluginRegistry& plugins, text::Diagnostics& diagnostics) {
     run::DocumentRequest coarse = request;
     coarse.changes.settings.push_back(formatted("accuracy.spacing=%.4g mm", 2e3 * spacing));
@@ -31,9 +31,9 @@ std::string first_line(const text::Diagnostics& diagnostics) {
 
 }  // namespace
 
-StartPictures::Made StartPictures::make(run::DocumentRequest request, double spacing) {
+StartPictures::Made StartPictures::make(const run::DocumentRequest& request, double spacing) {
     text::Diagnostics diagnostics;
-    auto documents = coarse_documents(std::move(request), spacing, *plugins_, diagnostics);
+    auto documents = coarse_documents(request, spacing, *plugins_, diagnostics);
     if (!documents) return {nullptr, first_line(diagnostics)};
     bone::ImportOptions options;
     options.progress = [this](double fraction, const std::string&) { fraction_ = fraction; };

@@ -35,7 +35,7 @@ private:
         std::shared_ptr<const window::StartPicture> picture;
         std::string error;
     };
-    [[nodiscard]] Made make(run::DocumentRequest request, double spacing);
+    [[nodiscard]] Made make(const run::DocumentRequest& request, double spacing);
 
     const PluginRegistry* plugins_;
     std::map<std::string, Made> made_;

@@ -35,15 +35,8 @@ double number_in(const std::string& text) {
     return status == std::errc{} && end == text.data() + text.size() ? value : std::nan("");
 }
 
-}  // namespace
-
-std::optional<RecordedInputs> read_session(const std::string& path, std::string& error) {
-    std::vector<std::string> tables;
-    for (const Table& table : session_tables({})) tables.push_back(table.name);
-    SessionFile file;
-    if (error = file.open(path, tables); !error.empty()) return std::nullopt;
-
-    RecordedInputs inputs;
+/// Reads what the session states of the whole run. Returns false if the file cannot be read.
+bool read_keys(SessionFile& file, RecordedInputs& inputs) {
     SessionQuery keys(file.handle(), "SELECT key, value FROM session");
     while (keys.next()) {
         const std::string key = keys.text(0);
@@ -57,6 +50,19 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         if (key.starts_with(device_key))
             inputs.device_values.emplace_back(key.substr(device_key.size()), number_in(keys.text(1)));
     }
+    return !keys.has_failed();
+}
+
+}  // namespace
+
+std::optional<RecordedInputs> read_session(const std::string& path, std::string& error) {
+    std::vector<std::string> tables;
+    for (const Table& table : session_tables({})) tables.push_back(table.name);
+    SessionFile file;
+    if (error = file.open(path, tables); !error.empty()) return std::nullopt;
+
+    RecordedInputs inputs;
+    const bool has_keys = read_keys(file, inputs);
     const std::vector<Table> all = recorded_tables(file.handle());
     RecordedRows ticks(
         file.handle(), find_table(all, ticks_table),
@@ -109,7 +115,7 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         error = path + ": " + ticks.fault() + ", so it holds no ticks that can be replayed. Take an undamaged copy.";
         return std::nullopt;
     }
-    if (keys.has_failed() || adoptions.has_failed() || asked.has_failed() || missed.has_failed() || lost.has_failed() ||
+    if (!has_keys || adoptions.has_failed() || asked.has_failed() || missed.has_failed() || lost.has_failed() ||
         late.has_failed() || inputs.device_from_handle.empty()) {
         error = path + ": holds no ticks that can be read.";
         return std::nullopt;

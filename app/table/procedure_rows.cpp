@@ -105,6 +105,34 @@ Command window_row() {
             .run = [](const Options&, const Invocation& call) { return become_window(call.here, call.argv); }};
 }
 
+Command explain_row() {
+    return {.name = "explain",
+            .group = "Procedures",
+            .summary = "Explain a code such as E0412: its meaning, its reason, what to do",
+            .arguments = {{.name = "CODE",
+                           .value = text("", "a code, as in `E0412`"),
+                           .help = "the code before a message",
+                           .default_value = "a list of all",
+                           .member = in<ExplainOptions>(&ExplainOptions::code)}},
+            .examples = {{"kerf explain E0412", "explains the code E0412"}},
+            .defaults = ExplainOptions{},
+            .run = with_environment(&commands::explain)};
+}
+
+Command schema_row() {
+    return {.name = "schema",
+            .group = "Procedures",
+            .summary = "Print the JSON Schema of a kind of document, for editors",
+            .arguments = {{.name = "KIND",
+                           .value = one_of("", {"procedure", "anatomy", "station"}),
+                           .help = "procedure (default), anatomy or station",
+                           .default_value = "procedure",
+                           .member = in<SchemaOptions>(&SchemaOptions::kind)}},
+            .examples = {{"kerf schema anatomy", "prints the schema of anatomies"}},
+            .defaults = SchemaOptions{},
+            .run = with_environment(&commands::print_schema)};
+}
+
 }  // namespace
 
 std::vector<Command> procedure_commands() {
@@ -177,28 +205,8 @@ std::vector<Command> procedure_commands() {
          .examples = {{"kerf preview pedicle-screw.yaml --out preview.html", "writes the page preview.html"}},
          .defaults = PreviewOptions{},
          .run = with_environment(&commands::preview)});
-    rows.push_back({.name = "explain",
-                    .group = "Procedures",
-                    .summary = "Explain a code such as E0412: its meaning, its reason, what to do",
-                    .arguments = {{.name = "CODE",
-                                   .value = text("", "a code, as in `E0412`"),
-                                   .help = "the code before a message",
-                                   .default_value = "a list of all",
-                                   .member = in<ExplainOptions>(&ExplainOptions::code)}},
-                    .examples = {{"kerf explain E0412", "explains the code E0412"}},
-                    .defaults = ExplainOptions{},
-                    .run = with_environment(&commands::explain)});
-    rows.push_back({.name = "schema",
-                    .group = "Procedures",
-                    .summary = "Print the JSON Schema of a kind of document, for editors",
-                    .arguments = {{.name = "KIND",
-                                   .value = one_of("", {"procedure", "anatomy", "station"}),
-                                   .help = "procedure (default), anatomy or station",
-                                   .default_value = "procedure",
-                                   .member = in<SchemaOptions>(&SchemaOptions::kind)}},
-                    .examples = {{"kerf schema anatomy", "prints the schema of anatomies"}},
-                    .defaults = SchemaOptions{},
-                    .run = with_environment(&commands::print_schema)});
+    rows.push_back(explain_row());
+    rows.push_back(schema_row());
     return rows;
 }
 
