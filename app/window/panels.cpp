@@ -243,12 +243,20 @@ void paint_header(const PanelModel& model, const Layout& layout, const Fonts& fo
                  shortened(fonts.text, hint, wide).c_str());
 }
 
-float height_of_card(const PanelModel& model) {
+/// Returns the height of the card with the result, for a width of its lines.
+float height_of_card(const PanelModel& model, const Fonts& fonts, float width) {
     if (!model.result->has_value()) return 50.0f;
+    constexpr std::size_t max_reasons = 2, max_deductions = 3;
+    constexpr float max_lines = 3.0f;
     const run::ViewedResult& result = **model.result;
-    return 110.0f + 48.0f * static_cast<float>(std::min<std::size_t>(2, result.reasons.size())) +
-           (result.deductions.empty() ? 0.0f : 24.0f) + (model.exit_hint.empty() ? 0.0f : 21.0f) +
-           22.0f * static_cast<float>(std::min<std::size_t>(3, result.deductions.size()));
+    const auto reasons = std::min(max_reasons, result.reasons.size());
+    float height = model.exit_hint.empty() ? 132.0f : 153.0f;
+    for (std::size_t i = 0; i < reasons; ++i) {
+        const float wide = fonts.small->CalcTextSizeA(fonts.small->FontSize, 1e9f, 0.0f, result.reasons[i].c_str()).x;
+        height += (fonts.small->FontSize + 3.0f) * std::min(max_lines, std::ceil(wide / (0.9f * width)));
+    }
+    if (!result.deductions.empty()) height += 22.0f;
+    return height + 21.0f * static_cast<float>(std::min(max_deductions, result.deductions.size()));
 }
 
 /// Paints the verdict over the picture.
@@ -256,7 +264,7 @@ void paint_end_card(const PanelModel& model, const Layout& layout, const Fonts& 
                     std::vector<TimeLink>& links) {
     if (!model.state->is_over) return;
     const ImVec2 low = layout.picture_low(), high = layout.picture_high();
-    const float wide = std::min(460.0f, high.x - low.x - 20.0f), tall = height_of_card(model),
+    const float wide = std::min(460.0f, high.x - low.x - 20.0f), tall = height_of_card(model, fonts, wide - 28.0f),
                 x = high.x - wide - 12.0f, y = high.y - tall - 12.0f;
     PanelPainter painter(list, fonts, {x, y}, {x + wide, y + tall}, IM_COL32(0x12, 0x16, 0x1b, 235));
     if (!model.result->has_value()) {
