@@ -72,7 +72,7 @@ std::shared_ptr<const ViewedSurface> SurfaceView::update(PresentBone& bone, cons
                                   PagedTable<ViewedPatch>(is_drawn[body] ? grid.brick_count() : 0)};
             if (is_drawn[body]) pieces_[body].emplace(Piece{&whole, SurfacePatches(whole)});
         }
-        if (pieces_[body] && (update_body(bone, body, *next) || is_new)) has_changed = true;
+        if (pieces_[body] && (update_body(bone, body, is_new, *next) || is_new)) has_changed = true;
     }
     if (!has_changed) return nullptr;
     ++next->version;
@@ -80,13 +80,11 @@ std::shared_ptr<const ViewedSurface> SurfaceView::update(PresentBone& bone, cons
     return next;
 }
 
-bool SurfaceView::update_body(PresentBone& bone, std::size_t body, ViewedSurface& next) {
+bool SurfaceView::update_body(PresentBone& bone, std::size_t body, bool is_new, ViewedSurface& next) {
     const std::vector<std::size_t> changed = bone.take_changed(body);
-    const bool is_first =
-        last_ == nullptr || body >= last_->bodies.size() || last_->bodies[body].patches.capacity() == 0;
     const CutField& cut = bone.cut(body);
     SurfacePatches& patches = pieces_[body]->patches;
-    const auto published = is_first ? patches.update_all(cut) : patches.update(cut, changed);
+    const auto published = is_new ? patches.update_all(cut) : patches.update(cut, changed);
     std::vector<PatchChange<ViewedPatch>> lit;
     for (const auto& [brick, patch] : published)
         lit.push_back({brick, patch == nullptr

@@ -25,7 +25,7 @@ private:
         const Body* bone;
         SurfacePatches patches;
     };
-    [[nodiscard]] bool update_body(PresentBone& bone, std::size_t body, ViewedSurface& next);
+    [[nodiscard]] bool update_body(PresentBone& bone, std::size_t body, bool is_new, ViewedSurface& next);
 
     std::vector<std::optional<Piece>> pieces_;  ///< for each body; nothing: not drawn
     std::shared_ptr<const ViewedSurface> last_;

@@ -277,5 +277,35 @@ TEST(SurfaceView, IsLightOnAFlatFaceAndDarkInAHole) {
     EXPECT_EQ(view.update(bone, {true}), nullptr) << "nothing has changed";
 }
 
+/// Returns a ball.
+Body ball(double radius) {
+    Body body;
+    body.id = "ball";
+    const Grid grid = Grid::covering({-6e-3, -6e-3, -6e-3}, {6e-3, 6e-3, 6e-3}, 0.5e-3);
+    body.surface = LevelSet::build(grid, [=](Vec3 p) { return length(p) - radius; });
+    body.materials.push_back({.id = "cortical", .density = 1850.0, .border = {}});
+    return body;
+}
+
+std::size_t triangles_of(const ViewedBodySurface& surface) {
+    std::size_t count = 0;
+    for (std::size_t brick = 0; brick < surface.patches.capacity(); ++brick)
+        if (surface.patches[brick] != nullptr) count += surface.patches[brick]->triangles.size();
+    return count;
+}
+
+// After an undo another body may have the number of the one that went.
+TEST(SurfaceView, ShowsAllOfABodyThatReplacesAnother) {
+    const Body small = ball(3e-3), large = ball(5e-3);
+    PresentBone first(small, 1), second(large, 1);
+    SurfaceView view, fresh;
+    ASSERT_NE(view.update(first, {true}), nullptr);
+    const auto replaced = view.update(second, {true});
+    PresentBone again(large, 1);
+    const auto expected = fresh.update(again, {true});
+    ASSERT_NE(replaced, nullptr);
+    EXPECT_EQ(triangles_of(replaced->bodies[0]), triangles_of(expected->bodies[0]));
+}
+
 }  // namespace
 }  // namespace kerf::run
