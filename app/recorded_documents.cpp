@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/recorded_documents.h"
 
-#include <algorithm>
-#include <filesystem>
 #include <utility>
-#include <vector>
 
 #include "app/make_bone.h"
+#include "app/procedure_files.h"
 #include "app/replay.h"
 #include "app/standard_streams.h"
 #include "documents/read_procedure.h"
@@ -15,24 +13,16 @@ namespace kerf::app {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Returns the shipped procedure whose text is in the session; empty: none.
 std::string shipped_procedure(const SessionOptions& options, const Environment& with,
                               const session::RecordedInputs& recorded) {
-    std::vector<std::string> files;
-    std::error_code error;
     // A copy of the source has them in a folder of its own.
     for (const std::string& folder : {with.here.procedures(), std::string("procedures")})
-        for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
-             entry.increment(error))
-            if (entry->path().extension() == ".yaml") files.push_back(entry->path().string());
-    std::sort(files.begin(), files.end());
-    for (const std::string& file : files) {
-        const auto procedure = documents::read_procedure(file, with.plugins.catalog(),
-                                                         {recorded.variant, options.settings, options.patches});
-        if (procedure && procedure->text == recorded.procedure_text) return file;
-    }
+        for (const std::string& file : procedures_in(folder)) {
+            const auto procedure = documents::read_procedure(file, with.plugins.catalog(),
+                                                             {recorded.variant, options.settings, options.patches});
+            if (procedure && procedure->text == recorded.procedure_text) return file;
+        }
     return {};
 }
 

@@ -43,4 +43,13 @@ std::string repeat(const session::RecordedInputs& recorded, const std::string& s
     return {};
 }
 
+std::string recorded_device(const session::RecordedInputs& recorded, const std::string& session,
+                            std::unique_ptr<StatedDevice>& device) {
+    if (recorded.device_values.empty()) return {};
+    std::string fault;
+    device = StatedDevice::of(recorded.device, recorded.device_values, fault);
+    return device != nullptr ? std::string()
+                             : session + ": the recorded device cannot be used: " + fault + ". The file was changed.";
+}
+
 }  // namespace kerf::app

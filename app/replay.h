@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 
+#include "core/haptics/loop/stated_device.h"
 #include "documents/procedure.h"
 #include "run/run_procedure.h"
 #include "session/read_session.h"
@@ -21,5 +23,10 @@ namespace kerf::app {
 /// [any]
 [[nodiscard]] std::string repeat(const session::RecordedInputs& recorded, const std::string& session,
                                  run::RunRequest& request);
+
+/// Makes the device that a session was recorded with; `device` stays null if it had none. Returns why it cannot, for
+/// people; empty if it can.   [any]
+[[nodiscard]] std::string recorded_device(const session::RecordedInputs& recorded, const std::string& session,
+                                          std::unique_ptr<StatedDevice>& device);
 
 }  // namespace kerf::app

@@ -141,14 +141,9 @@ struct DeviceOfRun {
 /// Opens the device of `--device`, or makes that of a recorded session. Prints why it cannot.
 ExitCode choose_device(const RunOptions& options, const std::optional<session::RecordedInputs>& recorded,
                        const Environment& with, const Interruption& interruption, DeviceOfRun& chosen) {
-    if (recorded && !recorded->device_values.empty()) {
-        std::string fault;
-        chosen.recorded = StatedDevice::of(recorded->device, recorded->device_values, fault);
-        if (chosen.recorded == nullptr)
-            return complain(
-                options.replay + ": the recorded device cannot be used: " + fault + ". The file was changed.",
-                exit_bad_input);
-    }
+    if (recorded)
+        if (const std::string why_not = recorded_device(*recorded, options.replay, chosen.recorded); !why_not.empty())
+            return complain(why_not, exit_bad_input);
     return options.device.empty() || is_by_mouse(options)
                ? exit_pass
                : open_leading_device(options.device, with.plugins, interruption, chosen.own);

@@ -2,38 +2,48 @@
 #include "app/shown_in_window.h"
 
 #include <atomic>
-#include <chrono>
 #include <exception>
-#include <future>
 #include <utility>
 
 #include "app/make_bone.h"
 #include "app/run_thread.h"
-#include "run/view/run_view.h"
 
 namespace kerf::app {
 
 ExitCode wait_shown(const std::string& what, RunDisplay& display, const Interruption& interruption,
                     const std::function<ExitCode()>& work) {
-    auto running = std::async(std::launch::async, work);
-    display.wait(
-        what, [] { return 0.5; },
+    return done_behind(
+        display, what, [] { return 0.5; }, work,
         [&] {
             if (display.wants_end()) interruption.come();
-            return running.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
         });
-    return running.get();
 }
 
 text::Result<run::Scene> make_bone_shown(run::Documents documents, const std::string& file, RunDisplay& display) {
     std::atomic<double> fraction{0.0};
-    auto made = std::async(std::launch::async, [&] {
-        return make_bone(std::move(documents), file, {}, [&](double done) { fraction = done; });
+    return done_behind(
+        display, "Making the bone", [&] { return fraction.load(); },
+        [&] { return make_bone(std::move(documents), file, {}, [&](double done) { fraction = done; }); }, [] {});
+}
+
+run::RunOutcome run_behind(RunDisplay& display, run::RunView& view, const Interruption& interruption,
+                           const std::function<run::RunOutcome()>& run) {
+    auto running = RunThread::of_process().run([&] {
+        run::RunOutcome outcome;
+        try {
+            outcome = run();
+        } catch (...) {
+            view.close();
+            throw;
+        }
+        if (!outcome.error.empty() || interruption.has_come()) view.close();
+        return outcome;
     });
-    display.wait(
-        "Making the bone", [&] { return fraction.load(); },
-        [&] { return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
-    return made.get();
+    const std::string why_not = display.show(view);
+    view.stop();
+    run::RunOutcome outcome = running.get();
+    if (!why_not.empty() && outcome.error.empty()) outcome.error = why_not;
+    return outcome;
 }
 
 run::RunOutcome run_shown(const run::Scene& scene, run::RunRequest request, run::MouseBox* mouse,
@@ -46,22 +56,7 @@ run::RunOutcome run_shown(const run::Scene& scene, run::RunRequest request, run:
     run::RunView view(scene, request.mode, hand, request.out);
     if (mouse != nullptr) view.let_mouse_lead(*mouse, [&] { return interruption.has_come(); });
     request.observers.push_back(&view);
-    auto running = RunThread::of_process().run([&] {
-        run::RunOutcome outcome;
-        try {
-            outcome = run(request);
-        } catch (...) {
-            view.close();
-            throw;
-        }
-        if (!outcome.error.empty() || interruption.has_come()) view.close();
-        return outcome;
-    });
-    const std::string why_not = display.show(view);
-    if (!why_not.empty()) view.stop();
-    run::RunOutcome outcome = running.get();
-    if (!why_not.empty() && outcome.error.empty()) outcome.error = "the window cannot draw: " + why_not;
-    return outcome;
+    return run_behind(display, view, interruption, [&] { return run(request); });
 }
 
 }  // namespace kerf::app

@@ -11,12 +11,12 @@
 #include "app/attempts.h"
 #include "app/learner_code.h"
 #include "app/listed_name.h"
+#include "app/procedure_files.h"
 #include "app/read_scene.h"
 #include "run/device/opened_device.h"
 #include "run/documents.h"
 #include "run/view/scene_view.h"
 #include "text/printable.h"
-#include "text/regular_file.h"
 
 namespace kerf::app {
 
@@ -29,37 +29,6 @@ using window::StartPage;
 using window::StartProcedure;
 using window::StartSelection;
 
-/// Returns whether a file states a kind other than a procedure. Such files are often in the same folder.
-bool is_of_another_kind(const fs::path& file) {
-    constexpr std::size_t head_size = 4096;
-    std::ifstream in = text::open_regular_file(file.string());
-    std::string head(head_size, '\0');
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-    const std::size_t at = ("\n" + head).find("\nkind:");
-    if (at == std::string::npos) return false;
-    return head.substr(at, head.find('\n', at) - at).find("Procedure") == std::string::npos;
-}
-
-std::vector<std::string> procedures_in(const std::string& folder) {
-    std::vector<std::string> files;
-    std::error_code error;
-    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
-         entry.increment(error)) {
-        const fs::path file = entry->path();
-        const bool is_yaml = file.extension() == ".yaml" || file.extension() == ".yml";
-        if (is_yaml && !is_of_another_kind(file)) files.push_back(file.string());
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-std::string spaced(std::string id) {
-    std::replace(id.begin(), id.end(), '_', ' ');
-    std::replace(id.begin(), id.end(), '-', ' ');
-    return id;
-}
-
 /// Returns "4 steps with pilot, opener, tap".
 std::string summary_of(const documents::Procedure& procedure) {
     std::vector<std::string> tools;
@@ -67,7 +36,7 @@ std::string summary_of(const documents::Procedure& procedure) {
         if (std::find(tools.begin(), tools.end(), step.instrument) == tools.end()) tools.push_back(step.instrument);
     std::string text =
         std::to_string(procedure.steps.size()) + (procedure.steps.size() == 1 ? " step with " : " steps with ");
-    for (std::size_t i = 0; i < tools.size(); ++i) text += (i == 0 ? "" : ", ") + spaced(tools[i]);
+    for (std::size_t i = 0; i < tools.size(); ++i) text += (i == 0 ? "" : ", ") + run::spaced(tools[i]);
     return text::printable(text);
 }
 
@@ -81,7 +50,7 @@ std::string first_error(const text::Diagnostics& diagnostics) {
 }
 
 StartEntry entry_of(const std::string& id, const std::string& title) {
-    return {id, text::printable(title.empty() ? spaced(id) : title)};
+    return {id, text::printable(title.empty() ? run::spaced(id) : title)};
 }
 
 }  // namespace
@@ -179,7 +148,7 @@ void StartPages::read_details(const StartSelection& selection) {
     for (const documents::Step& step : read.steps) {
         StartDetails::Step& one = page_.details.steps.emplace_back();
         one.title = text::printable(step.title);
-        one.tool = text::printable(spaced(step.instrument));
+        one.tool = text::printable(run::spaced(step.instrument));
         for (const documents::Goal& goal : step.goals)
             one.goals.push_back(text::printable(run::viewed_goal(goal, read).words));
         for (const documents::Limit& limit : step.limits)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `kerf view`.
 #include <cstdlib>
-#include <future>
 #include <memory>
 #include <string>
 
@@ -10,9 +9,8 @@
 #include "app/recorded_documents.h"
 #include "app/replay.h"
 #include "app/run_display.h"
-#include "app/run_thread.h"
+#include "app/shown_in_window.h"
 #include "app/standard_streams.h"
-#include "core/haptics/loop/stated_device.h"
 #include "run/run_procedure.h"
 #include "run/view/run_view.h"
 
@@ -47,23 +45,15 @@ ExitCode view(const ViewOptions& options, const Environment& with) {
                             " s. Write an earlier time.",
                         exit_bad_input);
     std::unique_ptr<StatedDevice> device;
-    if (!recorded.device_values.empty()) {
-        std::string fault;
-        device = StatedDevice::of(recorded.device, recorded.device_values, fault);
-        if (device == nullptr)
-            return complain(
-                options.session + ": the recorded device cannot be used: " + fault + ". The file was changed.",
-                exit_bad_input);
-        of_session.documents->device = &device->record();
-    }
+    if (const std::string why_not = recorded_device(recorded, options.session, device); !why_not.empty())
+        return complain(why_not, exit_bad_input);
+    if (device != nullptr) of_session.documents->device = &device->record();
     if (const std::string why_not = with.display->open(of_session.documents->procedure.title); !why_not.empty())
         return complain(why_not, exit_fault);
     const Interruption interruption;
-    auto made = std::async(std::launch::async, [&] { return scene_of(of_session, options.session); });
-    with.display->wait(
-        "Making the bone", [] { return 0.5; },
-        [&] { return made.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
-    const auto scene = made.get();
+    const auto scene = done_behind(
+        *with.display, "Making the bone", [] { return 0.5; }, [&] { return scene_of(of_session, options.session); },
+        [] {});
     if (!scene) return exit_bad_input;
 
     run::RunRequest request;
@@ -72,15 +62,8 @@ ExitCode view(const ViewOptions& options, const Environment& with) {
     run::RunView run_view(*scene, "debrief", "recorded hand", "", duration);
     Stop stop(interruption, run_view);
     request.observers = {&stop, &run_view};
-    auto running = RunThread::of_process().run([&] {
-        auto outcome = run::run_procedure(*scene, with.plugins, request);
-        if (!outcome.error.empty() || interruption.has_come()) run_view.close();
-        return outcome;
-    });
-    const std::string why_not = with.display->show(run_view);
-    run_view.stop();
-    const run::RunOutcome outcome = running.get();
-    if (!why_not.empty()) return complain(why_not, exit_fault);
+    const run::RunOutcome outcome = run_behind(*with.display, run_view, interruption,
+                                               [&] { return run::run_procedure(*scene, with.plugins, request); });
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     return interruption.has_come() ? complain("interrupted", exit_fault) : exit_pass;
 }

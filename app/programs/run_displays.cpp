@@ -48,11 +48,12 @@ std::string WindowDisplay::show(run::ViewedRun& run) {
         const std::string error = write_picture(file, pixels);
         print_error("kerf: " + (error.empty() ? "picture written to " + file : error) + "\n");
     };
-    return window::show_run(*window_, run,
-                            {.on_picture = save,
-                             .begins_at = options_.begins_at,
-                             .closes_at_end = !options_.screenshot.empty(),
-                             .has_start_page = options_.window != nullptr});
+    const std::string why_not = window::show_run(*window_, run,
+                                                 {.on_picture = save,
+                                                  .begins_at = options_.begins_at,
+                                                  .closes_at_end = !options_.screenshot.empty(),
+                                                  .has_start_page = options_.window != nullptr});
+    return why_not.empty() ? why_not : "the window cannot draw: " + why_not;
 }
 
 // ---- pictures -----------------------------------------------------------------------------------------------------

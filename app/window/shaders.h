@@ -51,7 +51,6 @@ void main() { pixel = vec4(sqrt(colour), 1.0); }
 
 /// Seen through: the rims of all faces add up.
 inline constexpr const char* x_ray_fragment = R"(#version 330 core
-in vec3 colour;
 in float facing;
 out vec4 pixel;
 void main() { float rim = pow(1.0 - facing, 2.0); pixel = vec4(vec3(0.42, 0.55, 0.66) * (0.04 + 0.30 * rim), 1.0); }
@@ -61,14 +60,12 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 uniform mat4 clip_from_body;
 uniform mat4 view_from_body;
-out vec3 colour;
 out float facing;
 void main() {
     gl_Position = clip_from_body * vec4(position, 1.0);
     vec3 n = normalize(mat3(view_from_body) * normal);
     vec3 eye = normalize(-(view_from_body * vec4(position, 1.0)).xyz);
     facing = abs(dot(n, eye));
-    colour = vec3(0.0);
 }
 )";
 

@@ -49,12 +49,6 @@ constexpr std::array quantities{Quantity{"entry", "reach the bone", ""},
                                 Quantity{"axes_angle", "angle of the axes", "deg"},
                                 Quantity{"tip_apex", "tip-apex distance", "mm"}};
 
-std::string spaced(std::string text) {
-    std::replace(text.begin(), text.end(), '_', ' ');
-    std::replace(text.begin(), text.end(), '-', ' ');
-    return text;
-}
-
 /// Returns "depth at least 30 mm and at most 40 mm".
 std::string bound_in_words(std::string name, const documents::Bound& bound, const std::string& unit) {
     if (bound.at_least) name += " at least " + text::quantity_text(*bound.at_least, unit);
@@ -152,6 +146,12 @@ std::string name_of(const Scene& scene, std::size_t tool) {
 
 }  // namespace
 
+std::string spaced(std::string text) {
+    std::replace(text.begin(), text.end(), '_', ' ');
+    std::replace(text.begin(), text.end(), '-', ' ');
+    return text;
+}
+
 ViewedLimit viewed_goal(const documents::Goal& goal, const documents::Procedure& procedure) {
     return viewed(goal, procedure);
 }
@@ -162,7 +162,8 @@ ViewedLimit viewed_limit(const documents::Limit& limit, const documents::Procedu
         return with_bound(std::move(viewed), "distance to " + spaced(limit.zone), limit.bound);
     }
     if (limit.quantity == "damage")
-        return {.words = "no " + spaced(limit.event.substr(limit.event.find('.') + 1)), .quantity = limit.event};
+        return {.words = "no damage: " + spaced(limit.event.substr(limit.event.find('.') + 1)),
+                .quantity = limit.event};
     return viewed(limit, procedure);
 }
 

@@ -14,6 +14,9 @@ namespace kerf::run {
 /// @param hand  who leads the tool, for people
 [[nodiscard]] ViewedScene viewed_scene(const Scene& scene, std::string mode, std::string hand);
 
+/// Returns an id for people: "spinal_canal" as "spinal canal".   [any] pure
+[[nodiscard]] std::string spaced(std::string id);
+
 /// Returns a goal as a viewer shows it: "depth at least 35 mm".   [any] pure
 [[nodiscard]] ViewedLimit viewed_goal(const documents::Goal& goal, const documents::Procedure& procedure);
 
