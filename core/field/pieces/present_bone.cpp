@@ -36,10 +36,10 @@ void PresentBone::find_pieces(double crumb) {
         if (!piece->finder) piece->finder.emplace(*piece->bone, piece->cut);
 }
 
-std::vector<Separation> PresentBone::apply(const CutRecord& record, const ToolSolid& solid) {
-    std::vector<Separation> separations;
+std::vector<NewSeparation> PresentBone::apply(const CutRecord& record, const ToolSolid& solid) {
+    std::vector<NewSeparation> separations;
     for (std::size_t body = 0, count = pieces_.size(); body < count; ++body)
-        if (body == record.body || pieces_[body]->recorded_as == record.body)
+        if (is_recorded_as(body, record.body))
             if (auto separation = apply_to(static_cast<std::uint16_t>(body), record, solid))
                 separations.push_back(std::move(*separation));
     return separations;
@@ -50,6 +50,11 @@ void PresentBone::mark_adopted(const Separation& separation) {
         PresentPiece& part = *pieces_[separation.parts[n].body];
         part.recorded_as.reset();
         part.image.reset();
+    }
+    for (auto& piece : pieces_) {  // a parent is before its parts
+        if (!piece->recorded_as) continue;
+        const std::uint16_t named = pieces_[piece->separated_from]->recorded_as.value_or(piece->separated_from);
+        if (std::exchange(piece->recorded_as, named) != named) piece->image.reset();
     }
 }
 
@@ -102,7 +107,8 @@ void PresentBone::restore(const BoneImage& image) {
     }
 }
 
-std::optional<Separation> PresentBone::apply_to(std::uint16_t body, const CutRecord& record, const ToolSolid& solid) {
+std::optional<NewSeparation> PresentBone::apply_to(std::uint16_t body, const CutRecord& record,
+                                                   const ToolSolid& solid) {
     PresentPiece& piece = *pieces_[body];
     piece.cut.stamp(record, solid);
     const std::vector<std::size_t> changed = piece.cut.take_changed();
@@ -120,7 +126,7 @@ std::optional<Separation> PresentBone::apply_to(std::uint16_t body, const CutRec
     return part(body, record, loose);
 }
 
-Separation PresentBone::part(std::uint16_t body, const CutRecord& record, const std::vector<LoosePart>& loose) {
+NewSeparation PresentBone::part(std::uint16_t body, const CutRecord& record, const std::vector<LoosePart>& loose) {
     PresentPiece& parent = *pieces_[body];
     const Grid& g = parent.bone->grid();
     const double voxel = g.spacing * g.spacing * g.spacing;
@@ -153,7 +159,7 @@ Separation PresentBone::part(std::uint16_t body, const CutRecord& record, const 
     const auto mask_of = [&](const SampleSet& bone) { return std::make_shared<const PieceMask>(g, all, bone); };
     separation.parts.push_back({body, volume_of(parent.finder->samples()), mask_of(stays)});
     count_removed();
-    const CutField whole = std::move(parent.cut);
+    CutField whole = std::move(parent.cut);
     for (const LoosePart* part : kept) {
         const auto id = static_cast<std::uint16_t>(pieces_.size());
         separation.parts.push_back({id, volume_of(part->samples), mask_of(part->bone)});
@@ -170,7 +176,7 @@ Separation PresentBone::part(std::uint16_t body, const CutRecord& record, const 
     for (std::size_t b = 0; b < g.brick_count(); ++b)  // where parts separated, its surface has changed
         if (separation.parts.front().mask->removed_extent(b) != PieceMask::RemovedExtent::nothing)
             parent.changed.add(b);
-    return separation;
+    return {std::move(separation), std::move(whole)};
 }
 
 void PresentBone::reserve(std::size_t bricks) {

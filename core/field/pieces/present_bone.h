@@ -79,6 +79,12 @@ struct PresentPiece {
     std::shared_ptr<const PieceImage> image;   ///< snapshot of its present state; null: none yet
 };
 
+/// A separation that a record has made.
+struct NewSeparation {
+    Separation separation;
+    CutField before;  ///< cut of the parent with the record, when it still had all parts
+};
+
 class PresentBone {
 public:
     /// Makes body 0 from all of `body`, and allocates `reserve` bricks for its cut.   [main]
@@ -90,8 +96,13 @@ public:
 
     /// Stamps a record on the body that it names, and on parts of that body that are not yet adopted. Makes bodies of
     /// parts that this separates. Returns the separations.   [worker]
-    std::vector<Separation> apply(const CutRecord& record, const ToolSolid& solid);
-    /// Marks the parts of a separation as adopted: later records of their cuts name these parts.   [worker]
+    std::vector<NewSeparation> apply(const CutRecord& record, const ToolSolid& solid);
+    /// Returns whether records of cuts of `body` name `named`.   [worker]
+    [[nodiscard]] bool is_recorded_as(std::size_t body, std::size_t named) const noexcept {
+        return body == named || pieces_[body]->recorded_as == named;
+    }
+    /// Marks the parts of a separation as adopted: later records of their cuts, and of parts that separated from them
+    /// since, name these parts.   [worker]
     void mark_adopted(const Separation& separation);
 
     /// Adds another body, which must outlive this object. Returns its id. Pre: fewer than `max_bodies`.   [worker]
@@ -125,10 +136,10 @@ public:
     [[nodiscard]] std::uint64_t hash() const noexcept;
 
 private:
-    [[nodiscard]] std::optional<Separation> apply_to(std::uint16_t body, const CutRecord& record,
-                                                     const ToolSolid& solid);
+    [[nodiscard]] std::optional<NewSeparation> apply_to(std::uint16_t body, const CutRecord& record,
+                                                        const ToolSolid& solid);
     void count_removed();
-    [[nodiscard]] Separation part(std::uint16_t body, const CutRecord& record, const std::vector<LoosePart>& loose);
+    [[nodiscard]] NewSeparation part(std::uint16_t body, const CutRecord& record, const std::vector<LoosePart>& loose);
 
     std::vector<std::unique_ptr<PresentPiece>> pieces_;
     bool finds_pieces_ = false;

@@ -34,14 +34,28 @@ void BoneScene::apply(std::span<const CutRecord> records, const BodyStates& now)
         before_cut_->body_states.threads = threads_;  // those of `now` may contain a thread of this cut
     }
     for (const CutRecord& record : records) {
-        for (Separation& separation : bone_.apply(record, *cutting_[record.solid]))
-            wait_for_the_loop(std::move(separation));
+        stamp_waiting(record);
+        for (NewSeparation& found : bone_.apply(record, *cutting_[record.solid])) wait_for_the_loop(std::move(found));
         next_[record.body] = record.sequence + 1;
     }
     removing_ += records.size();
 }
 
-void BoneScene::wait_for_the_loop(Separation separation) {
+/// Stamps a record on the cuts that are kept for waiting separations.
+void BoneScene::stamp_waiting(const CutRecord& record) {
+    for (Waiting& waiting : waiting_)
+        for (auto& [body, cut] : waiting.without_later)
+            if (bone_.is_recorded_as(body, record.body)) static_cast<void>(cut.stamp(record, *cutting_[record.solid]));
+}
+
+void BoneScene::wait_for_the_loop(NewSeparation found) {
+    Separation& separation = found.separation;
+    const auto has_parent = [&](const auto& part) { return part.body == separation.parent; };
+    for (auto waiting = waiting_.rbegin(); waiting != waiting_.rend(); ++waiting) {
+        if (std::none_of(waiting->separation.parts.begin(), waiting->separation.parts.end(), has_parent)) continue;
+        waiting->without_later.try_emplace(separation.parent, std::move(found.before));
+        break;  // earlier ones have theirs since this one was found
+    }
     Owners owners = waiting_.empty() ? belongings_.owners : waiting_.back().owners;
     std::vector<std::size_t> bodies;
     for (const auto& part : separation.parts) bodies.push_back(part.body);
@@ -77,7 +91,7 @@ void BoneScene::push_undo_of(const BodyStates& before) {
 // ---- offers -------------------------------------------------------------------------------------------------------
 
 Offer BoneScene::separation() const {
-    const auto& [first, owners] = waiting_.front();
+    const auto& [first, owners, without_later] = waiting_.front();
     Offer offer;
     offer.change = Offer::Change::separation;
     offer.tick = first.tick;
@@ -85,7 +99,9 @@ Offer BoneScene::separation() const {
     offer.owners = owners;
     for (const auto& part : first.parts) {
         const std::uint16_t id = part.body;
-        offer.made[id] = {live_body(id, *bone_.piece(id).bone, bone_.cut(id), *cutting_.front()), first.parent,
+        const auto kept = without_later.find(id);
+        const CutField& cut = kept != without_later.end() ? kept->second : bone_.cut(id);
+        offer.made[id] = {live_body(id, *bone_.piece(id).bone, cut, *cutting_.front()), first.parent,
                           next_[first.parent]};
         offer.body_states.count = std::max<std::size_t>(offer.body_states.count, id + 1u);
     }

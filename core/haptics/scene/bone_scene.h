@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -98,6 +99,9 @@ private:
     struct Waiting {
         Separation separation;
         Owners owners;
+        /// The cuts of those of its parts that later separations have changed, as they are without them. So an offer
+        /// contains the same bone, whether a later separation has been found or not.
+        std::map<std::uint16_t, CutField> without_later{};
     };
     /// A copy of everything that a change of bodies or a cut changes.
     struct Snapshot {
@@ -106,7 +110,8 @@ private:
         std::vector<Waiting> waiting;
         Owners owners;
     };
-    void wait_for_the_loop(Separation separation);
+    void wait_for_the_loop(NewSeparation found);
+    void stamp_waiting(const CutRecord& record);
     [[nodiscard]] Snapshot snapshot(const BodyStates& now) {
         return {bone_.image(), now, waiting_, belongings_.owners};
     }

@@ -68,6 +68,39 @@ TEST(BoneScene, OffersASeparationWithTheOwnersAfterIt) {
     EXPECT_EQ(bar.scene.owners().step, (std::vector<std::size_t>{1}));
 }
 
+TEST(BoneScene, OffersASeparationWithoutLaterOnes) {
+    Bar bar;
+    bar.cut(wall_at(3.0_mm, 0));
+    const Offer before = bar.scene.separation();
+    const CutRecord later = wall_at(-3.0_mm, 1);
+    bar.cut(later);
+    const CutRecord last = wall_at(0.0, 2);
+    bar.cut(last);
+    const Offer after = bar.scene.separation();
+    for (const CutRecord* record : {&later, &last})
+        static_cast<void>(before.made[0].body->committed.stamp(*record, bar.wall));
+    EXPECT_TRUE(before.made[0].body->committed.same_bits(after.made[0].body->committed));
+    EXPECT_FALSE(after.made[0].body->committed.same_bits(bar.scene.bone().cut(0)));  // which lacks the later parts
+    EXPECT_EQ(after.body_states.count, 2u);
+
+    bar.take(after);
+    bar.take(bar.scene.separation());
+    const Offer newest = bar.scene.separation();
+    EXPECT_TRUE(newest.made[0].body->committed.same_bits(bar.scene.bone().cut(0)));
+}
+
+TEST(BoneScene, CutsAPartOfAWaitingPartByTheNameThatTheLoopKnows) {
+    Bar bar;
+    bar.cut(wall_at(1.0_mm, 0));  // the longer part stays body 0
+    bar.cut(wall_at(4.0_mm, 1));
+    ASSERT_EQ(bar.scene.bone().count(), 3u);
+    ASSERT_EQ(bar.scene.bone().piece(2).separated_from, 1u);
+    EXPECT_TRUE(bar.scene.bone().is_recorded_as(2, 0));  // the loop has body 0 alone
+    bar.take(bar.scene.separation());
+    EXPECT_TRUE(bar.scene.bone().is_recorded_as(2, 1));
+    EXPECT_FALSE(bar.scene.bone().is_recorded_as(2, 0));
+}
+
 TEST(BoneScene, FindsOwnersInTheOrderOfTheCutsHoweverLateTheyAreTaken) {
     Bar at_once, late;
     at_once.cut(wall_at(3.0_mm, 0));
