@@ -31,6 +31,8 @@ struct RunOptions : DocumentOptions {
     std::string learner;            ///< a code, never a name
     std::string out;                ///< folder; empty: out/ and the procedure's id
     std::string mode = "practice";  ///< practice | exam | demo
+    std::string assist;             ///< off | on-request | stepwise | full; empty: that of the procedure
+    std::string language;           ///< of the procedure's words; empty: that of the environment
     bool is_headless = false;       ///< accepted for scripts: a run has a window only with `--window`
     bool is_in_window = false;
     std::string screenshot;  ///< file of the window's last picture; empty: the window stays open
@@ -119,12 +121,14 @@ struct ViewOptions : SessionOptions {
     std::string at;          ///< [s] shown first; empty: the start
     std::string screenshot;  ///< file of a picture, drawn without a window; empty: a window opens
     std::string frames;      ///< folder of the pictures of a film, drawn without a window; empty: none
+    std::string language;    ///< of the procedure's words; empty: that of the environment
 };
 
 struct WindowOptions {
     std::string procedures;             ///< folder; empty: the shipped ones
     std::string attempts = "attempts";  ///< folder
     std::string learner;                ///< a code; empty: none
+    std::string language;               ///< of the procedures' words; empty: that of the environment
 };
 
 struct PrivacyOptions {

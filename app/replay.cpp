@@ -24,6 +24,7 @@ std::string refusal_of_other_text(const std::string& session) {
 std::string repeat(const session::RecordedInputs& recorded, const std::string& session, run::RunRequest& request) {
     request.rehearsal = recorded.rehearsal;
     request.mode = recorded.is_examination ? "exam" : request.is_examination() ? "practice" : request.mode;
+    if (!recorded.assist.empty()) request.assist = documents::assist_of(recorded.assist);
     request.replay = recorded.device_from_handle;
     request.adoptions = recorded.adoptions;
     request.missed = recorded.missed;

@@ -13,6 +13,7 @@
 
 #include "app/commands.h"
 #include "app/interruption.h"
+#include "app/language.h"
 #include "app/make_bone.h"
 #include "app/outputs.h"
 #include "app/own_device.h"
@@ -117,6 +118,10 @@ std::string refusal_of(const RunOptions& options, const documents::Procedure& pr
     if (!options.screenshot.empty() && !options.is_in_window)
         return "`--screenshot` is a picture of the window. Add `--window`.";
     if (options.is_live && !options.replay.empty()) return "a replay has no clock. Leave out `--live` or `--replay`.";
+    if (!options.assist.empty() && options.mode == "exam")
+        return "an examination has no help. Leave out `--assist` or `--mode exam`.";
+    if (!options.assist.empty() && !options.replay.empty())
+        return "a replay has the help of its recording. Leave out `--assist` or `--replay`.";
     if (options.device.empty()) return {};
     if (is_by_mouse(options) && !options.is_in_window) return "the mouse leads the tool in the window. Add `--window`.";
     if (!options.replay.empty()) return "a replay repeats the recorded hand. Leave out `--device` or `--replay`.";
@@ -232,10 +237,14 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         print_error(to_text(missing));
     }
     for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
+    if (const std::string note = note_of_language(options.language, documents->procedure.translations); !note.empty())
+        print_error("kerf: " + note + "\n");
     const Interruption interruption;  // a second Ctrl-C ends the program at once
     DeviceOfRun of_run;
     if (options.is_in_window)
-        if (const std::string why_not = with.display->open(documents->procedure.title); !why_not.empty())
+        if (const std::string why_not = with.display->open(
+                documents->procedure.translations.of(documents->procedure.title, language_for(options.language)));
+            !why_not.empty())
             return complain(why_not, exit_fault);
     const auto choose = [&] { return choose_device(options, recorded, with, interruption, of_run); };
     const bool waits_for_device = options.is_in_window && !options.device.empty();
@@ -259,6 +268,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     request.strategies = &strategies;
     request.learner = options.learner;
     request.mode = options.mode;
+    request.assist = documents::assist_of(options.assist);
     request.rehearsal = rehearsal;
     if (recorded)
         if (const std::string error = repeat(*recorded, options.replay, request); !error.empty())
@@ -278,9 +288,9 @@ ExitCode run(const RunOptions& options, const Environment& with) {
                                                        : run::run_procedure(*scene, with.plugins, requested);
     };
     const run::RunOutcome outcome =
-        options.is_in_window
-            ? run_shown(*scene, request, is_by_mouse(options) ? &mouse : nullptr, interruption, *with.display, run)
-            : run(request);
+        options.is_in_window ? run_shown(*scene, request, language_for(options.language),
+                                         is_by_mouse(options) ? &mouse : nullptr, interruption, *with.display, run)
+                             : run(request);
     return print_outcome(outcome, request.out, recorded);
 }
 

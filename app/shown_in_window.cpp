@@ -46,14 +46,18 @@ run::RunOutcome run_behind(RunDisplay& display, run::RunView& view, const Interr
     return outcome;
 }
 
-run::RunOutcome run_shown(const run::Scene& scene, run::RunRequest request, run::MouseBox* mouse,
-                          const Interruption& interruption, RunDisplay& display,
+run::RunOutcome run_shown(const run::Scene& scene, run::RunRequest request, const std::string& language,
+                          run::MouseBox* mouse, const Interruption& interruption, RunDisplay& display,
                           const std::function<run::RunOutcome(const run::RunRequest&)>& run) {
     const std::string hand = mouse != nullptr ? "mouse"
                              : !request.leader.empty()
                                  ? request.leader
                                  : "rehearsal " + run::rehearsal_of(scene.procedure, request.rehearsal).id;
-    run::RunView view(scene, request.mode, hand, request.out);
+    run::RunView view(scene, {.mode = request.mode,
+                              .hand = hand,
+                              .folder = request.out,
+                              .language = language,
+                              .assist = request.assist_with(scene.procedure)});
     if (mouse != nullptr) view.let_mouse_lead(*mouse, [&] { return interruption.has_come(); });
     request.observers.push_back(&view);
     return run_behind(display, view, interruption, [&] { return run(request); });

@@ -51,9 +51,10 @@ template <class Work, class Fraction, class Meanwhile>
 
 /// Calls `run` with the request on another thread, while the display shows the run on this one. If the display cannot
 /// draw, the run ends and the outcome has the error.   [main]
+/// @param language  of the procedure's words, as "de"
 /// @param mouse  gets what the user does with the mouse; null: a rehearsal or a device leads the tool
-[[nodiscard]] run::RunOutcome run_shown(const run::Scene& scene, run::RunRequest request, run::MouseBox* mouse,
-                                        const Interruption& interruption, RunDisplay& display,
+[[nodiscard]] run::RunOutcome run_shown(const run::Scene& scene, run::RunRequest request, const std::string& language,
+                                        run::MouseBox* mouse, const Interruption& interruption, RunDisplay& display,
                                         const std::function<run::RunOutcome(const run::RunRequest&)>& run);
 
 }  // namespace kerf::app

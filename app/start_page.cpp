@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/attempts.h"
+#include "app/language.h"
 #include "app/learner_code.h"
 #include "app/listed_name.h"
 #include "app/procedure_files.h"
@@ -55,8 +56,10 @@ StartEntry entry_of(const std::string& id, const std::string& title) {
 
 }  // namespace
 
-StartPages::StartPages(const WindowOptions& options, const Environment& with) : with_(with), pictures_(with.plugins) {
+StartPages::StartPages(const WindowOptions& options, const Environment& with)
+    : with_(with), language_(language_for(options.language)), pictures_(with.plugins) {
     page_.attempts_folder = options.attempts;
+    for (const auto& [word, level] : documents::assist_words) page_.assist_levels.emplace_back(word);
     open_folder(options.procedures);
 }
 
@@ -85,9 +88,10 @@ void StartPages::read_procedures() {
             continue;
         }
         const documents::Procedure& read = documents->procedure;
-        StartProcedure one{file, read.id, text::printable(read.title), summary_of(read), {}};
+        StartProcedure one{
+            file, read.id, text::printable(read.translations.of(read.title, language_)), summary_of(read), {}};
         for (const documents::Variant& variant : read.variants)
-            one.variants.push_back(entry_of(variant.id, variant.title));
+            one.variants.push_back(entry_of(variant.id, read.translations.of(variant.title, language_)));
         page_.procedures.push_back(std::move(one));
     }
 }
@@ -143,11 +147,15 @@ void StartPages::read_details(const StartSelection& selection) {
     const documents::Procedure& read = documents->procedure;
     spacing_ = read.spacing;
     page_.details.time_limit = read.time_limit;
+    page_.details.assist = to_text(read.assist);
+    const auto shown = [&](const std::string& words) {
+        return text::printable(read.translations.of(words, language_));
+    };
     for (const documents::Rehearsal& rehearsal : read.rehearsals)
-        page_.details.rehearsals.push_back(entry_of(rehearsal.id, rehearsal.title));
+        page_.details.rehearsals.push_back(entry_of(rehearsal.id, shown(rehearsal.title)));
     for (const documents::Step& step : read.steps) {
         StartDetails::Step& one = page_.details.steps.emplace_back();
-        one.title = text::printable(step.title);
+        one.title = shown(step.title);
         one.tool = text::printable(run::spaced(step.instrument));
         for (const documents::Goal& goal : step.goals)
             one.goals.push_back(text::printable(run::viewed_goal(goal, read).words));

@@ -39,6 +39,7 @@ private:
     void find_devices(window::StartSelection& selection);
 
     Environment with_;
+    std::string language_;  ///< of the procedures' words
     window::StartPage page_;
     StartPictures pictures_;
     std::optional<std::string> learner_;  ///< whose attempts are on the page

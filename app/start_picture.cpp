@@ -39,7 +39,7 @@ StartPictures::Made StartPictures::make(const run::DocumentRequest& request, dou
     options.progress = [this](double fraction, const std::string&) { fraction_ = fraction; };
     const auto scene = run::make_scene(std::move(*documents), options).take(diagnostics);
     if (!scene) return {nullptr, first_line(diagnostics)};
-    run::RunView view(*scene, "", "", "");
+    run::RunView view(*scene, {});
     run::RunRequest run_request;
     run_request.observers = {&view};
     run::RunOutcome refusal;

@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/interruption.h"
+#include "app/language.h"
 #include "app/recorded_documents.h"
 #include "app/replay.h"
 #include "app/run_display.h"
@@ -44,11 +45,16 @@ ExitCode view(const ViewOptions& options, const Environment& with) {
         return complain("`--at` is " + options.at + " s, and the recording ends after " + formatted("%.1f", duration) +
                             " s. Write an earlier time.",
                         exit_bad_input);
+    if (const std::string note = note_of_language(options.language, of_session.documents->procedure.translations);
+        !note.empty())
+        print_error("kerf: " + note + "\n");
     std::unique_ptr<StatedDevice> device;
     if (const std::string why_not = recorded_device(recorded, options.session, device); !why_not.empty())
         return complain(why_not, exit_bad_input);
     if (device != nullptr) of_session.documents->device = &device->record();
-    if (const std::string why_not = with.display->open(of_session.documents->procedure.title); !why_not.empty())
+    if (const std::string why_not = with.display->open(of_session.documents->procedure.translations.of(
+            of_session.documents->procedure.title, language_for(options.language)));
+        !why_not.empty())
         return complain(why_not, exit_fault);
     const Interruption interruption;
     const auto scene = done_behind(
@@ -59,7 +65,8 @@ ExitCode view(const ViewOptions& options, const Environment& with) {
     run::RunRequest request;
     if (const std::string error = repeat(recorded, options.session, request); !error.empty())
         return complain(error, exit_bad_input);
-    run::RunView run_view(*scene, "debrief", "recorded hand", "", duration);
+    run::RunView run_view(
+        *scene, {.mode = "debrief", .hand = "recorded hand", .language = language_for(options.language)}, duration);
     Stop stop(interruption, run_view);
     request.observers = {&stop, &run_view};
     const run::RunOutcome outcome = run_behind(*with.display, run_view, interruption,

@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     const double made = seconds_of(CLOCK_MONOTONIC);
-    run::RunView view(*scene, "practice", "rehearsal", "");
+    run::RunView view(*scene, {.mode = "practice", .hand = "rehearsal"});
     TimedView timed(view);
     run::RunRequest request;
     request.observers = {&timed};

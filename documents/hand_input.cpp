@@ -12,9 +12,9 @@ namespace kerf::documents {
 
 namespace {
 constexpr std::pair<HandInput::Kind, std::string_view> words[] = {
-    {HandInput::Kind::undo, "undo"},  {HandInput::Kind::redo, "redo"},         {HandInput::Kind::remove, "remove"},
-    {HandInput::Kind::fuse, "fuse"},  {HandInput::Kind::subtract, "subtract"}, {HandInput::Kind::release, "release"},
-    {HandInput::Kind::pause, "pause"}};
+    {HandInput::Kind::undo, "undo"},   {HandInput::Kind::redo, "redo"},         {HandInput::Kind::remove, "remove"},
+    {HandInput::Kind::fuse, "fuse"},   {HandInput::Kind::subtract, "subtract"}, {HandInput::Kind::release, "release"},
+    {HandInput::Kind::pause, "pause"}, {HandInput::Kind::assist, "assist"}};
 constexpr std::string_view insert = "insert:", place = "place:";
 constexpr std::string_view image = "image:";  // then both angles
 constexpr std::string_view release_shaft = "regrip:1", grip_shaft = "regrip:0";

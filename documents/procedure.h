@@ -11,10 +11,12 @@
 
 #include "core/plugin/component_info.h"
 #include "documents/anatomy.h"
+#include "documents/assist.h"
 #include "documents/hand_input.h"
 #include "documents/implant_plan.h"
 #include "documents/made/request.h"
 #include "documents/measure_plan.h"
+#include "documents/translations.h"
 #include "kerf/math.hpp"
 #include "text/source.h"
 
@@ -143,6 +145,7 @@ struct Step {
     std::vector<Limit> limits;
     std::string
         plane{};  ///< name of the landmark plane that the tool's flat side lies in; empty: turned anyhow about the axis
+    std::string hint{};                  ///< how to do it, for the trainee; empty: none
     std::vector<std::string> allowed{};  ///< events that spoil the tool and do not fail this step
     double feed = default_feed;          ///< [m/s] at which the tool is meant to work
 
@@ -230,6 +233,13 @@ struct Budget {
     bool is_given = false;  ///< by the procedure: only then is there anything to keep `kerf plan` looking
 };
 
+/// When a zone is drawn, if the trainee gets help.
+struct ZoneDisplay {
+    enum class Show { never, near, always, after } show = Show::always;  ///< `after`: once the run is over
+    std::string zone{};
+    double within = 5e-3;  ///< [m] of the tool: for `near`
+};
+
 /// The same procedure with a few values changed.
 struct Variant {
     std::string id, title;
@@ -262,6 +272,9 @@ struct Procedure {
     std::vector<Construction> constructions;
     std::vector<Measure> measures;
     std::vector<Step> steps;
+    Assist assist = Assist::full;
+    std::vector<ZoneDisplay> zones;     ///< without one: a zone is always drawn
+    Translations translations;          ///< of all words for people
     std::vector<ScoredMetric> scoring;  ///< empty: the score counts steps and limits
     std::vector<Rehearsal> rehearsals;
 };

@@ -107,6 +107,7 @@ public:
         read_instruments();
         read_plans();
         read_steps();
+        read_assistance();
         if (const Node* node = map_.find("scoring")) procedure_.scoring = read_scoring(*node, reading_);
         procedure_.rehearsals = read_rehearsals(map_.find("paths"), map_.find("rehearsals"), reading_);
         if (const Node* node = map_.find("variants")) procedure_.variants = read_variants(*node, report_);
@@ -174,6 +175,24 @@ private:
             procedure_.measures = read_measures(*node, procedure_.needs_landmarks, procedure_.constructions, report_);
     }
 
+    void read_assistance() {
+        procedure_.assist = assist_of(map_.word("assist")).value_or(procedure_.assist);
+        const Node* zones = map_.find("zones");
+        if (zones == nullptr || !is_kind(*zones, Node::Kind::map, "zones", report_)) return;
+        for (const Node& child : zones->children) {
+            if (!read_key(child, "A zone", report_)) continue;
+            if (!contains(procedure_.needs_zones, child.key)) {
+                Node name;
+                name.text = child.key;
+                name.span = child.key_span;
+                reading_.refuse_undeclared(text::Code::undeclared_zone, name, "zone");
+            }
+            ZoneDisplay& display = procedure_.zones.emplace_back();
+            display.zone = child.key;
+            read_map(child, shapes::zone_display, child.key, display, report_);
+        }
+    }
+
     void read_steps() {
         UniqueIds ids;
         if (const Node* steps = map_.find("steps"))
@@ -211,6 +230,7 @@ text::Result<ProcedureDraft> draft_of_text(const std::string& file, std::string 
     if (!read_header(map, "Procedure", report)) return found;
     ProcedureDraft draft = ProcedureReader(map, *document, catalog, report).read();
     draft.procedure.document = document;
+    draft.procedure.translations = translations_in(document->root, shapes::procedure);
     draft.procedure.variant = changes.variant;
     if (changes.any()) draft.procedure.text = emitted(*document, false);
     draft.is_sound = !text::has_error(found);

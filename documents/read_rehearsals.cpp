@@ -185,7 +185,10 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const ProcedureConte
         at.inputs = read_inputs(*drives, *instrument, reading.catalog, reading.report);
     for (const char* key : {"insert", "place"})
         if (const Node* implant = waypoint.find(key)) read_implant_name(*implant, reading, at);
-    if (const auto input = hand_input(waypoint.word("do"))) at.inputs.push_back(*input);
+    if (const std::string word = waypoint.word("do"); word == "image")
+        at.inputs.push_back({HandInput::Kind::image});  // AP
+    else if (const auto input = hand_input(word))
+        at.inputs.push_back(*input);
     waypoint.finish();
     return at;
 }

@@ -21,6 +21,7 @@ using Kind = ValueShape::Kind;
 const Json scalar_types{"string", "number", "boolean"};
 
 constexpr const char* id_pattern = "^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$";
+constexpr const char* language_pattern = "^[a-z]{2,3}(-[A-Z]{2})?$";
 constexpr const char* path_pattern = R"(^(?!/)(?!\.\./)[^:\\]+$)";
 
 std::string range_text(const text::QuantityNeed& need) {
@@ -141,6 +142,13 @@ private:
         switch (value.kind) {
             case Kind::text:
                 return {{"type", scalar_types}};
+            case Kind::words: {
+                const Json by_language{{"type", "object"},
+                                       {"propertyNames", {{"pattern", language_pattern}}},
+                                       {"additionalProperties", {{"type", scalar_types}}},
+                                       {"minProperties", 1}};
+                return {{"anyOf", {Json{{"type", scalar_types}}, by_language}}};
+            }
             case Kind::id:
                 return {{"type", scalar_types}, {"pattern", id_pattern}};
             case Kind::version:

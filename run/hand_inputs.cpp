@@ -66,6 +66,7 @@ std::string carry_out(const documents::HandInput& input, const Scene& scene, Sim
                        ? ""
                        : "the tool in hand has no thread, so it is not turned by regripping";
         case documents::HandInput::Kind::pause:
+        case documents::HandInput::Kind::assist:
             return {};
         case documents::HandInput::Kind::image:
             return is_arm_angle(input.value) && is_arm_angle(input.tilt)

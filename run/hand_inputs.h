@@ -21,6 +21,11 @@ using RecordedInputs = std::vector<std::pair<std::uint64_t, documents::HandInput
     using Kind = documents::HandInput::Kind;
     return kind == Kind::drive || kind == Kind::regrip || kind == Kind::pause;
 }
+/// Returns whether an input changes neither bone nor forces: a loop on the clock does not learn of it.
+[[nodiscard]] constexpr bool is_passive(documents::HandInput::Kind kind) noexcept {
+    using Kind = documents::HandInput::Kind;
+    return kind == Kind::image || kind == Kind::assist;
+}
 /// Carries out an immediate input at a loop. Returns false if the tool in hand has no such drive, or no thread to
 /// regrip.   [haptic, nonblocking] between ticks
 bool carry_out_at(HapticLoop& loop, const documents::HandInput& input) noexcept;

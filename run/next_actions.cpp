@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/next_actions.h"
 
+#include <utility>
+
+#include "run/hand_inputs.h"
+
 namespace kerf::run {
 
 NextActions::NextActions(const documents::Rehearsal& rehearsal) {
-    for (const documents::Waypoint& waypoint : rehearsal.path)
-        if (!waypoint.inputs.empty()) actions_.push_back({waypoint.step, waypoint.inputs});
+    for (const documents::Waypoint& waypoint : rehearsal.path) {
+        std::vector<documents::HandInput> inputs = waypoint.inputs;
+        std::erase_if(inputs, [](const documents::HandInput& input) { return is_passive(input.kind); });
+        if (!inputs.empty()) actions_.push_back({waypoint.step, std::move(inputs)});
+    }
 }
 
 std::size_t NextActions::find(std::size_t step) const noexcept {

@@ -122,7 +122,10 @@ Run::Run(const Scene& scene, const RunRequest& request, const documents::Rehears
       next_actions_(rehearsal),
       world_from_body_(1, identity_pose()) {
     if (files_ != nullptr) observers_.insert(observers_.begin(), files_.get());
-    if (request_.is_examination()) hash_.add(std::uint32_t{1});
+    if (request_.is_examination())
+        hash_.add(std::uint32_t{1});
+    else if (const auto assist = request_.assist_with(scene.procedure); assist != scene.procedure.assist)
+        hash_.add(std::uint32_t{2} + static_cast<std::uint32_t>(assist));
     outcome_.summary = std::move(summary);
     simulation_.find_pieces(crumb, body_ownership_of(*scene_));
     if (scene_->fragment) simulation_.begin_with(*scene_->fragment, scene_->world_from_fragment);
@@ -142,7 +145,7 @@ Run::~Run() = default;
 // ---- a tick -------------------------------------------------------------------------------------------------------
 
 bool Run::step() {
-    take_images();
+    take_passive_inputs();
     if (changes_.is_in_lock_step()) take_tool_of_step();
     make_due_changes();
     if (is_replay()) {
@@ -156,7 +159,7 @@ bool Run::step() {
 
 bool Run::step(const DeviceSample& sample) {
     is_led_ = true;
-    take_images();
+    take_passive_inputs();
     take_tool_of_step();
     take_hand_inputs(std::exchange(requested_, {}));
     return tick(sample);
@@ -176,34 +179,48 @@ void Run::take_recorded_inputs() {
     if (!inputs.empty()) take_hand_inputs(inputs);
 }
 
-/// Takes the images that were requested, or recorded, before the coming tick: before all else, as they change nothing.
-void Run::take_images() {
-    const auto is_image = [](const documents::HandInput& input) {
-        return input.kind == documents::HandInput::Kind::image;
-    };
+/// Takes the passive inputs that were requested, or recorded, before the coming tick: before all else.
+void Run::take_passive_inputs() {
+    const auto is_one = [](const documents::HandInput& input) { return is_passive(input.kind); };
     if (is_replay()) {
         const RecordedInputs& recorded = request_.hand_inputs;
         for (; next_input_ < recorded.size() && recorded[next_input_].first <= simulation_.ticks() &&
-               is_image(recorded[next_input_].second);
+               is_one(recorded[next_input_].second);
              ++next_input_)
-            take_image(recorded[next_input_].second);
+            take_passive(recorded[next_input_].second);
         requested_.clear();
         return;
     }
     for (const documents::HandInput& input : requested_)
-        if (is_image(input)) take_image(input);
-    std::erase_if(requested_, is_image);
+        if (is_one(input)) take_passive(input);
+    std::erase_if(requested_, is_one);
     if (changes_.is_following()) requested_.clear();
 }
 
-/// Records and counts a radiograph. Observers make the picture.
-void Run::take_image(const documents::HandInput& input) {
+/// Records a radiograph or a request for help. Observers show it.
+void Run::take_passive(const documents::HandInput& input) {
     const std::uint64_t tick = simulation_.ticks();
     add_event_at(tick, session::hand_input_event, text_of(input));
-    if (const std::string why_not = carry_out(input, *scene_, simulation_); !why_not.empty())
-        return add_event_at(tick, "hand.refused", text_of(input) + ": " + why_not);
+    std::string why_not = carry_out(input, *scene_, simulation_);
+    if (why_not.empty() && input.kind == documents::HandInput::Kind::assist) why_not = help();
+    if (!why_not.empty()) return add_event_at(tick, "hand.refused", text_of(input) + ": " + why_not);
+    if (input.kind != documents::HandInput::Kind::image) return;
     ++images_;
     add_event_at(tick, session::image_taken_event, arm_words(input.value, input.tilt) + " " + std::to_string(images_));
+}
+
+/// Gives help with the running step. Returns the reason if it cannot.
+std::string Run::help() {
+    const documents::Assist assist = request_.assist_with(scene_->procedure);
+    if (assist != documents::Assist::on_request)
+        return assist == documents::Assist::off ? "the run has no help" : "the help is there without a request";
+    const std::size_t step = monitor_.current();
+    if (step >= monitor_.steps().size()) return "all steps are done";
+    if (helped_step_ == step) return "the step has its help already";
+    helped_step_ = step;
+    ++helps_;
+    add_event_at(simulation_.ticks(), session::assist_used_event, scene_->procedure.steps[step].id);
+    return {};
 }
 
 // ---- a loop on the clock ------------------------------------------------------------------------------------------
@@ -220,7 +237,8 @@ bool Run::take(const LoopMessage& message) {
     using Kind = LoopMessage::Kind;
     using documents::HandInput;
     // Each of these messages is followed by one of a tick.
-    if (message.kind != Kind::ended && !std::exchange(has_begun_tick_, message.kind != Kind::tick)) take_images();
+    if (message.kind != Kind::ended && !std::exchange(has_begun_tick_, message.kind != Kind::tick))
+        take_passive_inputs();
     switch (message.kind) {
         case Kind::tick:
             return follow_tick(message);
@@ -396,8 +414,8 @@ void Run::note_tool(std::size_t tool) {
 
 void Run::take_hand_inputs(const std::vector<documents::HandInput>& inputs) {
     for (const documents::HandInput& input : inputs) {
-        if (input.kind == documents::HandInput::Kind::image) {
-            take_image(input);
+        if (is_passive(input.kind)) {
+            take_passive(input);
             continue;
         }
         add_event_at(simulation_.ticks(), session::hand_input_event, text_of(input));
@@ -752,7 +770,9 @@ void Run::measure() {
     summary.metrics = metrics_of(monitor_, *scene_);
     std::move(left_.begin(), left_.end(), std::back_inserter(summary.metrics));
     if (simulation_.threads().count() > 0) summary.metrics.push_back(groove_row(simulation_.threads().volume()));
-    if (images_ > 0) summary.metrics.push_back(images_row(images_));
+    if (images_ > 0) summary.metrics.push_back(count_row("image.shots", images_, "Radiographs that were taken."));
+    if (request_.assist_with(scene_->procedure) == documents::Assist::on_request)
+        summary.metrics.push_back(count_row("assist.uses", helps_, "Steps for which the trainee has requested help."));
     summary.metrics.push_back(port_energy_row(simulation_.passivity()));
     for (std::size_t body = 0; body < bone.count(); ++body)
         summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)),

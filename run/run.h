@@ -52,9 +52,9 @@ public:
     /// rehearsal's path and the inputs at its waypoints. Missed ticks are recorded and replayed; `time` counts the
     /// ticks that ran.
     bool step(const DeviceSample& sample);
-    /// Requests an input other than motion before the next tick: an undo, a clutch (`regrip`), an image. It is recorded
-    /// and replayed. A refusal causes the event `hand.refused`. A run that follows a loop takes only images; a replay
-    /// takes none.
+    /// Requests an input other than motion before the next tick: an undo, a clutch (`regrip`), an image, help. It is
+    /// recorded and replayed. A refusal causes the event `hand.refused`. A run that follows a loop takes only passive
+    /// ones; a replay takes none.
     void request(documents::HandInput input) { requested_.push_back(std::move(input)); }
     /// Returns the result of the last tick.
     [[nodiscard]] const TickResult& last() const noexcept { return result_; }
@@ -116,8 +116,9 @@ private:
     void take_hand_inputs(const std::vector<documents::HandInput>& inputs);
     void take_rehearsed_inputs();
     void take_recorded_inputs();
-    void take_images();
-    void take_image(const documents::HandInput& input);
+    void take_passive_inputs();
+    void take_passive(const documents::HandInput& input);
+    [[nodiscard]] std::string help();
     void change(const documents::HandInput& input);
     void make_waiting_changes();
     void make_last_changes();
@@ -158,9 +159,11 @@ private:
     session::TickRow row_;                                          ///< of the last tick
     std::size_t next_input_ = 0, next_missed_ = 0, next_lost_ = 0;  ///< indices into what was recorded
     NextActions next_actions_;
-    std::size_t images_ = 0;       ///< number of radiographs
-    bool has_begun_tick_ = false;  ///< a message of the loop came since the last one of a tick
-    bool is_lost_ = false;         ///< the device, in the last tick
+    std::size_t images_ = 0;                  ///< number of radiographs
+    std::size_t helps_ = 0;                   ///< number of steps for which help was requested
+    std::optional<std::size_t> helped_step_;  ///< the last of them
+    bool has_begun_tick_ = false;             ///< a message of the loop came since the last one of a tick
+    bool is_lost_ = false;                    ///< the device, in the last tick
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]

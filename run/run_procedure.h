@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "documents/assist.h"
 #include "run/hand_inputs.h"
 #include "run/loop_changes.h"
 #include "run/run_observer.h"
@@ -24,6 +26,11 @@ struct RunRequest {
     std::string learner, mode = "practice";
     /// Returns whether the run has no undo, and viewers hide what helps.
     [[nodiscard]] bool is_examination() const noexcept { return mode == "exam"; }
+    std::optional<documents::Assist> assist{};  ///< none: that of the procedure
+    /// Returns the help that viewers give; an examination has none.
+    [[nodiscard]] documents::Assist assist_with(const documents::Procedure& procedure) const noexcept {
+        return is_examination() ? documents::Assist::off : assist.value_or(procedure.assist);
+    }
     std::vector<Pose> replay;              ///< device poses of a recorded run, which the hand repeats
     std::vector<std::uint64_t> adoptions;  ///< of that run: ticks after which the loop took over separated bodies
     RecordedInputs hand_inputs;            ///< of that run: other inputs, each with the tick before which it came

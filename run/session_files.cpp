@@ -70,8 +70,9 @@ session::SessionHeader header_of(const Scene& scene, const RunRequest& request, 
     header.envelope.start = session::utc_now();
     header.envelope.learner = request.learner;
     header.envelope.mode = request.mode;
-    header.conditions = {scene.device->id,           scene.gains.force_scale, "",
-                         summary.coupling_stiffness, scene.procedure.variant, request.is_examination()};
+    header.conditions = {
+        scene.device->id,           scene.gains.force_scale, to_text(request.assist_with(scene.procedure)),
+        summary.coupling_stiffness, scene.procedure.variant, request.is_examination()};
     if (scene.device->is_connected) header.device_values = StatedDevice::values_of(*scene.device);
     header.signals = summary.signals;
     header.tissues = summary.tissues;

@@ -42,6 +42,7 @@ bool read_keys(SessionFile& file, RecordedInputs& inputs) {
         const std::string key = keys.text(0);
         if (key == "procedure_text") inputs.procedure_text = keys.text(1);
         if (key == "condition.variant") inputs.variant = keys.text(1);
+        if (key == "condition.assist") inputs.assist = keys.text(1);
         if (key == "condition.examination") inputs.is_examination = true;
         if (key == "run.rehearsal") inputs.rehearsal = keys.text(1);
         if (key == "anatomy_hash") inputs.anatomy_hash = std::strtoull(keys.text(1).c_str(), nullptr, 16);

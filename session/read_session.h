@@ -18,6 +18,7 @@ struct RecordedInputs {
     std::string variant;    ///< of the procedure; empty for none
     std::string rehearsal;  ///< that the hand followed
     bool is_examination = false;
+    std::string assist;  ///< as in SessionConditions; empty in a session of an earlier version
     std::uint64_t anatomy_hash = 0;
     std::vector<Pose> device_from_handle;  ///< one per tick, in order
     /// Ticks after which the loop took over separated bodies, in order.

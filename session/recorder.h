@@ -24,6 +24,8 @@ inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_eve
 inline constexpr const char* hand_input_event = "hand.input";
 /// A radiograph of the bone before this tick, after the input that requested it. Its detail: "AP 2", the second one.
 inline constexpr const char* image_taken_event = "image.taken";
+/// The trainee got help that was requested; the detail has the step.
+inline constexpr const char* assist_used_event = "assist.used";
 /// A number of missed ticks before this one, in its detail. Also an input.
 inline constexpr const char* missed_event = "device.missed";
 /// The device was lost before this tick, or is back. Also inputs.
@@ -51,7 +53,7 @@ struct SessionEnvelope {
 struct SessionConditions {
     std::string device;
     double force_scale = 1.0;         ///< [–] device newton per bone newton
-    std::string assist;               ///< ids of the active aids, comma-separated; empty for none
+    std::string assist;               ///< "off", "on-request", "stepwise", "full"
     double coupling_stiffness = 0.0;  ///< [N/m] in device newtons
     std::string variant{};            ///< of the procedure; empty for none
     bool is_examination = false;      ///< without undo and help

@@ -111,6 +111,8 @@ private:
         run.hand = selection_.device.empty() ? selection_.rehearsal : "";
         run.device = selection_.device;
         run.mode = selection_.device.empty() ? "demo" : selection_.mode;
+        if (run.mode != "exam") run.assist = selection_.assist;
+        run.language = options_->language;
         const ErrorCopy errors;
         const ExitCode code = commands::run(run, {with_.plugins, with_.here, &shown});
         remove_empty_attempt(folder);
@@ -126,6 +128,7 @@ private:
 
     void watch(const window::StartAttempt& attempt) {
         ViewOptions view;
+        view.language = options_->language;
         view.session = attempt.folder + "/session.db";
         for (const window::StartProcedure& one : pages_.page(selection_).procedures)
             if (one.id == attempt.procedure) view.procedure = one.file;

@@ -68,6 +68,15 @@ Parameter anatomy_of(const std::string& procedure = "procedure's") {
             .member = in<T>(&T::anatomy)};
 }
 template <class T>
+Parameter language_of() {
+    return {.name = "--language",
+            .value = text("LANGUAGE", "a language, as in `--language de`"),
+            .help = "Language of the procedure's words in the window",
+            .default_value = "that of the environment",
+            .note = "The program's own words are English",
+            .member = in<T>(&T::language)};
+}
+template <class T>
 Parameter variant_of() {
     return {.name = "--variant",
             .value = text("VARIANT", "the id of a variant"),

@@ -34,11 +34,24 @@ const run::ViewedStep* step_of(const PanelModel& model) {
     return number < model.scene->steps.size() ? &model.scene->steps[number] : nullptr;
 }
 
+/// Returns the running step if the trainee may see its limits, plan and hint; else null.
+const run::ViewedStep* helped_step(const PanelModel& model) { return model.state->has_help ? step_of(model) : nullptr; }
+
 /// Returns the first goal of the step that is not reached, in words.
 std::string next_goal(const PanelModel& model, const run::ViewedStep& step) {
     for (std::size_t g = 0; g < step.goals.size() && g < 32; ++g)
         if ((model.state->goals_done >> g & 1u) == 0) return step.goals[g].words;
     return "withdraw the tool";
+}
+
+/// Returns ", help on request"; empty if the steps have all help, or it is an examination.
+std::string assist_in_words(const PanelModel& model) {
+    using Assist = run::ViewedScene::Assist;
+    if (model.scene->is_examination) return {};
+    return model.scene->assist == Assist::off          ? ", no help"
+           : model.scene->assist == Assist::on_request ? ", help on request"
+           : model.scene->assist == Assist::stepwise   ? ", help by steps"
+                                                       : "";
 }
 
 // ---- top and bottom -----------------------------------------------------------------------------------------------
@@ -48,7 +61,7 @@ void paint_top(const PanelModel& model, const Layout& layout, const Fonts& fonts
     const float text_y = 11.0f;
     list.AddText(fonts.bold, fonts.bold->FontSize, {14, text_y}, theme::text,
                  shortened(fonts.bold, model.scene->title, 0.36f * layout.width).c_str());
-    const std::string mode = model.scene->mode + " · " + model.scene->hand;
+    const std::string mode = model.scene->mode + assist_in_words(model) + " · " + model.scene->hand;
     list.AddText(fonts.text, fonts.text->FontSize, {0.40f * layout.width, text_y}, theme::soft,
                  shortened(fonts.text, mode, 0.2f * layout.width).c_str());
     const bool is_late = model.real_time_factor < 0.97 && !model.state->is_over;
@@ -134,6 +147,10 @@ void paint_steps(const PanelModel& model, PanelPainter& painter) {
                      : is_done ? theme::soft
                                : theme::text,
                      is_done ? "✓" : "", theme::good);
+        constexpr float below = 330.0f;  // for the panels that follow
+        const bool has_details = model.scene->assist == run::ViewedScene::Assist::full && s > current;
+        for (const run::ViewedLimit& goal : model.scene->steps[s].goals)
+            if (has_details && painter.space() > below) painter.line("     " + goal.words, theme::soft);
     }
 }
 
@@ -141,8 +158,9 @@ void paint_depth(const PanelModel& model, const run::ViewedStep& step, PanelPain
     painter.skip(8.0f);
     painter.heading("DEPTH", formatted("%.1f mm", 1e3 * std::max(0.0, model.state->depth)));
     const double goal = step.depth_goal.value_or(step.length), deep = std::max(0.0, model.state->depth);
-    const double full = 1.08 * std::max({1.3 * goal, step.depth_limit.value_or(0.0), deep, 1e-3});
-    const bool is_too_deep = step.depth_limit && deep > *step.depth_limit;
+    const std::optional<double> limit = model.state->has_help ? step.depth_limit : std::nullopt;
+    const double full = 1.08 * std::max({1.3 * goal, limit.value_or(0.0), deep, 1e-3});
+    const bool is_too_deep = limit && deep > *limit;
     const float y = painter.top();
     painter.bar(deep / full, is_too_deep ? theme::bad : theme::modelled, 14.0f);
     const auto mark = [&](double depth, ImU32 colour) {
@@ -150,10 +168,9 @@ void paint_depth(const PanelModel& model, const run::ViewedStep& step, PanelPain
         painter.list().AddLine({x, y - 3}, {x, y + 17}, colour, 2.0f);
     };
     if (step.depth_goal) mark(goal, theme::text);
-    if (step.depth_limit) mark(*step.depth_limit, theme::limit);
+    if (limit) mark(*limit, theme::limit);
     if (step.depth_goal) painter.line("goal", theme::soft, formatted("%.1f mm", 1e3 * goal));
-    if (step.depth_limit)
-        painter.line("limit", theme::limit, formatted("%.1f mm", 1e3 * *step.depth_limit), theme::limit);
+    if (limit) painter.line("limit", theme::limit, formatted("%.1f mm", 1e3 * *limit), theme::limit);
     painter.line("cortices passed", theme::soft, formatted("%u", model.state->cortices));
 }
 
@@ -174,12 +191,27 @@ void paint_zone(const PanelModel& model, PanelPainter& painter) {
                  colour, formatted("%.1f mm", 1e3 * distance), colour);
 }
 
+/// Paints the hint of the step, or how to get its help.
+void paint_hint(const PanelModel& model, PanelPainter& painter) {
+    using Assist = run::ViewedScene::Assist;
+    const run::ViewedStep* step = helped_step(model);
+    const bool is_on_request = model.scene->assist == Assist::on_request && !model.state->has_help &&
+                               step_of(model) != nullptr && !model.duration;
+    if (painter.space() < 60.0f || !(is_on_request || (step != nullptr && !step->hint.empty()))) return;
+    painter.skip(8.0f);
+    painter.heading("HINT");
+    painter.paragraph(
+        is_on_request ? "H shows plan, zones, limits and hint of this step. The record counts it." : step->hint,
+        is_on_request ? theme::soft : theme::text, 6);
+}
+
 void paint_left(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
     PanelPainter painter(list, fonts, {0, Layout::top}, {Layout::left, layout.height - Layout::bottom}, theme::panel);
     paint_steps(model, painter);
     const run::ViewedStep* step = step_of(model);
     if (step != nullptr) paint_depth(model, *step, painter);
     paint_zone(model, painter);
+    paint_hint(model, painter);
     painter.skip(8.0f);
     painter.heading("TOOL");
     if (model.state->tool < model.scene->tools.size()) painter.line(model.scene->tools[model.state->tool].name);
@@ -422,7 +454,7 @@ void paint_radiograph(const PanelModel& model, const run::ViewedStep* step, Pane
 void paint_right(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
     PanelPainter painter(list, fonts, {layout.width - Layout::right, Layout::top},
                          {layout.width, layout.height - Layout::bottom}, theme::panel);
-    const run::ViewedStep* step = step_of(model);
+    const run::ViewedStep* step = helped_step(model);
     paint_force(model, step, painter);
     paint_torque(model, step, painter);
     paint_radiograph(model, step, painter);
@@ -500,6 +532,8 @@ std::vector<KeyHelp> key_help(const PanelModel& model) {
                                        {"Tab", "hide the panels"},
                                        {"F12", "save a picture"},
                                        {"Ctrl + Q", "end the operation"}};
+    if (model.scene->assist == run::ViewedScene::Assist::on_request)
+        keys.push_back({"H", "show the help of this step"});
     keys.insert(keys.end(), of_view.begin(), of_view.end());
     return keys;
 }

@@ -130,6 +130,8 @@ void RunScreen::take_key(const Input& input) {
         case 'A':
             arm_ = run_->scene().arms.empty() ? 0 : (arm_ + 1) % run_->scene().arms.size();
             return;
+        case 'H':
+            return run_->request_help();
         case 'L':
             return timeline_.follow();
         case '1':

@@ -173,7 +173,7 @@ void SceneRenderer::draw_zones(const run::ViewedState& state, const Matrices& ma
     glEnable(GL_POLYGON_OFFSET_FILL);  // a zone that ends on the bone's surface lies behind it
     glPolygonOffset(2.0f, 2.0f);
     for (std::size_t zone = 0; zone < zones_.size(); ++zone) {
-        if (zones_[zone].is_empty()) continue;
+        if (zones_[zone].is_empty() || zone >= 32 || (state.shown_zones >> zone & 1u) == 0) continue;
         const std::size_t body = zone < run::max_viewed_zones ? state.zone_body[zone] : 0;
         use(zone_, matrices, state.bodies[body].world_from_body);
         glUniform3fv(uniform(zone_, "base"), 1, glm::value_ptr(forbidden));
@@ -186,7 +186,7 @@ void SceneRenderer::draw_zones(const run::ViewedState& state, const Matrices& ma
 
 void SceneRenderer::draw_plan(const run::ViewedState& state, const Matrices& matrices) const {
     if (state.step < 0 || static_cast<std::size_t>(state.step) >= plans_.size()) return;
-    if (scene_->is_examination) return;
+    if (!state.has_help) return;
     const Plan& plan = plans_[static_cast<std::size_t>(state.step)];
     use(flat_, matrices, identity_pose());
     glUniform3fv(uniform(flat_, "base"), 1, glm::value_ptr(plan_blue));

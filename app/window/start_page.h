@@ -33,6 +33,7 @@ struct StartDetails {
     std::string error{};  ///< the variant cannot be used; empty: it can
     std::vector<Step> steps{};
     std::vector<StartEntry> rehearsals{};
+    std::string assist{};     ///< help of the procedure: "full"
     double time_limit = 0.0;  ///< [s]
 };
 
@@ -58,6 +59,7 @@ struct StartPage {
     std::vector<StartProcedure> procedures{};
     std::vector<std::string> refused{};  ///< files of the folder that cannot be used, each with the reason
     std::vector<StartDevice> devices{};
+    std::vector<std::string> assist_levels{};  ///< as `--assist` takes them
     StartDetails details{};
     std::vector<StartAttempt> attempts{};  ///< of the learner, newest first
     std::string attempts_folder{};
@@ -73,6 +75,7 @@ struct StartSelection {
     std::string rehearsal{};  ///< id of the rehearsal that the simulated hand carries out; empty: the first
     std::string device{};     ///< that leads the tool; empty: the simulated hand
     std::string mode = "practice";
+    std::string assist{};   ///< level of help; empty: that of the procedure
     std::string learner{};  ///< a code, or empty
     bool shows_all_attempts = false;
 };

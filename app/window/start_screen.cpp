@@ -350,6 +350,7 @@ void StartScreen::paint_choices(const StartLayout& layout, const Fonts& fonts) {
             ImGui::EndCombo();
         }
     }
+    if (selection_->device.empty() || selection_->mode != "exam") paint_assist(fonts);
     ImGui::PopItemWidth();
     ImGui::Dummy({0.0f, 2.0f});
     const std::string why_not = why_not_start();
@@ -409,6 +410,16 @@ void StartScreen::paint_operator(const Fonts& fonts) {
         selection_->rehearsal = rehearsal.id;
         selection_->device.clear();
     }
+    ImGui::EndCombo();
+}
+
+void StartScreen::paint_assist(const Fonts& fonts) {
+    heading(fonts, "HELP with plan, zones, limits and hints");
+    const std::string own = "as written: " + page_->details.assist;
+    if (!ImGui::BeginCombo("##assist", selection_->assist.empty() ? own.c_str() : selection_->assist.c_str())) return;
+    if (entry(own, selection_->assist.empty())) selection_->assist.clear();
+    for (const std::string& level : page_->assist_levels)
+        if (entry(level, selection_->assist == level)) selection_->assist = level;
     ImGui::EndCombo();
 }
 

@@ -67,6 +67,7 @@ private:
     void paint_choices(const StartLayout& layout, const Fonts& fonts);
     void paint_operator(const Fonts& fonts);
     void paint_variant(const Fonts& fonts);
+    void paint_assist(const Fonts& fonts);
     void paint_devices(const Fonts& fonts) const;
     void paint_attempts(const StartLayout& layout, const Fonts& fonts);
     void paint_attempt(std::size_t index, const StartAttempt& attempt);

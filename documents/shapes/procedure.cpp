@@ -10,7 +10,7 @@ const MapShape<Procedure> metadata{
     "metadata",
     "The name of the procedure, and its status.",
     {{required, "id", &Procedure::id, id(), "The name that files and results use.", "pilot-hole"},
-     {required, "title", &Procedure::title, text(), "The name that people read.", "Pilot hole for a pedicle screw"},
+     {required, "title", &Procedure::title, words(), "The name that people read.", "Pilot hole for a pedicle screw"},
      {required, "version", &Procedure::version, version(), "Increased with every change of the procedure.", "0.1.0"},
      {required, "status", &Procedure::status, word({"draft", "piloted", "validated"}),
       "How far it has been tested with people.", "draft"},
@@ -60,10 +60,22 @@ const MapShape<Procedure> haptics{
 const MapShape<Variant> variant{
     "variant",
     "The procedure with a few values changed.",
-    {{optional, "title", &Variant::title, text(), "The difference from the procedure.", "Osteoporotic bone"},
+    {{optional, "title", &Variant::title, words(), "The difference from the procedure.", "Osteoporotic bone"},
      {required, "patch", of_kind(Kind::patch),
       "Paths of values, and the new values; ids address the items of lists, `~` removes.",
       "{accuracy.spacing: 0.5 mm}"}}};
+
+const MapShape<ZoneDisplay> zone_display{
+    "zone_display",
+    "When a zone is drawn, if `assist` allows it.",
+    {{optional, "show", &ZoneDisplay::show,
+      choice<ZoneDisplay::Show>({{"never", ZoneDisplay::Show::never},
+                                 {"near", ZoneDisplay::Show::near},
+                                 {"always", ZoneDisplay::Show::always},
+                                 {"after", ZoneDisplay::Show::after}}),
+      "`never`, `near` the tool, `always`, or `after` the operation.", "near", "always"},
+     {optional, "within", &ZoneDisplay::within, length(0.1_mm, 100.0_mm), "The distance of the tool for `near`.",
+      "5 mm", "5 mm"}}};
 
 const MapShape<ScoredMetric> scored_metric{
     "scored_metric",
@@ -125,6 +137,11 @@ const Shape procedure{
       "{cortex: {thickness: {at: midline, along: right_pedicle}}}"},
      {required, "steps", list(map(step)), "What to do, in this order.",
       "[{id: drill, title: Drill, instrument: pilot, axis: right_pedicle, goals: [{entry: {}}]}]"},
+     {optional, "assist", word({"off", "on-request", "stepwise", "full"}),
+      "The help that the trainee gets with plan, zones, limits and hints: none, of a step when it is requested, of the "
+      "running step, or of all steps.",
+      "stepwise", "full"},
+     {optional, "zones", named(map(zone_display)), "When zones of `needs.zones` are drawn.", "{canal: {show: near}}"},
      {optional, "scoring", list(map(scored_metric)),
       "The metrics from which the score follows; without it, steps and limits count in equal parts.",
       "[{metric: drill.entry-offset, full: 1 mm, none: 4 mm}]"},

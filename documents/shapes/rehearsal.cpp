@@ -91,9 +91,10 @@ const MapShape<Waypoint> waypoint{
       "{spindle_speed: 500 rpm}"},
      {optional, "insert", id(), "One of `implants`, which is inserted on arrival, at the tool.", "plate"},
      {optional, "place", id(), "One of `implants`, which is inserted on arrival, at its planned pose.", "plate"},
-     {optional, "do", word({"undo", "redo", "remove", "fuse", "subtract", "release"}),
+     {optional, "do", word({"undo", "redo", "remove", "fuse", "subtract", "release", "image", "assist"}),
       "On arrival: undo or redo the last change of the bone, remove the held piece from the scene, fuse it with the "
-      "piece next to it, subtract the tool's cutting region from the bone, or release an implant where it is.",
+      "piece next to it, subtract the tool's cutting region from the bone, release an implant where it is, take an AP "
+      "radiograph, or request help with the step.",
       "undo"}}};
 
 const Shape follow{
@@ -103,7 +104,7 @@ const MapShape<Rehearsal> rehearsal{
     "rehearsal",
     "The path of a simulated hand, and its expected result.",
     {{required, "id", &Rehearsal::id, id(), "Its name, for `--hand`.", "expert"},
-     {optional, "title", &Rehearsal::title, text(), "What it shows.", "Along the planned axis"},
+     {optional, "title", &Rehearsal::title, words(), "What it shows.", "Along the planned axis"},
      {required, "expect", word_or({"pass", "incomplete"}, expectation),
       "`pass`, `incomplete` for goals that are not reached, or the limit that breaks.", "{fail: canal}"},
      {optional, "hand", part_of(hand, "hand"), "The properties of the simulated hand.", "{feed: 1 mm/s, push: 60 N}"},

@@ -14,6 +14,7 @@ namespace kerf::documents::shapes {
 // procedure.cpp
 extern const MapShape<Procedure> metadata, needs, accuracy, budget, haptics;
 extern const MapShape<Variant> variant;
+extern const MapShape<ZoneDisplay> zone_display;
 extern const MapShape<ScoredMetric> scored_metric;
 extern const MapShape<MakeRequest> made_bone;
 extern const Shape procedure;

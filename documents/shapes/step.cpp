@@ -71,14 +71,16 @@ const MapShape<Limit> limit{
      {optional, "guard", &Limit::guard, text(),
       "Why no hand breaks the limit in this anatomy. `--coverage` then counts it as a guard.",
       "The collar stops the implant before."},
-     {required, "reason", &Limit::reason, text(), "The sentence that a trainee reads when it happens.",
+     {required, "reason", &Limit::reason, words(), "The sentence that a trainee reads when it happens.",
       "The hole is deeper than planned."}}};
 
 const MapShape<Step> step{
     "step",
     "One thing to do.",
     {{required, "id", &Step::id, id(), "The name that results use.", "drill"},
-     {required, "title", &Step::title, text(), "What to do, for the trainee.", "Drill the pilot hole"},
+     {required, "title", &Step::title, words(), "What to do, for the trainee.", "Drill the pilot hole"},
+     {optional, "hint", &Step::hint, words(), "How to do it: help for the trainee, if `assist` allows it.",
+      "Keep the drill on the axis."},
      {required, "instrument", id(), "One of `instruments`.", "pilot"},
      {required, "axis", id(),
       "One of `needs.landmarks`, or a hole of an implant, as in `plate.lag`; the tool should follow it.",

@@ -19,6 +19,7 @@ using enum Presence;
 
 inline ValueShape of_kind(Kind kind) { return {.kind = kind}; }
 inline ValueOf<std::string> text() { return {{.kind = Kind::text}}; }
+inline ValueOf<std::string> words() { return {{.kind = Kind::words}}; }
 inline ValueOf<std::string> id() { return {{.kind = Kind::id}}; }
 inline ValueOf<std::string> version() { return {{.kind = Kind::version}}; }
 inline ValueOf<std::string> path() { return {{.kind = Kind::path}}; }

@@ -9,6 +9,7 @@ void read_value(MapReader& map, const std::string& key, const ValueOf<std::strin
             : shape.kind == Kind::word    ? map.word(key)
             : shape.kind == Kind::path    ? map.data_path(key)
             : shape.kind == Kind::version ? map.version(key)
+            : shape.kind == Kind::words   ? map.words(key)
                                           : map.text(key);
 }
 

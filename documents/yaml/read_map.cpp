@@ -90,6 +90,17 @@ bool is_version(std::string_view text) {
     return dots == 2 && before != '.' && text.size() <= 32;
 }
 
+/// Returns whether a text has the form of a language: `en`, `pt-BR`.
+bool is_language(std::string_view text) {
+    const auto are = [](std::string_view part, char from, char to) {
+        return std::all_of(part.begin(), part.end(), [=](char c) { return c >= from && c <= to; });
+    };
+    const std::size_t dash = std::min(text.find('-'), text.size());
+    const std::string_view language = text.substr(0, dash);
+    const bool has_language = (language.size() == 2 || language.size() == 3) && are(language, 'a', 'z');
+    return has_language && (dash == text.size() || (text.size() == dash + 3 && are(text.substr(dash + 1), 'A', 'Z')));
+}
+
 std::string got(std::string_view text) { return "got `" + text::excerpt(text, 40) + "`"; }
 
 }  // namespace
@@ -134,6 +145,22 @@ bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report&
 std::optional<std::string> read_text(const Node& node, const std::string& name, Report& report) {
     if (!is_kind(node, Node::Kind::scalar, name, report)) return std::nullopt;
     return node.text;
+}
+
+std::optional<std::string> read_words(const Node& node, const std::string& name, Report& report) {
+    if (node.kind != Node::Kind::map) return read_text(node, name, report);
+    std::optional<std::string> first;
+    for (const Node& child : node.children) {
+        if (!is_language(child.key))
+            report.error(text::Code::malformed_word, child.key_span,
+                         "A language of " + name + " is unknown: " + got(child.key) +
+                             ", expected a code such as `en` or `pt-BR`. Write the code of ISO 639.");
+        const std::optional<std::string> text = read_text(child, name + "." + child.key, report);
+        if (&child == &node.children.front()) first = text;
+    }
+    if (node.children.empty())
+        report.error(text::Code::empty_value, node.span, name + " is an empty map. Write a text, or `en: text`.");
+    return first;
 }
 
 std::optional<std::string> read_id(const Node& node, const std::string& name, Report& report) {
@@ -307,6 +334,11 @@ const Node* MapReader::required(const std::string& key) {
 std::string MapReader::text(const std::string& key) {
     const Node* found = find(key);
     return found ? read_text(*found, name_of(key), report_).value_or("") : "";
+}
+
+std::string MapReader::words(const std::string& key) {
+    const Node* found = find(key);
+    return found ? read_words(*found, name_of(key), report_).value_or("") : "";
 }
 
 std::string MapReader::id(const std::string& key) {

@@ -59,6 +59,8 @@ std::optional<Vec3> read_vector(const Node& node, const std::string& name, const
 std::string read_path(const Node& node, const std::string& name, const std::string& where, Report& report);
 /// The items of a list that must not be empty; none when it is no list.
 const std::vector<Node>& read_list(const Node& node, const std::string& name, Report& report);
+/// Words for people: a text, or a map of languages to texts. Returns those of the first language.
+std::optional<std::string> read_words(const Node& node, const std::string& name, Report& report);
 /// A list of ids, none twice.
 std::vector<std::string> read_ids(const Node& node, const std::string& name, Report& report);
 
@@ -104,6 +106,7 @@ public:
 
     // Nothing, or the value before, when the key is absent or wrong.
     std::string text(const std::string& key);
+    std::string words(const std::string& key);  ///< of a map of languages: those of the first one
     std::string id(const std::string& key);
     std::vector<std::string> ids(const std::string& key);  ///< a list, none twice
     std::string word(const std::string& key);              ///< one of the shape's words

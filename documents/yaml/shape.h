@@ -17,6 +17,7 @@ struct Shape;
 struct ValueShape {
     enum class Kind {
         text,        ///< anything, in words
+        words,       ///< the same, or a map of languages to it
         id,          ///< one word of letters, digits, `.`, `_` and `-`
         version,     ///< `0.1.0`
         path,        ///< of a file, relative; or the map `shape`, if there is one

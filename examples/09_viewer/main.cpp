@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
         std::fputs(kerf::text::to_text(scene.diagnostics()).c_str(), stderr);
         return 2;
     }
-    kerf::run::RunView view(*scene, "practice", "a rehearsal", "");
+    kerf::run::RunView view(*scene, {.mode = "practice", .hand = "a rehearsal"});
     kerf::run::RunRequest request;
     request.observers = {&view};
     std::thread running([&] {

@@ -463,13 +463,13 @@ session::MetricRow groove_row(double volume) {
     return row;
 }
 
-session::MetricRow images_row(std::size_t count) {
+session::MetricRow count_row(std::string id, std::size_t count, std::string help) {
     session::MetricRow row;
-    row.id = "image.shots";
+    row.id = std::move(id);
     row.scope = "run";
     row.value = static_cast<double>(count);
     row.status = "info";
-    row.help = "Radiographs that were taken.";
+    row.help = std::move(help);
     return row;
 }
 

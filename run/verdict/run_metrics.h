@@ -23,8 +23,8 @@ namespace kerf::run {
 [[nodiscard]] session::MetricRow bone_kept_row(const std::string& step, double part);
 /// Returns the bone volume in the grooves of threads, which the removed volume does not include [m³].   [any] pure.
 [[nodiscard]] session::MetricRow groove_row(double volume);
-/// Returns the number of radiographs that were taken.   [any] pure.
-[[nodiscard]] session::MetricRow images_row(std::size_t count);
+/// Returns the number of radiographs or of requests for help.   [any] pure.
+[[nodiscard]] session::MetricRow count_row(std::string id, std::size_t count, std::string help);
 
 /// Returns the rows of separated bone, pieces and crumbs. As a check of the simulation, also the balance with the bone
 /// `before` [m³].   [any] pure.

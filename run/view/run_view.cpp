@@ -9,7 +9,6 @@
 
 #include "run/arm_views.h"
 #include "run/run.h"
-#include "run/view/scene_view.h"
 #include "session/recorder.h"
 
 namespace kerf::run {
@@ -29,6 +28,11 @@ std::optional<ViewedEvent::Kind> kind_of(const std::string& id) {
     return Kind::note;
 }
 
+/// Returns whether a step has its help without a request.
+bool is_helped_from_the_start(ViewedScene::Assist assist) {
+    return assist == ViewedScene::Assist::full || assist == ViewedScene::Assist::stepwise;
+}
+
 /// Moves all elements to the end of another list.
 template <class T>
 void take_all(std::vector<T>& from, std::vector<T>& to) {
@@ -38,11 +42,11 @@ void take_all(std::vector<T>& from, std::vector<T>& to) {
 
 }  // namespace
 
-RunView::RunView(const Scene& scene, std::string mode, std::string hand, std::string folder,
-                 std::optional<double> duration)
+RunView::RunView(const Scene& scene, const ViewedSetting& setting, std::optional<double> duration)
     : scene_(&scene),
-      viewed_(viewed_scene(scene, std::move(mode), std::move(hand))),
-      folder_(std::move(folder)),
+      viewed_(viewed_scene(scene, setting)),
+      folder_(setting.folder),
+      language_(setting.language),
       duration_(duration),
       radiograph_worker_(viewed_, [this](std::shared_ptr<const ViewedRadiograph> made) {
           const std::lock_guard lock(mutex_);
@@ -52,6 +56,7 @@ RunView::RunView(const Scene& scene, std::string mode, std::string hand, std::st
     for (const ArmView& view : arm_views) viewed_.arms.push_back({view.words, view.about_head_axis, view.tilt});
     for (std::size_t m = 0; m < scene.body.materials.size(); ++m)
         if (scene.body.materials[m].id == "cortical") cortical_.push_back(static_cast<std::int32_t>(m));
+    for (const documents::Zone& zone : scene.anatomy.zones) displays_.push_back(display_of(zone, scene.procedure));
 }
 
 RunView::~RunView() = default;
@@ -64,6 +69,7 @@ void RunView::on_begin(Run& run) {
     state_.world_from_handle = state_.world_from_tool;
     state_.device_scale = scene_->gains.force_scale;
     state_.limit_values.fill(std::numeric_limits<float>::quiet_NaN());
+    state_.has_help = is_helped_from_the_start(viewed_.assist);
     show_bodies();
     show_zone();
     show_surface();
@@ -80,11 +86,12 @@ void RunView::on_event(const session::EventRow& event) {
             input && input->kind == documents::HandInput::Kind::image)
             image_ = *input;
     if (event.id == session::image_taken_event) take_radiograph(event.time);
+    if (event.id == session::assist_used_event) state_.has_help = true;
     const auto kind = kind_of(event.id);
     if (!kind) return;
     if (viewed_.is_examination) return;
     const std::lock_guard lock(mutex_);
-    events_.push_back({event.time, *kind, event.id + (event.detail.empty() ? "" : ": " + event.detail)});
+    events_.push_back({event.time, *kind, event.id + (event.detail.empty() ? "" : ": " + translated(event.detail))});
 }
 
 void RunView::on_tick(const session::TickRow& row) {
@@ -100,14 +107,21 @@ void RunView::on_tick(const session::TickRow& row) {
         show_moment();
     }
     newest_.put(state_);
-    if (is_image_wanted_ && radiograph_worker_.is_idle()) pass_request_on();
+    if (is_image_wanted_ || is_help_wanted_) pass_requests_on();
 }
 
-/// Requests the image that the viewer wants. The run takes it before its next tick.
-void RunView::pass_request_on() {
+/// Requests the image and the help that the viewer wants. The run takes them before its next tick.
+void RunView::pass_requests_on() {
+    if (is_help_wanted_.exchange(false)) run_->request({documents::HandInput::Kind::assist});
+    if (!is_image_wanted_ || !radiograph_worker_.is_idle()) return;
     const std::lock_guard lock(mutex_);
     is_image_wanted_ = false;
     run_->request(wanted_image_);
+}
+
+/// Returns a text in the language of the viewer.
+std::string RunView::translated(std::string text) const {
+    return scene_->procedure.translations.within(std::move(text), language_);
 }
 
 /// Gives the worker a copy of all that a radiograph shows. The run waits for that copy alone.
@@ -143,6 +157,7 @@ void RunView::show_tick(const session::TickRow& row) {
     const TickResult& result = run_->last();
     if (row.step != state_.step) {
         state_.turned = 0.0;
+        state_.has_help = is_helped_from_the_start(viewed_.assist);
         state_.cortices = 0;
         was_in_cortex_ = false;
     }
@@ -207,10 +222,19 @@ void RunView::show_surface() {
     surface_ = made;
 }
 
+/// Returns whether a zone is drawn now. A replay shows a run that is over.
+bool RunView::is_shown(const documents::ZoneDisplay& display, double distance) const {
+    using Show = documents::ZoneDisplay::Show;
+    if (duration_ || state_.is_over) return true;
+    if (!state_.has_help || display.show == Show::after) return false;
+    return display.show != Show::near || distance <= display.within;
+}
+
 void RunView::show_zone() {
     state_.zone = -1;
     state_.zone_distance = HUGE_VAL;
-    if (viewed_.is_examination) return;
+    state_.shown_zones = 0;
+    if (viewed_.assist == ViewedScene::Assist::off) return;
     const std::vector<documents::Zone>& zones = scene_->anatomy.zones;
     const auto& owners = run_->monitor().owners().zone;
     const auto bodies = run_->simulation().bodies();
@@ -221,6 +245,8 @@ void RunView::show_zone() {
         if (viewed_.zones[z].mesh.triangles.empty()) continue;
         const double distance = clearance(run_->simulation().outline().cutting,
                                           inverse(world_from_zone) * state_.world_from_tool, zones[z]);
+        if (!is_shown(displays_[z], distance)) continue;
+        if (z < 32) state_.shown_zones |= 1u << z;
         if (distance >= state_.zone_distance) continue;
         state_.zone = static_cast<std::int32_t>(z);
         state_.zone_distance = distance;
@@ -249,9 +275,10 @@ void RunView::show_step() {
 std::optional<RunEnd> RunView::end() { return should_stop_ ? std::optional(RunEnd::interrupted) : std::nullopt; }
 
 std::string RunView::on_result(const session::RunSummary& summary, const Simulation& /*simulation*/) {
-    show_bodies();
-    show_surface();
     state_.is_over = true;
+    show_bodies();
+    show_zone();
+    show_surface();
     show_moment();
     newest_.put(state_);
     ViewedResult result{.verdict = session::to_text(summary.verdict),
@@ -261,9 +288,9 @@ std::string RunView::on_result(const session::RunSummary& summary, const Simulat
                         .folder = folder_};
     for (const session::DeductionRow& row : summary.deductions)
         result.deductions.push_back({row.loss, row.at.value_or(-1.0),
-                                     row.name.empty()     ? row.detail
-                                     : row.detail.empty() ? row.name
-                                                          : row.name + ": " + row.detail});
+                                     translated(row.name.empty()     ? row.detail
+                                                : row.detail.empty() ? row.name
+                                                                     : row.name + ": " + row.detail)});
     std::stable_sort(result.deductions.begin(), result.deductions.end(),
                      [](const auto& a, const auto& b) { return a.points > b.points; });
     const std::lock_guard lock(mutex_);
@@ -322,6 +349,10 @@ void RunView::request_radiograph(double about_head_axis, double tilt) {
     const std::lock_guard lock(mutex_);
     wanted_image_ = {documents::HandInput::Kind::image, {}, about_head_axis, tilt};
     is_image_wanted_ = true;
+}
+
+void RunView::request_help() {
+    if (!duration_ && viewed_.assist == ViewedScene::Assist::on_request) is_help_wanted_ = true;
 }
 
 std::shared_ptr<const ViewedSurface> RunView::surface() const {

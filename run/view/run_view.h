@@ -18,6 +18,7 @@
 #include "run/run_observer.h"
 #include "run/scene.h"
 #include "run/view/radiograph_worker.h"
+#include "run/view/scene_view.h"
 #include "run/view/surface_view.h"
 #include "run/view/viewed_run.h"
 
@@ -28,11 +29,8 @@ namespace kerf::run {
 class RunView final : public RunObserver, public ViewedRun {
 public:
     /// Pre: `scene` outlives this object.   [main]
-    /// @param hand    who leads the tool, for people
-    /// @param folder  of the results, for people; empty: none
     /// @param duration  [s] of a replay; nothing: a live run
-    RunView(const Scene& scene, std::string mode, std::string hand, std::string folder,
-            std::optional<double> duration = {});
+    RunView(const Scene& scene, const ViewedSetting& setting, std::optional<double> duration = {});
     ~RunView() override;
 
     // Called on the run's thread.
@@ -60,6 +58,7 @@ public:
     void take(std::vector<std::shared_ptr<const ViewedRadiograph>>& radiographs) override;
     [[nodiscard]] std::shared_ptr<const ViewedRadiograph> radiograph() const override;
     void request_radiograph(double about_head_axis, double tilt) override;
+    void request_help() override;
     [[nodiscard]] std::optional<double> duration() const noexcept override { return duration_; }
     [[nodiscard]] std::shared_ptr<const ViewedSurface> surface() const override;
     [[nodiscard]] std::string next_action() const override;
@@ -73,18 +72,20 @@ private:
     void show_bodies();
     void show_surface();
     void show_zone();
+    [[nodiscard]] bool is_shown(const documents::ZoneDisplay& display, double distance) const;
     void show_step();
     void show_moment();
     void show_tick(const session::TickRow& row);
     void add_cortex(std::int32_t tissue);
-    void pass_request_on();
+    void pass_requests_on();
+    [[nodiscard]] std::string translated(std::string text) const;
     void take_radiograph(double time);
 
     const Scene* scene_;
     ViewedScene viewed_;
-    std::string folder_;
+    std::string folder_, language_;
     std::optional<double> duration_;
-    std::atomic<bool> should_stop_{false}, is_closed_{false}, is_image_wanted_{false};
+    std::atomic<bool> should_stop_{false}, is_closed_{false}, is_image_wanted_{false}, is_help_wanted_{false};
     Newest<ViewedState> newest_;
 
     MouseBox* mouse_ = nullptr;
@@ -93,8 +94,9 @@ private:
     Run* run_ = nullptr;
     SurfaceView surfaces_;
     ViewedState state_;
-    std::vector<ViewedRow> new_rows_;     ///< that the viewer cannot take yet
-    std::vector<std::int32_t> cortical_;  ///< indices of the tissues that count as cortex
+    std::vector<ViewedRow> new_rows_;               ///< that the viewer cannot take yet
+    std::vector<documents::ZoneDisplay> displays_;  ///< of the zones
+    std::vector<std::int32_t> cortical_;            ///< indices of the tissues that count as cortex
     bool was_in_cortex_ = false;
     documents::HandInput image_;  ///< the last one that was requested
 

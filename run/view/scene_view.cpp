@@ -93,10 +93,13 @@ ViewedLimit viewed(const Demand& demand, const documents::Procedure& procedure) 
     return with_bound(std::move(limit), spaced(demand.quantity), demand.bound);
 }
 
-ViewedStep viewed_step(const Scene& scene, std::size_t number) {
+ViewedStep viewed_step(const Scene& scene, std::size_t number, const std::string& language) {
     const documents::Step& step = scene.procedure.steps[number];
     const AxisFrame& frame = scene.frames[number];
-    ViewedStep viewed{.title = step.title, .tool = scene.tool_of_step[number]};
+    const documents::Translations& translations = scene.procedure.translations;
+    ViewedStep viewed{.title = translations.of(step.title, language),
+                      .hint = translations.of(step.hint, language),
+                      .tool = scene.tool_of_step[number]};
     for (const documents::Goal& goal : step.goals) {
         viewed.goals.push_back(viewed_goal(goal, scene.procedure));
         if (goal.quantity == "depth" && goal.bound.at_least) viewed.depth_goal = goal.bound.at_least;
@@ -132,11 +135,19 @@ ViewedTool::Lead lead_of(const Tool& tool) {
 void hide_help(ViewedScene& viewed) {
     viewed.zones.clear();
     for (ViewedStep& step : viewed.steps) {
+        step.hint.clear();
         step.limits.clear();
         step.depth_limit.reset();
         step.length = 0.0;
         step.plane_normal.reset();
     }
+}
+
+ViewedZone viewed_zone(const documents::Zone& zone, const Scene& scene) {
+    ViewedZone viewed{.name = spaced(zone.id)};
+    const bool is_hidden = display_of(zone, scene.procedure).show == documents::ZoneDisplay::Show::never;
+    if (!is_hidden && is_drawn(zone, scene.procedure)) viewed.mesh = zone_shape(zone, scene.procedure.spacing);
+    return viewed;
 }
 
 std::string name_of(const Scene& scene, std::size_t tool) {
@@ -150,6 +161,12 @@ std::string spaced(std::string text) {
     std::replace(text.begin(), text.end(), '_', ' ');
     std::replace(text.begin(), text.end(), '-', ' ');
     return text;
+}
+
+documents::ZoneDisplay display_of(const documents::Zone& zone, const documents::Procedure& procedure) {
+    for (const documents::ZoneDisplay& display : procedure.zones)
+        if (display.zone == zone.id) return display;
+    return {.zone = zone.id};
 }
 
 ViewedLimit viewed_goal(const documents::Goal& goal, const documents::Procedure& procedure) {
@@ -167,8 +184,10 @@ ViewedLimit viewed_limit(const documents::Limit& limit, const documents::Procedu
     return viewed(limit, procedure);
 }
 
-ViewedScene viewed_scene(const Scene& scene, std::string mode, std::string hand) {
-    ViewedScene viewed{.title = scene.procedure.title, .mode = std::move(mode), .hand = std::move(hand)};
+ViewedScene viewed_scene(const Scene& scene, const ViewedSetting& setting) {
+    ViewedScene viewed{.title = scene.procedure.translations.of(scene.procedure.title, setting.language),
+                       .mode = setting.mode,
+                       .hand = setting.hand};
     for (std::size_t m = 0; m < scene.body.materials.size(); ++m) {
         const std::string& name = scene.body.materials[m].id;
         const text::Colour colour = text::tissue_colour(name, m);
@@ -184,13 +203,13 @@ ViewedScene viewed_scene(const Scene& scene, std::string mode, std::string hand)
                                 .lead = outline.thread_lead});
     }
     for (const Body& implant : scene.implants) viewed.implants.push_back(body_shape(implant));
-    for (const documents::Zone& zone : scene.anatomy.zones)
-        viewed.zones.push_back({spaced(zone.id), is_drawn(zone, scene.procedure)
-                                                     ? zone_shape(zone, scene.procedure.spacing)
-                                                     : ViewedMesh{}});
-    for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s) viewed.steps.push_back(viewed_step(scene, s));
+    for (const documents::Zone& zone : scene.anatomy.zones) viewed.zones.push_back(viewed_zone(zone, scene));
+    for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s)
+        viewed.steps.push_back(viewed_step(scene, s, setting.language));
     viewed.is_examination = viewed.mode == "exam";
-    if (viewed.is_examination) hide_help(viewed);
+    viewed.assist = viewed.is_examination ? ViewedScene::Assist::off
+                                          : static_cast<ViewedScene::Assist>(static_cast<int>(setting.assist));
+    if (viewed.assist == ViewedScene::Assist::off) hide_help(viewed);
     viewed.spacing = scene.procedure.spacing;
     viewed.time_limit = scene.procedure.time_limit;
     return viewed;

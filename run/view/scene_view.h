@@ -8,11 +8,21 @@
 
 namespace kerf::run {
 
+/// The circumstances of a run that its viewer shows.
+struct ViewedSetting {
+    std::string mode{};      ///< "practice"
+    std::string hand{};      ///< who leads the tool, for people
+    std::string folder{};    ///< of the results, for people; empty: none
+    std::string language{};  ///< of the procedure's words, as "de"; empty, or without a translation: its first one
+    documents::Assist assist = documents::Assist::full;
+};
+
 /// Returns what viewers draw of a scene and does not change: names, colours, shapes, steps in words. Of an examination
-/// it has no zone, no limit and no plan.   [main]
-/// @param mode  "practice"
-/// @param hand  who leads the tool, for people
-[[nodiscard]] ViewedScene viewed_scene(const Scene& scene, std::string mode, std::string hand);
+/// and without assistance it has no zone, no limit, no plan and no hint.   [main]
+[[nodiscard]] ViewedScene viewed_scene(const Scene& scene, const ViewedSetting& setting);
+
+/// Returns when a zone is drawn: always, if the procedure does not state it.   [any] pure
+[[nodiscard]] documents::ZoneDisplay display_of(const documents::Zone& zone, const documents::Procedure& procedure);
 
 /// Returns an id for people: "spinal_canal" as "spinal canal".   [any] pure
 [[nodiscard]] std::string spaced(std::string id);

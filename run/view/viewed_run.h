@@ -64,6 +64,7 @@ struct ViewedLimit {
 
 struct ViewedStep {
     std::string title{};
+    std::string hint{};    ///< how to do it; empty: none
     std::size_t tool = 0;  ///< index into `tools`
     std::vector<ViewedLimit> goals{}, limits{};
     std::optional<double> depth_goal{}, depth_limit{};  ///< [m]
@@ -83,6 +84,8 @@ struct ViewedScene {
     std::string title{}, mode{};  ///< of the procedure; "practice"
     /// Zones, limits and plan are left out, and no state, event or word contains them.
     bool is_examination = false;
+    /// Help with zones, limits, plan and hints. `off`: they are left out, as in an examination.
+    enum class Assist : std::uint8_t { off, on_request, stepwise, full } assist = Assist::full;
     std::vector<ViewedTissue> tissues{};
     std::vector<ViewedTool> tools{};
     std::vector<ViewedMesh> implants{};  ///< shapes of bodies that are inserted whole, such as plates
@@ -158,7 +161,8 @@ struct ViewedState {
     double removed = 0.0;                  ///< [m³]
     bool is_running = false;               ///< the tool cuts
 
-    std::int32_t zone = -1;                                  ///< nearest zone; −1: none
+    std::uint32_t shown_zones = 0;                           ///< bit for each zone that is to be drawn now
+    std::int32_t zone = -1;                                  ///< nearest of them; −1: none
     double zone_distance = 0.0;                              ///< [m] of the tool from it; negative inside
     std::array<std::uint8_t, max_viewed_zones> zone_body{};  ///< of each zone: the body with which it moves
 
@@ -166,6 +170,7 @@ struct ViewedState {
     std::uint32_t broken = 0;                             ///< bit for each limit of the running step
     std::array<float, max_viewed_limits> limit_values{};  ///< SI: of each limit, worst so far; NaN: none yet
 
+    bool has_help = false;         ///< zones, limits, plan and hint of the running step are to be shown
     std::uint32_t shots = 0;       ///< number of radiographs that were taken
     std::uint32_t late_ticks = 0;  ///< periods without a tick so far
     double device_scale = 1.0;     ///< [–] device newton per newton of bone
@@ -241,6 +246,9 @@ public:
     /// made, the newest request waits. A run that is over takes none; a replay repeats those of the run. Angles [rad]
     /// as in ViewedArm, at most a turn; others are ignored.   nonblocking
     virtual void request_radiograph(double /*about_head_axis*/, double /*tilt*/) {}
+    /// Requests help with the running step, if `ViewedScene::assist` is `on_request`; `ViewedState::has_help` shows it.
+    /// nonblocking
+    virtual void request_help() {}
     /// Returns the newest surface; null before the first one.
     [[nodiscard]] virtual std::shared_ptr<const ViewedSurface> surface() const = 0;
     /// Returns the end of the last tick that there will be [s]; nothing if it is unknown, as in a live run.

@@ -14,8 +14,11 @@ namespace {
 
 constexpr std::size_t longest_text = 1'000'000;  ///< [bytes] same as for a procedure's file
 
+/// Returns a text; of one in several languages, that in the first.
 std::string text_of(const documents::Node& map, std::string_view key) {
     const documents::Node* value = map.find(key);
+    if (value != nullptr && value->kind == documents::Node::Kind::map && !value->children.empty())
+        value = &value->children.front();
     return value != nullptr && value->kind == documents::Node::Kind::scalar ? value->text : std::string();
 }
 
@@ -44,7 +47,7 @@ std::optional<double> quantity_of(const documents::Node& map, std::string_view k
 /// Returns the demand of `{depth: {at_least: 30 mm}}`. A limit also has a `reason:` key.
 std::optional<RecordedDemand> demand_of(const documents::Node& item) {
     for (const documents::Node& quantity : item.children) {
-        if (quantity.kind != documents::Node::Kind::map || quantity.key.empty()) continue;
+        if (quantity.kind != documents::Node::Kind::map || quantity.key.empty() || quantity.key == "reason") continue;
         RecordedDemand demand;
         demand.quantity = quantity.key;
         demand.of = text_of(quantity, demand.quantity == "signal"    ? "id"

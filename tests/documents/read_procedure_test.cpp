@@ -68,6 +68,56 @@ void expect_refused(text::Code code, std::string_view from, std::string_view to)
     expect_only(code, marked, diagnostics);
 }
 
+TEST(ReadProcedure, GivesWordsInTheFirstLanguageAndTranslations) {
+    text::Diagnostics diagnostics;
+    std::string text = replaced(faultless, "title: A hole", "title: {de: Ein Loch, en: A hole, de-AT: A Loch}");
+    text =
+        replaced(text, "title: Drill\n", "title: {de: Bohren, en: Drill}\n    hint: {de: Gerade, en: Straight on}\n");
+    text = replaced(text, "reason: Too deep.", "reason: {de: Zu tief., en: Too deep.}");
+    const std::optional<Procedure> procedure = read(text, diagnostics);
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    EXPECT_EQ(procedure->title, "Ein Loch");
+    EXPECT_EQ(procedure->steps[0].title, "Bohren");
+    EXPECT_EQ(procedure->steps[0].hint, "Gerade");
+    EXPECT_EQ(procedure->steps[0].limits[1].reason, "Zu tief.");
+    const Translations& translations = procedure->translations;
+    EXPECT_EQ(translations.languages(), (std::vector<std::string>{"de-AT", "en"}));
+    EXPECT_EQ(translations.of("Ein Loch", "en"), "A hole");
+    EXPECT_EQ(translations.of("Ein Loch", "en-GB"), "A hole");
+    EXPECT_EQ(translations.of("Ein Loch", "de-AT"), "A Loch");
+    EXPECT_EQ(translations.of("Ein Loch", "de"), "Ein Loch");
+    EXPECT_EQ(translations.of("Ein Loch", "fr"), "Ein Loch");
+    EXPECT_EQ(translations.within("Schritt: Zu tief. 40 mm", "en"), "Schritt: Too deep. 40 mm");
+}
+
+TEST(ReadProcedure, RefusesWordsWithoutALanguage) {
+    expect_refused(text::Code::malformed_word, "title: A hole", "title: {«english»: A hole}");
+    expect_refused(text::Code::malformed_word, "title: A hole", "title: {«de_AT»: Ein Loch}");
+    expect_refused(text::Code::empty_value, "title: A hole", "title: «{»}");
+    expect_refused(text::Code::wrong_shape, "title: A hole", "title: {en: «[»A hole]}");
+}
+
+TEST(ReadProcedure, GivesAssistanceAndTheDisplayOfZones) {
+    text::Diagnostics diagnostics;
+    const std::optional<Procedure> plain = read(faultless, diagnostics);
+    ASSERT_TRUE(plain);
+    EXPECT_EQ(plain->assist, Assist::full);
+    EXPECT_TRUE(plain->zones.empty());
+    const std::optional<Procedure> other =
+        read(faultless + "assist: on-request\nzones: {canal: {show: near, within: 3 mm}}\n", diagnostics);
+    ASSERT_TRUE(other) << to_text(diagnostics);
+    EXPECT_EQ(other->assist, Assist::on_request);
+    ASSERT_EQ(other->zones.size(), 1u);
+    EXPECT_EQ(other->zones[0].zone, "canal");
+    EXPECT_EQ(other->zones[0].show, ZoneDisplay::Show::near);
+    EXPECT_EQ(other->zones[0].within, 3.0_mm);
+
+    expect_refused(text::Code::unknown_word, "time_limit: 60 s", "time_limit: 60 s\nassist: «some»");
+    expect_refused(text::Code::undeclared_zone, "time_limit: 60 s",
+                   "time_limit: 60 s\nzones: {«cannal»: {show: near}}");
+    expect_refused(text::Code::unknown_word, "time_limit: 60 s", "time_limit: 60 s\nzones: {canal: {show: «often»}}");
+}
+
 TEST(ReadProcedure, GivesSiValuesInDeclaredOrder) {
     text::Diagnostics diagnostics;
     const std::optional<Procedure> procedure = read(faultless, diagnostics);

@@ -58,6 +58,8 @@ std::vector<std::string> mistakes(const ValueShape& value) {
     switch (value.kind) {
         case Kind::text:
             return {"[a, b]", "{a: b}"};
+        case Kind::words:
+            return {"[a, b]", "{}", "{english: a}", "{en: [a]}"};
         case Kind::id:
             return {"[a, b]", "two words", "ä"};
         case Kind::version:

@@ -58,7 +58,7 @@ session::StepRow opened_by_keys(double enough) {
     std::string error;
     const auto offscreen = Offscreen::open(64, 64, error);
     if (offscreen == nullptr) throw std::runtime_error(error);
-    run::RunView view(scene, "practice", "mouse", "");
+    run::RunView view(scene, {.mode = "practice", .hand = "mouse"});
     run::MouseBox box;
     view.let_mouse_lead(box);
     RunScreen screen(view);

@@ -22,7 +22,7 @@ constexpr int width = 1280, height = 800;
 /// The short scene after its run, on a screen. A lateral radiograph was requested by keys before the first tick.
 struct Shown {
     std::unique_ptr<Offscreen> offscreen;
-    run::RunView view{test::short_scene(), "practice", "rehearsal expert", ""};
+    run::RunView view{test::short_scene(), {.mode = "practice", .hand = "rehearsal expert"}};
     std::unique_ptr<RunScreen> screen;
 
     Shown() {

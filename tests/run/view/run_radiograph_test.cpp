@@ -72,7 +72,7 @@ public:
 
 /// A run on a virtual clock with two radiographs.
 struct Taken {
-    RunView view{test::short_scene(), "practice", "", ""};
+    RunView view{test::short_scene(), {.mode = "practice"}};
     Radiographer by{view};
     RunOutcome outcome;
 
@@ -134,7 +134,7 @@ TEST(RunRadiographs, ShowBoneInTheCircleOfTheCollimator) {
 }
 
 TEST(RunRadiographs, AreRepeatedByAReplay) {
-    RunView view(test::short_scene(), "debrief", "", "", 0.5);
+    RunView view(test::short_scene(), {.mode = "debrief"}, 0.5);
     Radiographer by(view);
     RunRequest request = again(taken().by);
     request.observers = {&by, &view};
@@ -167,7 +167,7 @@ TEST(RunRadiographs, AreRefusedBeyondATurn) {
     const test::WatchedRun run = test::watched_run(test::short_scene(), test::plugins(), request);
     ASSERT_EQ(std::ranges::count(run.events, "hand.refused", &session::EventRow::id), 1);
     EXPECT_EQ(std::ranges::count(run.events, "image.taken", &session::EventRow::id), 0);
-    RunView view(test::short_scene(), "practice", "", "");
+    RunView view(test::short_scene(), {.mode = "practice"});
     view.request_radiograph(std::numeric_limits<double>::quiet_NaN(), 0.0);
     request = {};
     struct EndAtOnce final : RunObserver {

@@ -30,7 +30,7 @@ public:
 
 /// The short scene, watched by a viewer.
 struct Seen {
-    RunView view{test::short_scene(), "practice", "rehearsal expert", ""};
+    RunView view{test::short_scene(), {.mode = "practice", .hand = "rehearsal expert"}};
     SurfaceAtEnd at_end;
     test::WatchedRun run;
     std::vector<ViewedRow> rows;
@@ -132,7 +132,7 @@ TEST(RunView, ShowsTheResult) {
 }
 
 TEST(RunView, CanBeReadWhileTheRunGoesOn) {
-    RunView view(test::short_scene(), "practice", "", "");
+    RunView view(test::short_scene(), {.mode = "practice"});
     RunRequest request;
     request.observers = {&view};
     std::atomic<bool> is_over{false};
@@ -156,7 +156,7 @@ TEST(RunView, CanBeReadWhileTheRunGoesOn) {
 }
 
 TEST(RunView, EndsTheRunWhenTheViewerStopsIt) {
-    RunView view(test::short_scene(), "practice", "", "");
+    RunView view(test::short_scene(), {.mode = "practice"});
     RunRequest request;
     request.observers = {&view};
     view.stop();
@@ -166,7 +166,7 @@ TEST(RunView, EndsTheRunWhenTheViewerStopsIt) {
 }
 
 TEST(RunView, EndsAPausedRun) {
-    RunView view(test::short_scene(), "practice", "", "");
+    RunView view(test::short_scene(), {.mode = "practice"});
     MouseBox box;
     view.let_mouse_lead(box);
     view.lead({.is_paused = true});
@@ -194,7 +194,7 @@ TEST(SceneView, StatesGoalsAndLimitsWithTheirUnits) {
 
 TEST(SceneView, HasTheTissuesToolsAndStepsOfTheScene) {
     const Scene& scene = test::short_scene();
-    const ViewedScene viewed = viewed_scene(scene, "practice", "mouse");
+    const ViewedScene viewed = viewed_scene(scene, {.mode = "practice", .hand = "mouse"});
     ASSERT_EQ(viewed.tissues.size(), scene.body.materials.size());
     EXPECT_EQ(viewed.tissues[0].name, "cortical");
     EXPECT_EQ(viewed.tissues[0].colour.red, 0xe8);
@@ -206,7 +206,7 @@ TEST(SceneView, HasTheTissuesToolsAndStepsOfTheScene) {
 
 TEST(SceneView, HasNoHelpInAnExamination) {
     const Scene& scene = test::short_scene();
-    const ViewedScene viewed = viewed_scene(scene, "exam", "mouse");
+    const ViewedScene viewed = viewed_scene(scene, {.mode = "exam", .hand = "mouse"});
     EXPECT_TRUE(viewed.zones.empty());
     for (const ViewedStep& step : viewed.steps) {
         EXPECT_TRUE(step.limits.empty());
@@ -215,7 +215,7 @@ TEST(SceneView, HasNoHelpInAnExamination) {
     }
     EXPECT_EQ(viewed.steps.size(), scene.procedure.steps.size());
 
-    RunView view(scene, "exam", "", "");
+    RunView view(scene, {.mode = "exam"});
     RunRequest request;
     request.mode = "exam";
     request.observers = {&view};
@@ -232,6 +232,62 @@ TEST(SceneView, HasNoHelpInAnExamination) {
     EXPECT_TRUE(events.empty());
     EXPECT_TRUE(view.next_action().empty());
     EXPECT_TRUE(view.result()) << "at the end";
+}
+
+TEST(SceneView, HasTheWordsOfTheLanguage) {
+    const Scene scene = test::scene_with(
+        {"steps.pilot-hole.title={en: Drill, de: Bohren}", "steps.pilot-hole.hint={en: Straight on, de: Geradeaus}"});
+    EXPECT_EQ(viewed_scene(scene, {.language = "de"}).steps[0].title, "Bohren");
+    EXPECT_EQ(viewed_scene(scene, {.language = "de"}).steps[0].hint, "Geradeaus");
+    EXPECT_EQ(viewed_scene(scene, {.language = "fr"}).steps[0].title, "Drill");
+    EXPECT_EQ(viewed_scene(scene, {.mode = "exam", .language = "de"}).steps[0].hint, "");
+    EXPECT_EQ(viewed_scene(scene, {.assist = documents::Assist::off}).steps[0].hint, "");
+}
+
+/// Returns the states of a run whose hand approaches the bone, and requests help half way.
+std::vector<ViewedState> states_of(const std::string& assist, const std::string& show) {
+    const Scene scene = test::scene_with({"assist=" + assist, "zones={canal: {show: " + show + "}}",
+                                          "rehearsals.expert.path=[{depth: -20 mm}, {depth: -5 mm, do: assist}, "
+                                          "{depth: 0 mm}]"});
+    RunView view(scene, {.mode = "practice", .assist = scene.procedure.assist});
+    RunRequest request;
+    request.observers = {&view};
+    static_cast<void>(run_procedure(scene, test::plugins(), request));
+    std::vector<ViewedMoment> moments;
+    view.take(moments);
+    std::vector<ViewedState> states;
+    for (const ViewedMoment& moment : moments) states.push_back(moment.state);
+    return states;
+}
+
+TEST(RunView, ShowsHelpOfAStepFromTheRequestOn) {
+    const std::vector<ViewedState> states = states_of("on-request", "always");
+    ASSERT_GT(states.size(), 20u);
+    EXPECT_FALSE(states.front().has_help);
+    EXPECT_EQ(states.front().shown_zones, 0u);
+    EXPECT_EQ(states.front().zone, -1);
+    const auto asked = std::ranges::find(states, true, &ViewedState::has_help);
+    ASSERT_NE(asked, states.end());
+    EXPECT_NEAR(asked->depth, -5e-3, 0.5e-3);
+    EXPECT_EQ(states[states.size() - 2].shown_zones, 1u);
+    EXPECT_EQ(states[states.size() - 2].zone, 0);
+}
+
+TEST(RunView, ShowsZonesWhenTheProcedureStates) {
+    const std::vector<ViewedState> always = states_of("full", "always"), never = states_of("full", "never"),
+                                   after = states_of("full", "after"), near = states_of("full", "near, within: 30 mm");
+    EXPECT_EQ(always.front().shown_zones, 1u);
+    for (const ViewedState& state : never) ASSERT_EQ(state.shown_zones, 0u);
+    for (const ViewedState& state : after) ASSERT_EQ(state.shown_zones, state.is_over ? 1u : 0u);
+    ASSERT_TRUE(after.back().is_over);
+    ASSERT_EQ(near.size(), always.size());
+    bool has_both[2] = {false, false};
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        const bool is_near = always[i].zone_distance <= 30e-3;
+        has_both[is_near] = true;
+        ASSERT_EQ(near[i].shown_zones != 0, is_near || near[i].is_over) << always[i].zone_distance;
+    }
+    EXPECT_TRUE(has_both[0] && has_both[1]) << "the hand crosses the distance";
 }
 
 // ---- light --------------------------------------------------------------------------------------------------------
