@@ -28,6 +28,8 @@ struct RunOptions : DocumentOptions {
     std::string procedure;          ///< file
     std::string hand;               ///< id of a rehearsal; empty: the first
     std::string replay;             ///< file of a session; empty: none
+    std::string parent;             ///< file of a session that the mouse continues; empty: none
+    std::string at;                 ///< [s] of the parent from which on; empty: its end
     std::string learner;            ///< a code, never a name
     std::string out;                ///< folder; empty: out/ and the procedure's id
     std::string mode = "practice";  ///< practice | exam | demo
@@ -128,7 +130,7 @@ struct WindowOptions {
     std::string procedures;             ///< folder; empty: the shipped ones
     std::string attempts = "attempts";  ///< folder
     std::string learner;                ///< a code; empty: none
-    std::string language;               ///< of the procedures' words; empty: that of the environment
+    std::string language{};             ///< of the procedures' words; empty: that of the environment
 };
 
 struct PrivacyOptions {

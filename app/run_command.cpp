@@ -122,6 +122,12 @@ std::string refusal_of(const RunOptions& options, const documents::Procedure& pr
         return "an examination has no help. Leave out `--assist` or `--mode exam`.";
     if (!options.assist.empty() && !options.replay.empty())
         return "a replay has the help of its recording. Leave out `--assist` or `--replay`.";
+    if (!options.at.empty() && options.parent.empty())
+        return "`--at` is a time of the session of `--continue`. Add `--continue`.";
+    if (!options.parent.empty() && !is_by_mouse(options))
+        return "a mouse continues a session. Add `--window --device mouse`.";
+    if (!options.parent.empty() && options.mode != "practice")
+        return "only practice continues a session. Leave out `--continue` or `--mode`.";
     if (options.device.empty()) return {};
     if (is_by_mouse(options) && !options.is_in_window) return "the mouse leads the tool in the window. Add `--window`.";
     if (!options.replay.empty()) return "a replay repeats the recorded hand. Leave out `--device` or `--replay`.";
@@ -190,6 +196,32 @@ std::string read_recording(const RunOptions& options, const documents::Procedure
     return {};
 }
 
+/// Reads the session of `--continue`, if there is one, up to `--at`. Returns why it cannot be continued, for people;
+/// empty if it can.
+std::string read_parent(const RunOptions& options, const documents::Procedure& procedure,
+                        std::shared_ptr<run::RunBeginning>& beginning, std::uint64_t& anatomy_hash) {
+    if (options.parent.empty()) return {};
+    std::string error;
+    const auto recorded = session::read_session(options.parent, error);
+    if (!recorded) return error;
+    if (error = refusal_of_replay(*recorded, options.parent, procedure); !error.empty()) return error;
+    if (recorded->is_examination) return options.parent + ": was an examination, which cannot be continued.";
+    if (!recorded->device_values.empty())
+        return options.parent + ": was recorded with the device `" + recorded->device +
+               "`. A mouse continues sessions of a mouse or of a rehearsal.";
+    beginning = std::make_shared<run::RunBeginning>();
+    if (error = repeat(*recorded, options.parent, beginning->run); !error.empty()) return error;
+    beginning->parent = recorded->uuid;
+    const double duration = 1e-3 * static_cast<double>(recorded->device_from_handle.size());
+    const double at = options.at.empty() ? duration : std::strtod(options.at.c_str(), nullptr);
+    if (!(at > 0.0 && at <= duration))
+        return "`--at` is " + options.at + " s, and the recording ends after " + formatted("%.1f", duration) +
+               " s. Write a time from 0.001 to " + formatted("%.1f", duration) + ".";
+    beginning->ticks = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(1e3 * at)));
+    anatomy_hash = recorded->anatomy_hash;
+    return {};
+}
+
 /// Prints the result of a run. Returns how the program ends.
 ExitCode print_outcome(const run::RunOutcome& outcome, const std::string& folder,
                        const std::optional<session::RecordedInputs>& recorded) {
@@ -226,7 +258,14 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     std::optional<session::RecordedInputs> recorded;
     if (const std::string refusal = read_recording(options, documents->procedure, recorded); !refusal.empty())
         return complain(refusal, exit_bad_input);
-    const std::string rehearsal = recorded ? recorded->rehearsal : options.hand;
+    std::shared_ptr<run::RunBeginning> beginning;
+    std::uint64_t anatomy_of_parent = 0;
+    if (const std::string refusal = read_parent(options, documents->procedure, beginning, anatomy_of_parent);
+        !refusal.empty())
+        return complain(refusal, exit_bad_input);
+    const std::string rehearsal = recorded                                       ? recorded->rehearsal
+                                  : beginning != nullptr && options.hand.empty() ? beginning->run.rehearsal
+                                                                                 : options.hand;
     if (const std::string refusal = run::refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
         return complain(refusal, exit_bad_input);
     // Started while this process has one thread and little memory.
@@ -262,7 +301,11 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (recorded && recorded->anatomy_hash != scene->anatomy_hash)
         return complain(refusal_of_other_text(options.replay), exit_bad_input);
 
+    if (beginning != nullptr && anatomy_of_parent != scene->anatomy_hash)
+        return complain(refusal_of_other_text(options.parent), exit_bad_input);
+
     run::RunRequest request;
+    request.beginning = beginning;
     ShownRun shown_run(interruption);
     request.observers = {&shown_run};
     request.strategies = &strategies;
@@ -277,6 +320,9 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     std::error_code ignored;
     if (!options.replay.empty() && std::filesystem::equivalent(options.replay, request.out + "/session.db", ignored))
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
+    if (!options.parent.empty() && std::filesystem::equivalent(options.parent, request.out + "/session.db", ignored))
+        return complain("the run would overwrite the session that it continues. Give another folder with `--out`.",
+                        exit_bad_input);
 
     if (of_run.own.opened != nullptr) fit_to_workspace(*scene, rehearsal, of_run.own);
     run::MouseBox mouse;

@@ -21,6 +21,20 @@ void LoopChanges::begin_following(LoopLink& link) {
     simulation_->defer_changes();
 }
 
+void LoopChanges::repeat(std::vector<LateChange> late, std::vector<std::uint64_t> adoptions, std::uint64_t ticks) {
+    late_ = std::move(late);
+    adoptions_ = std::move(adoptions);
+    std::erase_if(late_, [&](const LateChange& one) { return one.tick > ticks; });
+    std::erase_if(adoptions_, [&](std::uint64_t tick) { return tick > ticks; });
+}
+
+/// Returns how the recorded run made the posted change; null: at once.
+const LateChange* LoopChanges::late() const noexcept {
+    const auto found =
+        std::find_if(late_.begin(), late_.end(), [&](const LateChange& one) { return one.number == number_; });
+    return found == late_.end() ? nullptr : &*found;
+}
+
 // ---- decisions ----------------------------------------------------------------------------------------------------
 
 void LoopChanges::lead(const std::optional<Guide>& guide) {
@@ -71,14 +85,17 @@ void LoopChanges::post_to_loop() {
     change.change.tool = posted_->tool;
     change.change.back = posted_->back;
     if (posted_->tool) change.change.committed = simulation_->committed_for_second();
+    if (const LateChange* late = this->late(); late != nullptr) {
+        change.due = late->tick;
+        change.is_refused = late->is_refused;
+    }
     link_->change.post(std::move(change));
 }
 
 std::optional<LoopChanges::Due> LoopChanges::due() const {
     if (mode_ != Mode::replay || !posted_) return std::nullopt;
-    const auto late =
-        std::find_if(late_.begin(), late_.end(), [&](const LateChange& one) { return one.number == number_; });
-    if (late == late_.end()) return Due{};
+    const LateChange* late = this->late();
+    if (late == nullptr) return Due{};
     if (simulation_->ticks() < late->tick) return std::nullopt;
     return Due{late->is_refused};
 }
@@ -140,10 +157,16 @@ void LoopChanges::drop_tool() noexcept {
 
 // ---- separations --------------------------------------------------------------------------------------------------
 
+/// Returns the number of ticks after which the loop may take over a separation.
+std::uint64_t LoopChanges::separation_due(const Separation& waiting, bool now) const noexcept {
+    if (adopted_ < adoptions_.size()) return adoptions_[adopted_];
+    return now ? 0 : waiting.tick + Simulation::adoption_delay;
+}
+
 void LoopChanges::post_separation(bool now) {
     const Separation* waiting = simulation_->waiting_separation();
     if (link_ == nullptr || waiting == nullptr) return;
-    const std::uint64_t due = now ? 0 : waiting->tick + Simulation::adoption_delay;
+    const std::uint64_t due = separation_due(*waiting, now);
     if (is_separation_posted_) {
         if (now) link_->separation_due = due;
         return;

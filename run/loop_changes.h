@@ -32,6 +32,9 @@ public:
     void begin_replay(std::vector<LateChange> late);
     /// Begins to follow a loop. Pre: `link` outlives this object.
     void begin_following(LoopLink& link);
+    /// Lets the followed loop take over changes and separations when that of a recorded run did, for a number of ticks.
+    /// Pre: it has just begun to follow.
+    void repeat(std::vector<LateChange> late, std::vector<std::uint64_t> adoptions, std::uint64_t ticks);
 
     [[nodiscard]] bool is_in_lock_step() const noexcept { return mode_ == Mode::lock_step; }
     [[nodiscard]] bool is_following() const noexcept { return mode_ == Mode::following; }
@@ -96,11 +99,14 @@ private:
     };
     [[nodiscard]] bool is_late() const noexcept { return posted_->is_delayed || simulation_->ticks() != posted_at_; }
     void post_to_loop();
+    [[nodiscard]] const LateChange* late() const noexcept;
+    [[nodiscard]] std::uint64_t separation_due(const Separation& waiting, bool now) const noexcept;
 
     Simulation* simulation_;
     Mode mode_ = Mode::lock_step;
     LoopLink* link_ = nullptr;
-    std::vector<LateChange> late_;               ///< of the replayed run
+    std::vector<LateChange> late_;               ///< of the replayed run, or of that with which this one begins
+    std::vector<std::uint64_t> adoptions_;       ///< of the run with which this one begins, as Simulation takes them
     std::optional<std::optional<Guide>> guide_;  ///< last decided; no value: none was
     Decided next_;
     std::optional<Decided> posted_;

@@ -28,6 +28,13 @@ std::optional<std::size_t> NextActions::take(std::size_t step) noexcept {
     return at;
 }
 
+void NextActions::follow(std::size_t step, const documents::HandInput& input) noexcept {
+    const std::size_t at = find(step);
+    if (at == actions_.size()) return;
+    const documents::HandInput& first = actions_[at].inputs.front();
+    if (first.kind == input.kind && first.id == input.id && first.value == input.value) next_ = at + 1;
+}
+
 std::string NextActions::words(std::size_t step) const {
     const std::size_t at = find(step);
     std::string text;

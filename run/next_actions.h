@@ -22,6 +22,8 @@ public:
     [[nodiscard]] std::optional<std::size_t> take(std::size_t step) noexcept;
     /// Selects the action after this one.
     void took(std::size_t action) noexcept { next_ = action + 1; }
+    /// Selects the action after the next one of a step, if that begins with this input.   [haptic, nonblocking]
+    void follow(std::size_t step, const documents::HandInput& input) noexcept;
     /// Returns the inputs of an action.
     [[nodiscard]] const std::vector<documents::HandInput>& inputs(std::size_t action) const noexcept {
         return actions_[action].inputs;

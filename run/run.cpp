@@ -71,6 +71,10 @@ session::RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins
                                              : "device";
     summary.leader = request.leader;
     summary.leader_setup = request.leader_setup;
+    if (request.beginning != nullptr) {
+        summary.parent = request.beginning->parent;
+        summary.parent_ticks = request.beginning->ticks;
+    }
     summary.device = scene.device->id;
     summary.force_scale = scene.gains.force_scale;
     summary.coupling_stiffness = scene.procedure.is_direct ? 0.0 : scene.gains.stiffness;
@@ -230,6 +234,8 @@ std::unique_ptr<HapticLoop> Run::follow_loop(LoopLink& link) {
     auto loop = simulation_.second_loop(scene_->tools, scene_->gains, plan_.start, free_bricks);
     loop->lead(guide_of_step(*scene_, monitor_));
     changes_.begin_following(link);
+    if (const RunBeginning* beginning = request_.beginning.get())
+        changes_.repeat(beginning->run.late_changes, beginning->run.adoptions, beginning->ticks);
     return loop;
 }
 
@@ -270,6 +276,12 @@ bool Run::take(const LoopMessage& message) {
         case Kind::undo:
             take_hand_inputs({{HandInput::Kind::undo}});
             break;
+        case Kind::repeated: {
+            const HandInput& input = request_.beginning->run.hand_inputs[message.index].second;
+            next_actions_.follow(monitor_.current(), input);
+            take_hand_inputs({input});
+            break;
+        }
         case Kind::pause:
             take_hand_inputs({{HandInput::Kind::pause}});
             break;

@@ -56,6 +56,8 @@ public:
     /// recorded and replayed. A refusal causes the event `hand.refused`. A run that follows a loop takes only passive
     /// ones; a replay takes none.
     void request(documents::HandInput input) { requested_.push_back(std::move(input)); }
+    /// Returns the recorded run with which this one begins; null: it begins anew.
+    [[nodiscard]] const RunBeginning* beginning() const noexcept { return request_.beginning.get(); }
     /// Returns the result of the last tick.
     [[nodiscard]] const TickResult& last() const noexcept { return result_; }
     [[nodiscard]] const Simulation& simulation() const noexcept { return simulation_; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,8 @@
 namespace kerf::run {
 
 class ExactStrategies;
+
+struct RunBeginning;
 
 struct RunRequest {
     std::string rehearsal;  ///< id; empty: the first
@@ -39,12 +42,21 @@ struct RunRequest {
         missed;  ///< of that run: numbers of missed ticks, each with the next tick, in order
     std::vector<std::pair<std::uint64_t, bool>>
         lost;  ///< of that run: ticks at which its device was lost (true) or back, in order
+    /// A recorded run that this one repeats up to a tick, to the same bits, and then continues by mouse; null: none.
+    std::shared_ptr<const RunBeginning> beginning{};
     /// Name of the device that leads the tool; the rehearsal then only gives the start and the actions of its steps.
     /// Empty: the rehearsal's hand leads it.
     std::string leader, leader_setup;             ///< the latter as in RunSummary
     bool is_led_by_mouse = false;                 ///< the leader is a mouse
     std::vector<RunObserver*> observers;          ///< they must outlive the run
     const ExactStrategies* strategies = nullptr;  ///< of the procedure's instruments, started; null: no exact surface
+};
+
+/// The first part of a recorded run.
+struct RunBeginning {
+    RunRequest run;           ///< its hand, inputs and late changes, as of a replay
+    std::string parent;       ///< uuid of its session
+    std::uint64_t ticks = 0;  ///< of this part; at most those of the run
 };
 
 struct RunOutcome {

@@ -59,6 +59,8 @@ session::SessionHeader header_of(const Scene& scene, const RunRequest& request, 
     header.rehearsal = summary.rehearsal;
     header.hand = summary.hand;
     header.leader = summary.leader;
+    header.parent = summary.parent;
+    header.parent_ticks = summary.parent_ticks;
     header.leader_setup = summary.leader_setup;
     for (const documents::Variant& variant : scene.procedure.variants)
         if (variant.id == scene.procedure.variant) header.variant_title = variant.title;

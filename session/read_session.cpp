@@ -51,7 +51,9 @@ bool read_keys(SessionFile& file, RecordedInputs& inputs) {
         if (key.starts_with(device_key))
             inputs.device_values.emplace_back(key.substr(device_key.size()), number_in(keys.text(1)));
     }
-    return !keys.has_failed();
+    SessionQuery uuid(file.handle(), "SELECT value FROM envelope WHERE key = 'uuid'");
+    if (uuid.next()) inputs.uuid = uuid.text(0);
+    return !keys.has_failed() && !uuid.has_failed();
 }
 
 }  // namespace

@@ -63,7 +63,9 @@ struct SessionConditions {
 struct SessionHeader {
     std::string procedure, procedure_version, anatomy, rehearsal, hand;  ///< as in RunSummary
     std::string leader{}, leader_setup{};                                ///< as in RunSummary
-    std::string variant_title{};  ///< not part of a variant's text; empty for none
+    std::string parent{};            ///< uuid of the session that this one continues; empty: none
+    std::uint64_t parent_ticks = 0;  ///< number of its ticks that this one repeats
+    std::string variant_title{};     ///< not part of a variant's text; empty for none
     std::string procedure_text;
     std::uint64_t anatomy_hash = 0;          ///< of the anatomy's text and data files
     std::vector<std::string> anatomy_notes;  ///< messages of the import, for people

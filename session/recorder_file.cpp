@@ -52,6 +52,10 @@ void Recorder::Impl::create(const SessionHeader& header) {
     set("session", "run.rehearsal", header.rehearsal);
     set("session", "run.hand", header.hand);
     if (!header.leader.empty()) set("session", "run.leader", header.leader);
+    if (!header.parent.empty()) {
+        set("session", "run.parent", header.parent);
+        set("session", "run.parent_ticks", std::to_string(header.parent_ticks));
+    }
     if (!header.leader_setup.empty()) set("session", "run.leader_setup", header.leader_setup);
     if (!header.variant_title.empty()) set("session", "run.variant_title", header.variant_title);
     set("session", "procedure_text", header.procedure_text);

@@ -184,9 +184,11 @@ struct ApproachRow {
 
 struct RunSummary {
     std::string procedure, procedure_version, anatomy, rehearsal, hand, device;
-    std::string leader{};        ///< name of the device whose user led the tool; empty: none did
-    std::string leader_setup{};  ///< its setup on its table, as one line; empty: none led the tool
-    std::string variant{};       ///< of the procedure; empty for none
+    std::string leader{};            ///< name of the device whose user led the tool; empty: none did
+    std::string parent{};            ///< uuid of the session that this one continues; empty: none
+    std::uint64_t parent_ticks = 0;  ///< number of its ticks that this one repeats
+    std::string leader_setup{};      ///< its setup on its table, as one line; empty: none led the tool
+    std::string variant{};           ///< of the procedure; empty for none
     Verdict verdict = Verdict::incomplete;
     std::vector<std::string> reasons;
     bool is_missing = false;  ///< a goal was missed, a limit not measured, or the run ended early

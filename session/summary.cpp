@@ -159,6 +159,7 @@ std::string summary_json(const RunSummary& summary) {
                   {"hand", summary.hand},
                   {"device", summary.device}};
     if (!summary.leader.empty()) document["leader"] = summary.leader;
+    if (!summary.parent.empty()) document["continues"] = {{"session", summary.parent}, {"ticks", summary.parent_ticks}};
     if (!summary.leader_setup.empty()) document["leader_setup"] = summary.leader_setup;
     if (summary.exact) document["exact_surface"] = exact_summary(*summary.exact);
     if (summary.clock) document["clock"] = to_json(*summary.clock);

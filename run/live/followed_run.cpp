@@ -18,9 +18,24 @@ FollowedRun::FollowedRun(const Scene& scene, std::unique_ptr<Run> run)
     : scene_(&scene), run_(std::move(run)), second_loop_(run_->follow_loop(link_)) {}
 
 void FollowedRun::begin(LiveHand& hand, bool is_alone, TickParts* parts) {
-    loop_.emplace(std::move(second_loop_), *scene_, run_->plan(), run_->rehearsal(), link_, hand,
-                  is_alone ? std::function<void()>([this] { catch_up(); }) : std::function<void()>());
+    std::optional<RecordedHand> recorded;
+    if (run_->beginning() != nullptr) recorded.emplace(*run_->beginning());
+    LiveHand& first = recorded ? static_cast<LiveHand&>(*recorded) : hand;
+    loop_.emplace(std::move(second_loop_), *scene_, run_->plan(), run_->rehearsal(), link_, first,
+                  is_alone || recorded ? std::function<void()>([this] { catch_up(); }) : std::function<void()>());
+    if (recorded) {
+        repeat_beginning(*recorded);
+        hand.continue_at(run_->beginning()->run.replay[run_->beginning()->ticks - 1]);
+        loop_->take_hand(hand);
+        if (!is_alone) loop_->leave_run();
+    }
     if (parts != nullptr) loop_->measure(*parts);
+}
+
+/// Repeats the ticks of the recorded run as fast as they run. The run may end meanwhile.
+void FollowedRun::repeat_beginning(RecordedHand& hand) {
+    for (std::uint64_t ticks = run_->beginning()->ticks; ticks > 0; --ticks)
+        if (!tick(hand.missed())) return;
 }
 
 bool FollowedRun::tick(std::uint32_t missed) {

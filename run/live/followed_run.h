@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "run/live/live_loop.h"
+#include "run/live/recorded_hand.h"
 #include "run/run.h"
 
 namespace kerf::run {
@@ -21,7 +22,8 @@ public:
                                                              const RunRequest& request, RunOutcome& refusal);
     [[nodiscard]] Run& run() noexcept { return *run_; }
 
-    /// Makes the loop for a hand, which must outlive it. Pre: called once, before the first tick.   [main]
+    /// Makes the loop for a hand, which must outlive it. First repeats the recorded run with which the request begins.
+    /// Pre: called once, before the first tick.   [main]
     /// @param is_alone  one thread does all: the run catches up with each tick within `tick`
     void begin(LiveHand& hand, bool is_alone, TickParts* parts = nullptr);
     /// Runs one tick after this number of missed periods. Returns whether the loop continues.
@@ -38,6 +40,7 @@ public:
 
 private:
     FollowedRun(const Scene& scene, std::unique_ptr<Run> run);
+    void repeat_beginning(RecordedHand& hand);
     void catch_up();
     void stop() noexcept;
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/haptics/loop/haptic_loop.h"
+#include "documents/hand_input.h"
 #include "run/run_result.h"
 
 namespace kerf::run {
@@ -25,6 +26,8 @@ public:
     virtual void run_drives(bool is_running) noexcept = 0;
     /// Releases the tool about its shaft, or grips it again.   [haptic, nonblocking]
     virtual void loosen(bool is_loose) noexcept = 0;
+    /// An input of the recorded run with which this one begins, by its index there.   [haptic, nonblocking]
+    virtual void repeat(std::size_t index, const documents::HandInput& input) noexcept = 0;
 };
 
 /// The hand at a loop on the clock: simulated, or at a device.
@@ -34,6 +37,8 @@ public:
     /// Returns whether no tick is to run in this period. No simulated time passes then, whatever the clock does.
     /// [haptic, nonblocking]
     [[nodiscard]] virtual bool is_paused() noexcept { return false; }
+    /// Begins where a recorded hand has left the handle.   [main] before the first tick of this hand
+    virtual void continue_at(const Pose& /*world_from_handle*/) {}
     /// Requests what is due before the next tick.   [haptic, nonblocking]
     /// @param missed  periods that passed without a tick
     /// @param last    result of the last tick

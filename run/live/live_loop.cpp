@@ -72,9 +72,10 @@ bool LiveLoop::step(std::uint32_t missed) {
 bool LiveLoop::take_change() {
     PostedChange* posted = link_->change.posted();
     if (posted == nullptr) return false;
+    if (loop_->ticks() < posted->due) return false;
     LoopChange& change = posted->change;
-    LoopMessage answer{.kind = LoopMessage::Kind::changed};
-    if (change.offer.is_any()) {
+    LoopMessage answer{.kind = posted->is_refused ? LoopMessage::Kind::refused : LoopMessage::Kind::changed};
+    if (change.offer.is_any() && !posted->is_refused) {
         constexpr int patience = 20;  // ticks
         const Takeover takeover = loop_->can_take(change.offer);
         if (takeover == Takeover::not_yet && ++delays_ < patience) return false;
@@ -151,6 +152,12 @@ void LiveLoop::loosen(bool is_loose) noexcept {
     if (is_loose && !loop_->outline().has_thread()) return;
     loop_->loosen_about_shaft(is_loose);
     send({.kind = LoopMessage::Kind::regrip, .value = is_loose ? 1.0 : 0.0});
+}
+
+void LiveLoop::repeat(std::size_t index, const documents::HandInput& input) noexcept {
+    if (is_immediate(input.kind)) static_cast<void>(carry_out_at(*loop_, input));
+    next_actions_.follow(step_, input);
+    send({.kind = LoopMessage::Kind::repeated, .index = index});
 }
 
 void LiveLoop::send(const LoopMessage& message) noexcept {

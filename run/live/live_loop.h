@@ -26,6 +26,13 @@ public:
              const documents::Rehearsal& rehearsal, LoopLink& link, LiveHand& hand,
              std::function<void()> with_run = {});
 
+    /// Lets another hand continue.   [main] between ticks
+    void take_hand(LiveHand& hand) noexcept {
+        hand_ = &hand;
+        hand_->follow_step(step_);
+    }
+    /// From now on, the run has a thread of its own.   [main] between ticks
+    void leave_run() { with_run_ = {}; }
     /// Measures the parts of each tick. Pre: `parts` outlives this object.
     void measure(TickParts& parts) noexcept { parts_ = &parts; }
     /// Times at which the force began to fade.
@@ -44,6 +51,7 @@ private:
     void undo() noexcept override { send({.kind = LoopMessage::Kind::undo}); }
     void run_drives(bool is_running) noexcept override;
     void loosen(bool is_loose) noexcept override;
+    void repeat(std::size_t index, const documents::HandInput& input) noexcept override;
 
     [[nodiscard]] bool is_over() const noexcept {
         return link_->is_overrun || link_->should_stop.load(std::memory_order_acquire);

@@ -9,7 +9,8 @@ namespace kerf::run {
 LiveMouse::LiveMouse(MouseBox& box, const Scene& scene, const documents::Rehearsal& rehearsal,
                      const Pose& world_from_tool)
     : box_(&box),
-      hand_(arm_at(*scene.device, scene.gains.force_scale), world_from_tool, box.get(), HapticLoop::dt),
+      arm_(arm_at(*scene.device, scene.gains.force_scale)),
+      hand_(arm_, world_from_tool, box.get(), HapticLoop::dt),
       totals_(box.get()),
       actions_(totals_.actions),
       undos_(totals_.undos) {
@@ -17,6 +18,14 @@ LiveMouse::LiveMouse(MouseBox& box, const Scene& scene, const documents::Rehears
     for (const documents::Waypoint& waypoint : rehearsal.path)
         steps_[waypoint.step].regrip = std::max(steps_[waypoint.step].regrip, waypoint.regrip);
     follow_step(0);
+}
+
+void LiveMouse::continue_at(const Pose& world_from_handle) {
+    totals_ = box_->get();
+    hand_ = MouseHand(arm_, world_from_handle, totals_, HapticLoop::dt);
+    actions_ = totals_.actions;
+    undos_ = totals_.undos;
+    has_begun_ = false;
 }
 
 bool LiveMouse::is_paused() noexcept {
@@ -31,8 +40,10 @@ bool LiveMouse::is_paused() noexcept {
 void LiveMouse::act(std::uint32_t /*missed*/, const TickResult& /*last*/, LoopInputs& inputs) noexcept {
     hand_.take(totals_);
     const bool is_loose = totals_.is_loose || hand_.is_regripping();
-    if (std::exchange(is_loose_, is_loose) != is_loose) inputs.loosen(is_loose);
-    if (std::exchange(is_driving_, totals_.is_driving) != totals_.is_driving) inputs.run_drives(totals_.is_driving);
+    const bool is_first = !std::exchange(has_begun_, true);
+    if (std::exchange(is_loose_, is_loose) != is_loose || is_first) inputs.loosen(is_loose);
+    if (std::exchange(is_driving_, totals_.is_driving) != totals_.is_driving || is_first)
+        inputs.run_drives(totals_.is_driving);
     if (undos_ != totals_.undos) {
         ++undos_;
         inputs.undo();

@@ -19,6 +19,7 @@ public:
     LiveMouse(MouseBox& box, const Scene& scene, const documents::Rehearsal& rehearsal, const Pose& world_from_tool);
 
     [[nodiscard]] bool is_paused() noexcept override;
+    void continue_at(const Pose& world_from_handle) override;
     void act(std::uint32_t missed, const TickResult& last, LoopInputs& inputs) noexcept override;
     [[nodiscard]] DeviceSample sample(const HapticLoop& /*loop*/) noexcept override {
         return {.world_from_handle = hand_.reported()};
@@ -34,11 +35,13 @@ private:
         double feed = 0.0, regrip = 0.0;  ///< [m/s], [rad]
     };
     std::vector<Step> steps_;
+    Arm arm_;
     MouseHand hand_;
     MouseTotals totals_;             ///< newest
     std::uint32_t actions_, undos_;  ///< carried out
     bool is_driving_ = true;         ///< the drives of the tool in hand are as configured; false: they are off
     bool is_loose_ = false;
+    bool has_begun_ = true;  ///< false: drives and grip are as another hand has left them
 };
 
 }  // namespace kerf::run

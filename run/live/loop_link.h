@@ -27,6 +27,7 @@ struct LoopMessage {
         drive,       ///< drive `index` was set to `value`
         regrip,      ///< the tool is loose about its shaft (`value` 1), or gripped again (0)
         undo,        ///< an undo was requested
+        repeated,    ///< input `index` of the recorded run with which this one begins
         pause,       ///< before the next tick, the run was paused
         ended,       ///< the loop has ended, for the reason `index`, a `RunEnd`
     } kind;
@@ -68,6 +69,9 @@ struct PostedChange {
     LoopChange change;
     std::size_t step = 0;
     std::uint64_t adopted = 0;  ///< number of separations that the run had made when it posted the change
+    // As in the recorded run with which this one begins:
+    std::uint64_t due = 0;    ///< number of ticks before which the loop does not take it over
+    bool is_refused = false;  ///< the loop refused it
 };
 
 /// A separation, with the number of changes that the run had made when it posted it.

@@ -131,6 +131,10 @@ void Reading::read_keys() {
     summary.rehearsal = key("run.rehearsal");
     summary.hand = key("run.hand");
     if (keys_.contains("run.leader")) summary.leader = key("run.leader");
+    if (keys_.contains("run.parent")) {
+        summary.parent = key("run.parent");
+        summary.parent_ticks = std::strtoull(key("run.parent_ticks").c_str(), nullptr, 10);
+    }
     if (keys_.contains("run.leader_setup")) summary.leader_setup = key("run.leader_setup");
     summary.device = key("condition.device");
     summary.variant = key("condition.variant");

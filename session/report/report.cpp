@@ -139,6 +139,9 @@ std::string facts_html(const RunSummary& summary) {
     facts.add("Bone removed", sensible_number(summary.removed * 1e9) + " mm³");
     for (const auto& [tissue, volume] : summary.removed_by_tissue)
         facts.add("of it " + tissue, sensible_number(volume * 1e9) + " mm³");
+    if (!summary.parent.empty())
+        facts.add("Continues", "the first " + sensible_number(1e-3 * static_cast<double>(summary.parent_ticks)) +
+                                   " s of session " + html_escaped(summary.parent));
     facts.add("Hand", html_escaped(summary.leader.empty() ? summary.hand : summary.leader));
     if (!summary.leader_setup.empty()) facts.add("Its setup", html_escaped(summary.leader_setup));
     facts.add("Device", html_escaped(summary.device));

@@ -37,18 +37,98 @@ const Scene& awl_scene() {
     return scene;
 }
 
+/// Keeps the poses of the tool.
+struct Poses final : RunObserver {
+    std::vector<Pose> tool;
+    void on_tick(const session::TickRow& row) override { tool.push_back(row.world_from_tool); }
+};
+
+/// The awl's whole operation by mouse.
+struct WholeRun {
+    test::TemporaryFolder folder;
+    Poses poses;
+    RunOutcome outcome = run_by_mouse(awl_scene(), folder / "led", {}, &poses);
+};
+const WholeRun& whole_run() {
+    static const WholeRun run;
+    return run;
+}
+
 TEST(MouseRun, OpensAPedicleAndReplaysToTheBit) {
-    const test::TemporaryFolder folder;
-    const RunOutcome led = run_by_mouse(awl_scene(), folder / "led");
+    const RunOutcome& led = whole_run().outcome;
+    const std::string folder = whole_run().folder / "led";
     ASSERT_EQ(led.error, "");
     EXPECT_EQ(led.summary.verdict, session::Verdict::pass) << test::reasons_of(led);
     EXPECT_EQ(led.summary.hand, "mouse");
     std::string error;
-    const auto recorded = session::read_run(folder / "led/session.db", error);
+    const auto recorded = session::read_run(folder + "/session.db", error);
     ASSERT_TRUE(recorded) << error;
     EXPECT_EQ(recorded->summary.hand, "mouse");
     EXPECT_EQ(recorded->summary.leader, "mouse");
-    EXPECT_EQ(replayed(awl_scene(), inputs_in(folder / "led")).summary.hash, led.summary.hash);
+    EXPECT_EQ(replayed(awl_scene(), inputs_in(folder)).summary.hash, led.summary.hash);
+}
+
+bool are_same(const Pose& a, const Pose& b) {
+    return a.position == b.position && a.rotation.w == b.rotation.w && a.rotation.x == b.rotation.x &&
+           a.rotation.y == b.rotation.y && a.rotation.z == b.rotation.z;
+}
+
+/// Returns the first part of a recorded run.
+std::shared_ptr<const RunBeginning> beginning_of(const std::string& folder, double part) {
+    const session::RecordedInputs inputs = inputs_in(folder);
+    auto beginning = std::make_shared<RunBeginning>();
+    EXPECT_EQ(app::repeat(inputs, "session.db", beginning->run), "");
+    beginning->parent = inputs.uuid;
+    beginning->ticks = static_cast<std::uint64_t>(part * static_cast<double>(inputs.device_from_handle.size()));
+    return beginning;
+}
+
+// The awl goes through bone at 0.6 of the operation.
+TEST(MouseRun, ContinuesARecordedRunFromTheSameBits) {
+    const test::TemporaryFolder folder;
+    const std::vector<Pose>& of_parent = whole_run().poses.tool;
+    Poses of_child;
+    MouseBox box;
+    test::ScriptedMouse mouse(awl_scene(), box);
+    RunRequest request;
+    request.out = folder / "child";
+    request.observers = {&mouse, &of_child};
+    request.beginning = beginning_of(whole_run().folder / "led", 0.6);
+    const std::size_t ticks = request.beginning->ticks;
+    test::PunctualClock clock;
+    const RunOutcome child = run_on_clock(awl_scene(), test::plugins(), request, clock, box);
+    ASSERT_EQ(child.error, "");
+    EXPECT_EQ(child.summary.verdict, session::Verdict::pass) << test::reasons_of(child);
+    ASSERT_GT(of_child.tool.size(), ticks);
+    for (std::size_t i = 0; i < ticks; ++i) ASSERT_TRUE(are_same(of_child.tool[i], of_parent[i])) << i;
+    EXPECT_LT(length(of_child.tool[ticks].position - of_child.tool[ticks - 1].position), 20e-6) << "no jump";
+
+    EXPECT_EQ(child.summary.parent, request.beginning->parent);
+    EXPECT_EQ(child.summary.parent_ticks, ticks);
+    std::string error;
+    const auto recorded = session::read_run(folder / "child/session.db", error);
+    ASSERT_TRUE(recorded) << error;
+    EXPECT_EQ(recorded->summary.parent, request.beginning->parent);
+    EXPECT_EQ(recorded->summary.parent_ticks, ticks);
+    EXPECT_EQ(replayed(awl_scene(), inputs_in(folder / "child")).summary.hash, child.summary.hash);
+}
+
+TEST(MouseRun, RestsAtTheEndOfARecordedRunWithAStillMouse) {
+    const test::TemporaryFolder folder;
+    RunRequest expert;
+    expert.out = folder / "parent";
+    ASSERT_EQ(run_procedure(test::short_scene(), test::plugins(), expert).error, "");
+    Poses of_child;
+    MouseBox box;
+    RunRequest request;
+    request.observers = {&of_child};
+    request.beginning = beginning_of(folder / "parent", 0.2);
+    test::PunctualClock clock;
+    static_cast<void>(run_on_clock(test::short_scene(), test::plugins(), request, clock, box));
+    const std::size_t ticks = request.beginning->ticks;
+    ASSERT_GT(of_child.tool.size(), ticks + 2000);
+    EXPECT_GT(length(of_child.tool[ticks - 1].position - of_child.tool[0].position), 1e-3) << "the parent moves";
+    EXPECT_LT(length(of_child.tool[ticks + 2000].position - of_child.tool[ticks - 1].position), 0.2e-3);
 }
 
 /// Ends a run when the limit of a zone breaks, and keeps the zone.

@@ -49,39 +49,6 @@ TEST(Run, StepByStepItIsTheSameRunToTheBit) {
     EXPECT_GT(outcome.summary.removed, 0.0);
 }
 
-// Help is requested three times: twice in one step.
-TEST(Run, CountsTheStepsForWhichHelpWasRequested) {
-    const std::string path =
-        "rehearsals.expert.path=[{depth: -3 mm, do: assist}, {depth: -4 mm, do: assist}, {depth: -5 mm}]";
-    const Scene scene = scene_with({"assist=on-request", path});
-    const auto count = [](const test::WatchedRun& run, const char* id) {
-        return std::ranges::count(run.events, id, &session::EventRow::id);
-    };
-    const test::WatchedRun run = test::watched_run(scene, test::plugins(), {});
-    EXPECT_EQ(count(run, "assist.used"), 1);
-    EXPECT_EQ(count(run, "hand.refused"), 1);
-    ASSERT_NE(metric_of(run.summary, "assist.uses"), nullptr);
-    EXPECT_EQ(metric_of(run.summary, "assist.uses")->value, 1.0);
-
-    // A replay, with the help of its record, requests the same; another level of help is another run.
-    RunRequest again;
-    again.hand_inputs = {};
-    for (const session::TickRow& row : run.ticks) again.replay.push_back(row.device_from_handle);
-    for (const session::EventRow& event : run.events)
-        if (event.id == session::hand_input_event)
-            again.hand_inputs.emplace_back(event.tick, documents::hand_input(event.detail).value());
-    const test::WatchedRun repeated = test::watched_run(scene, test::plugins(), again);
-    EXPECT_EQ(count(repeated, "assist.used"), 1);
-    EXPECT_EQ(repeated.summary.hash, run.summary.hash);
-    again.assist = documents::Assist::off;
-    const test::WatchedRun without = test::watched_run(scene, test::plugins(), again);
-    EXPECT_EQ(count(without, "assist.used"), 0);
-    EXPECT_EQ(metric_of(without.summary, "assist.uses"), nullptr);
-    EXPECT_NE(without.summary.hash, run.summary.hash);
-    again.assist = documents::Assist::on_request;  // as the procedure states
-    EXPECT_EQ(test::watched_run(scene, test::plugins(), again).summary.hash, run.summary.hash);
-}
-
 // A shallow cut, then the tool in air, where an undo restores the bone.
 TEST(Run, HasNoUndoInAnExamination) {
     const Scene scene = scene_with({"rehearsals.expert.path=[{depth: -3 mm, speed: 10 mm/s}, {depth: 0.5 mm, speed: 1 "
@@ -184,6 +151,39 @@ TEST(Run, MeasuresWhatLimitsOfAStepAreOn) {
     EXPECT_EQ(run.summary.reasons.at(1), "Step `pilot-hole`: Slow. Duration: 15 s.");
     EXPECT_EQ(metric_of(run.summary, "pilot-hole.lateral-force")->status, "broken");
     EXPECT_EQ(metric_of(run.summary, "pilot-hole.signal.drive_power")->status, "ok");
+}
+
+// Help is requested three times: twice in one step.
+TEST(Run, CountsTheStepsForWhichHelpWasRequested) {
+    const std::string path =
+        "rehearsals.expert.path=[{depth: -3 mm, do: assist}, {depth: -4 mm, do: assist}, {depth: -5 mm}]";
+    const Scene scene = scene_with({"assist=on-request", path});
+    const auto count = [](const test::WatchedRun& run, const char* id) {
+        return std::ranges::count(run.events, id, &session::EventRow::id);
+    };
+    const test::WatchedRun run = test::watched_run(scene, test::plugins(), {});
+    EXPECT_EQ(count(run, "assist.used"), 1);
+    EXPECT_EQ(count(run, "hand.refused"), 1);
+    ASSERT_NE(metric_of(run.summary, "assist.uses"), nullptr);
+    EXPECT_EQ(metric_of(run.summary, "assist.uses")->value, 1.0);
+
+    // A replay, with the help of its record, requests the same; another level of help is another run.
+    RunRequest again;
+    again.hand_inputs = {};
+    for (const session::TickRow& row : run.ticks) again.replay.push_back(row.device_from_handle);
+    for (const session::EventRow& event : run.events)
+        if (event.id == session::hand_input_event)
+            again.hand_inputs.emplace_back(event.tick, documents::hand_input(event.detail).value());
+    const test::WatchedRun repeated = test::watched_run(scene, test::plugins(), again);
+    EXPECT_EQ(count(repeated, "assist.used"), 1);
+    EXPECT_EQ(repeated.summary.hash, run.summary.hash);
+    again.assist = documents::Assist::off;
+    const test::WatchedRun without = test::watched_run(scene, test::plugins(), again);
+    EXPECT_EQ(count(without, "assist.used"), 0);
+    EXPECT_EQ(metric_of(without.summary, "assist.uses"), nullptr);
+    EXPECT_NE(without.summary.hash, run.summary.hash);
+    again.assist = documents::Assist::on_request;  // as the procedure states
+    EXPECT_EQ(test::watched_run(scene, test::plugins(), again).summary.hash, run.summary.hash);
 }
 
 TEST(Run, ReachesGoalsOnSignalsAndRemovedBone) {
