@@ -244,7 +244,7 @@ TEST(SceneView, HasTheWordsOfTheLanguage) {
     EXPECT_EQ(viewed_scene(scene, {.assist = documents::Assist::off}).steps[0].hint, "");
 }
 
-/// Returns the states of a run whose hand approaches the bone, and requests help half way.
+/// Returns the states of a run whose hand approaches the bone, and requests help 5 mm in front of it.
 std::vector<ViewedState> states_of(const std::string& assist, const std::string& show) {
     const Scene scene = test::scene_with({"assist=" + assist, "zones={canal: {show: " + show + "}}",
                                           "rehearsals.expert.path=[{depth: -20 mm}, {depth: -5 mm, do: assist}, "
@@ -266,9 +266,9 @@ TEST(RunView, ShowsHelpOfAStepFromTheRequestOn) {
     EXPECT_FALSE(states.front().has_help);
     EXPECT_EQ(states.front().shown_zones, 0u);
     EXPECT_EQ(states.front().zone, -1);
-    const auto asked = std::ranges::find(states, true, &ViewedState::has_help);
-    ASSERT_NE(asked, states.end());
-    EXPECT_NEAR(asked->depth, -5e-3, 0.5e-3);
+    const auto helped = std::ranges::find(states, true, &ViewedState::has_help);
+    ASSERT_NE(helped, states.end());
+    EXPECT_NEAR(helped->depth, -5e-3, 0.5e-3);
     EXPECT_EQ(states[states.size() - 2].shown_zones, 1u);
     EXPECT_EQ(states[states.size() - 2].zone, 0);
 }
