@@ -19,6 +19,7 @@
 
 #include "bone/import/data_file.h"
 #include "core/field/fnv1a.h"
+#include "documents/id.h"
 #include "documents/read_anatomy.h"
 #include "documents/yaml/document.h"
 #include "text/printable.h"
@@ -27,6 +28,7 @@ namespace kerf::bone {
 namespace {
 
 using Json = nlohmann::json;
+using documents::is_id;
 
 constexpr std::size_t largest_text = 1u << 20;  // [bytes]
 constexpr double furthest = 2.0;                // [m] of a coordinate, as in documents
@@ -39,15 +41,6 @@ struct ImportError {
 
 /// Returns text of the file in a form that can be shown to people.
 std::string shown(std::string_view text) { return "`" + text::excerpt(text, 40) + "`"; }
-
-bool is_id(std::string_view word) {
-    const auto is_letter = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    };
-    return !word.empty() && word.size() <= 64 && is_letter(word.front()) &&
-           std::all_of(word.begin(), word.end(),
-                       [&](char c) { return is_letter(c) || c == '.' || c == '_' || c == '-'; });
-}
 
 /// Returns an id made of the letters of a label: `entry "left"` gives `entry-left`.
 std::string id_from_label(std::string_view label) {

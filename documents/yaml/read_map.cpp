@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "documents/id.h"
 #include "documents/yaml/explain_syntax.h"
 #include "kerf/assert.hpp"
 #include "kerf/units.hpp"
@@ -57,15 +58,6 @@ std::string id_of(std::string_view text) {
 }
 
 bool is_absent(const Node& node) { return node.kind == Node::Kind::scalar && node.text.empty(); }
-
-bool is_id(std::string_view text) {
-    const auto is_alphanumeric = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    };
-    return !text.empty() && text.size() <= 64 && is_alphanumeric(text[0]) &&
-           std::all_of(text.begin(), text.end(),
-                       [&](char c) { return is_alphanumeric(c) || c == '.' || c == '_' || c == '-'; });
-}
 
 /// " `−` is U+2212 (minus sign), not `-`." for a text with such a character.
 std::string named_look_alike(std::string_view text) {
