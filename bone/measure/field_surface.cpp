@@ -58,6 +58,40 @@ double FieldSurface::value_at(Vec3 p) const noexcept {
     return std::max(uncut_distance(*body_, place), cut_->at(place));
 }
 
+bool FieldSurface::is_known(Vec3 p) const noexcept { return outside_region(*body_, p) <= 0.0; }
+
+double FieldSurface::wall_between(const Line& line, double outside, double inside) const noexcept {
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (outside + inside);
+        (value_at(line.point + middle * line.direction) < 0.0 ? inside : outside) = middle;
+    }
+    return 0.5 * (outside + inside);
+}
+
+Vec3 FieldSurface::normal_at(Vec3 p) const noexcept {
+    const double step = 0.5 * body_->grid().spacing;
+    const auto slope = [&](Vec3 along) { return value_at(p + step * along) - value_at(p - step * along); };
+    const Vec3 gradient{slope({1, 0, 0}), slope({0, 1, 0}), slope({0, 0, 1})};
+    return length(gradient) > 0.0 ? normalized(gradient) : Vec3{};
+}
+
+std::optional<double> FieldSurface::entry_on(const Line& line, double low, double high) const {
+    clip(line, bounds_of(body_->grid()), low, high);
+    const double step = 0.5 * body_->grid().spacing;
+    if (!(high > low) || !std::isfinite(low) || !std::isfinite(high)) return std::nullopt;
+    const auto at = [&](double s) { return line.point + s * line.direction; };
+    bool was_air = is_known(at(low)) && value_at(at(low)) >= 0.0;
+    for (double before = low, s = low; before < high; before = s) {
+        // Of a trilinear field with unit slopes along the axes, the slope is √3 at most.
+        const double air = was_air ? value_at(at(before)) / std::sqrt(3.0) : 0.0;
+        s = std::min(high, before + std::max(step, air));
+        const bool knows = is_known(at(s)), is_bone = value_at(at(s)) < 0.0;
+        if (was_air && knows && is_bone) return wall_between(line, before, s);
+        was_air = knows && !is_bone;
+    }
+    return std::nullopt;
+}
+
 // Points on the faces of the body's region are left out: they are not surface of the bone.
 std::vector<Vec3> FieldSurface::points_in(const Path& region) const {
     const double on_face = 0.01 * body_->grid().spacing;
@@ -77,34 +111,23 @@ std::vector<Stretch> FieldSurface::stretches_on(const Line& line, double low, do
     const double step = 0.5 * body_->grid().spacing;
     if (!(high > low) || !std::isfinite(low) || !std::isfinite(high)) return stretches;
     const auto at = [&](double s) { return line.point + s * line.direction; };
-    const auto is_known = [&](double s) { return outside_region(*body_, at(s)) <= 0.0; };
-    const auto wall_between = [&](double outside, double inside) {
-        for (int i = 0; i < 40; ++i) {
-            const double middle = 0.5 * (outside + inside);
-            (value_at(at(middle)) < 0.0 ? inside : outside) = middle;
-        }
-        return 0.5 * (outside + inside);
-    };
-    const auto cosine_at = [&](double s) {
-        const auto slope = [&](Vec3 along) { return value_at(at(s) + step * along) - value_at(at(s) - step * along); };
-        return std::abs(dot(normalized(Vec3{slope({1, 0, 0}), slope({0, 1, 0}), slope({0, 0, 1})}), line.direction));
-    };
+    const auto cosine_at = [&](double s) { return std::abs(dot(normal_at(at(s)), line.direction)); };
     bool was_inside = false;
     double before = low;
     const auto count = static_cast<std::size_t>(std::ceil((high - low) / step));
     for (std::size_t i = 0; i <= count; ++i) {
         const double s = i < count ? low + static_cast<double>(i) * step : high;
-        const bool knows = is_known(s), is_inside = knows && value_at(at(s)) < 0.0;
+        const bool knows = is_known(at(s)), is_inside = knows && value_at(at(s)) < 0.0;
         if (is_inside && !was_inside) {
             Stretch& found = stretches.emplace_back();
-            found.is_complete = i > 0 && is_known(before);
-            found.begin = found.is_complete ? wall_between(before, s) : s;
+            found.is_complete = i > 0 && is_known(at(before));
+            found.begin = found.is_complete ? wall_between(line, before, s) : s;
             found.cosine_at_begin = cosine_at(found.begin);
         }
         if (was_inside && (!is_inside || i == count)) {
             Stretch& found = stretches.back();
             found.is_complete = found.is_complete && knows && !is_inside;
-            found.end = found.is_complete ? wall_between(s, before) : before;
+            found.end = found.is_complete ? wall_between(line, s, before) : before;
             found.cosine_at_end = cosine_at(found.end);
         }
         was_inside = is_inside;

@@ -23,11 +23,20 @@ public:
     /// Beyond the range of the field, this is the distance to the nearest vertex of the surface: too large by less than
     /// h²/8d.
     [[nodiscard]] std::optional<double> distance_to(Vec3 p) const override;
+    /// Returns the distance along a line [m] at which it first enters the bone, between `low` and `high`; nothing if it
+    /// does not. An entry through a face of the body's region is no surface and is skipped, and so is a line that
+    /// begins in bone until it has left it. May miss bone thinner than half of the spacing.   [any] pure.
+    [[nodiscard]] std::optional<double> entry_on(const Line& line, double low, double high) const;
+    /// Returns the unit normal out of the bone at a point near its surface; zero where the field is flat.   [any] pure.
+    [[nodiscard]] Vec3 normal_at(Vec3 p) const noexcept;
     [[nodiscard]] double wall_uncertainty() const noexcept override;
     [[nodiscard]] double contact_uncertainty() const noexcept override;
 
 private:
     [[nodiscard]] double value_at(Vec3 p) const noexcept;
+    [[nodiscard]] bool is_known(Vec3 p) const noexcept;
+    /// Returns where a line crosses the surface between a point outside and a point inside, by bisection [m].
+    [[nodiscard]] double wall_between(const Line& line, double outside, double inside) const noexcept;
 
     const Body* body_;
     const CutField* cut_;
