@@ -9,6 +9,8 @@
 
 #include "run/arm_views.h"
 #include "run/run.h"
+#include "run/view/event_view.h"
+#include "run/view/result_view.h"
 #include "session/recorder.h"
 
 namespace kerf::run {
@@ -16,17 +18,6 @@ namespace kerf::run {
 namespace {
 
 constexpr std::uint64_t moment_interval = 16, surface_interval = 32;  // [ticks]
-
-/// Returns what an event is to a viewer; nothing for one that only a replay needs.
-std::optional<ViewedEvent::Kind> kind_of(const std::string& id) {
-    using Kind = ViewedEvent::Kind;
-    if (id.starts_with("goal.")) return Kind::goal;
-    if (id.starts_with("limit.")) return Kind::limit;
-    if (id.starts_with("step.") || id == "tool.taken") return Kind::step;
-    if (id.starts_with("haptics.quarantined") || id == "haptics.unresisted") return Kind::fault;
-    if (id == session::missed_event || id == session::late_change_event) return std::nullopt;
-    return Kind::note;
-}
 
 /// Returns whether a step has its help without a request.
 bool is_helped_from_the_start(ViewedScene::Assist assist) {
@@ -48,6 +39,7 @@ RunView::RunView(const Scene& scene, const ViewedSetting& setting, std::optional
       folder_(setting.folder),
       language_(setting.language),
       duration_(duration),
+      inspector_(scene.procedure.spacing),
       radiograph_worker_(viewed_, [this](std::shared_ptr<const ViewedRadiograph> made) {
           const std::lock_guard lock(mutex_);
           radiographs_.push_back(made);
@@ -87,11 +79,11 @@ void RunView::on_event(const session::EventRow& event) {
             image_ = *input;
     if (event.id == session::image_taken_event) take_radiograph(event.time);
     if (event.id == session::assist_used_event) state_.has_help = true;
-    const auto kind = kind_of(event.id);
-    if (!kind) return;
-    if (viewed_.is_examination) return;
+    auto viewed = viewed_event(event);
+    if (!viewed || viewed_.is_examination) return;
+    viewed->words = translated(std::move(viewed->words));
     const std::lock_guard lock(mutex_);
-    events_.push_back({event.time, *kind, event.id + (event.detail.empty() ? "" : ": " + translated(event.detail))});
+    events_.push_back(std::move(*viewed));
 }
 
 void RunView::on_tick(const session::TickRow& row) {
@@ -104,6 +96,8 @@ void RunView::on_tick(const session::TickRow& row) {
         show_zone();
         show_step();
         if (row.tick % surface_interval == 0) show_surface();
+        inspection_ =
+            is_inspecting_ ? inspector_.inspect(run_->simulation(), run_->last(), row.device_from_handle) : nullptr;
         show_moment();
     }
     newest_.put(state_);
@@ -147,7 +141,7 @@ void RunView::take_radiograph(double time) {
 /// Lets the viewer take a moment, and the rows up to it.
 void RunView::show_moment() {
     const std::lock_guard lock(mutex_);
-    moments_.push_back({state_, surface_});
+    moments_.push_back({state_, surface_, inspection_});
     rows_.insert(rows_.end(), new_rows_.begin(), new_rows_.end());
     new_rows_.clear();
 }
@@ -281,18 +275,10 @@ std::string RunView::on_result(const session::RunSummary& summary, const Simulat
     show_surface();
     show_moment();
     newest_.put(state_);
-    ViewedResult result{.verdict = session::to_text(summary.verdict),
-                        .score = summary.score,
-                        .reasons = summary.reasons,
-                        .deductions = {},
-                        .folder = folder_};
-    for (const session::DeductionRow& row : summary.deductions)
-        result.deductions.push_back({row.loss, row.at.value_or(-1.0),
-                                     translated(row.name.empty()     ? row.detail
-                                                : row.detail.empty() ? row.name
-                                                                     : row.name + ": " + row.detail)});
-    std::stable_sort(result.deductions.begin(), result.deductions.end(),
-                     [](const auto& a, const auto& b) { return a.points > b.points; });
+    ViewedResult result = viewed_result(summary, folder_);
+    for (ViewedResult::Deduction& deduction : result.deductions)
+        deduction.words = translated(std::move(deduction.words));
+    for (std::string& reason : result.reasons) reason = translated(std::move(reason));
     const std::lock_guard lock(mutex_);
     result_ = std::move(result);
     return {};

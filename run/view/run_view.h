@@ -17,6 +17,7 @@
 #include "kerf/newest.hpp"
 #include "run/run_observer.h"
 #include "run/scene.h"
+#include "run/view/inspection.h"
 #include "run/view/radiograph_worker.h"
 #include "run/view/scene_view.h"
 #include "run/view/surface_view.h"
@@ -59,6 +60,7 @@ public:
     [[nodiscard]] std::shared_ptr<const ViewedRadiograph> radiograph() const override;
     void request_radiograph(double about_head_axis, double tilt) override;
     void request_help() override;
+    void request_inspection(bool is_wanted) noexcept override { is_inspecting_ = is_wanted && !viewed_.is_examination; }
     [[nodiscard]] std::optional<double> duration() const noexcept override { return duration_; }
     [[nodiscard]] std::shared_ptr<const ViewedSurface> surface() const override;
     [[nodiscard]] std::string next_action() const override;
@@ -85,7 +87,8 @@ private:
     ViewedScene viewed_;
     std::string folder_, language_;
     std::optional<double> duration_;
-    std::atomic<bool> should_stop_{false}, is_closed_{false}, is_image_wanted_{false}, is_help_wanted_{false};
+    std::atomic<bool> should_stop_{false}, is_closed_{false}, is_image_wanted_{false}, is_help_wanted_{false},
+        is_inspecting_{false};
     Newest<ViewedState> newest_;
 
     MouseBox* mouse_ = nullptr;
@@ -99,6 +102,8 @@ private:
     std::vector<std::int32_t> cortical_;            ///< indices of the tissues that count as cortex
     bool was_in_cortex_ = false;
     documents::HandInput image_;  ///< the last one that was requested
+    Inspector inspector_;
+    std::shared_ptr<const ViewedInspection> inspection_;  ///< of the next moment; null: none is wanted
 
     // Of the viewer's thread.
     std::uint64_t seen_ = 0;  ///< number of the state taken last

@@ -73,6 +73,21 @@ std::string unit_of_measure(const documents::Procedure& procedure, const std::st
     return {};
 }
 
+/// Completes a limit on a quantity of the table, or on another one by its id.
+ViewedLimit of_quantity(ViewedLimit limit, const documents::Bound& bound) {
+    std::string name = spaced(limit.quantity);
+    for (const Quantity& one : quantities) {
+        if (one.id != limit.quantity) continue;
+        limit.unit = one.unit;
+        name = one.words;
+    }
+    return with_bound(std::move(limit), std::move(name), bound);
+}
+
+ViewedLimit of_clearance(const std::string& zone, const documents::Bound& bound) {
+    return with_bound({.quantity = zone, .unit = "mm"}, "distance to " + spaced(zone), bound);
+}
+
 /// Returns a goal or limit on a quantity of the table, a signal or a measure.
 template <class Demand>
 ViewedLimit viewed(const Demand& demand, const documents::Procedure& procedure) {
@@ -85,12 +100,7 @@ ViewedLimit viewed(const Demand& demand, const documents::Procedure& procedure) 
         limit.unit = unit_of_measure(procedure, demand.measure);
         return with_bound(std::move(limit), spaced(demand.measure), demand.bound);
     }
-    for (const Quantity& one : quantities) {
-        if (one.id != demand.quantity) continue;
-        limit.unit = one.unit;
-        return with_bound(std::move(limit), std::string(one.words), demand.bound);
-    }
-    return with_bound(std::move(limit), spaced(demand.quantity), demand.bound);
+    return of_quantity(std::move(limit), demand.bound);
 }
 
 ViewedStep viewed_step(const Scene& scene, std::size_t number, const std::string& language) {
@@ -150,6 +160,16 @@ ViewedZone viewed_zone(const documents::Zone& zone, const Scene& scene) {
     return viewed;
 }
 
+std::vector<ViewedSignal> signals_of(const Tool& tool) {
+    const kerf_force& law = *tool.setup.force->force;
+    std::vector<ViewedSignal> signals;
+    for (std::uint32_t i = 0; i < law.signal_count; ++i) {
+        const std::string unit = law.signals[i].display_unit;
+        signals.push_back({spaced(law.signals[i].id), unit, parse_unit(unit).value_or(Unit{}).factor});
+    }
+    return signals;
+}
+
 std::string name_of(const Scene& scene, std::size_t tool) {
     const documents::Instrument& instrument = instrument_of(scene, tool);
     return spaced(instrument.id);
@@ -174,25 +194,35 @@ ViewedLimit viewed_goal(const documents::Goal& goal, const documents::Procedure&
 }
 
 ViewedLimit viewed_limit(const documents::Limit& limit, const documents::Procedure& procedure) {
-    if (limit.quantity == "clearance") {
-        ViewedLimit viewed{.quantity = limit.zone, .unit = "mm"};
-        return with_bound(std::move(viewed), "distance to " + spaced(limit.zone), limit.bound);
-    }
+    if (limit.quantity == "clearance") return of_clearance(limit.zone, limit.bound);
     if (limit.quantity == "damage")
         return {.words = "no damage: " + spaced(limit.event.substr(limit.event.find('.') + 1)),
                 .quantity = limit.event};
     return viewed(limit, procedure);
 }
 
+ViewedLimit viewed_demand(const session::RecordedDemand& demand) {
+    const documents::Bound bound{demand.at_least, demand.at_most};
+    if (demand.quantity == "clearance") return of_clearance(demand.of, bound);
+    if (demand.of.empty()) return of_quantity({.quantity = demand.quantity}, bound);
+    return with_bound({.quantity = demand.quantity, .unit = demand.unit}, spaced(demand.of), bound);
+}
+
+std::vector<ViewedTissue> viewed_tissues(const Body& body) {
+    std::vector<ViewedTissue> tissues;
+    for (std::size_t m = 0; m < body.materials.size(); ++m) {
+        const std::string& name = body.materials[m].id;
+        const text::Colour colour = text::tissue_colour(name, m);
+        tissues.push_back({spaced(name), {colour.red, colour.green, colour.blue}});
+    }
+    return tissues;
+}
+
 ViewedScene viewed_scene(const Scene& scene, const ViewedSetting& setting) {
     ViewedScene viewed{.title = scene.procedure.translations.of(scene.procedure.title, setting.language),
                        .mode = setting.mode,
                        .hand = setting.hand};
-    for (std::size_t m = 0; m < scene.body.materials.size(); ++m) {
-        const std::string& name = scene.body.materials[m].id;
-        const text::Colour colour = text::tissue_colour(name, m);
-        viewed.tissues.push_back({spaced(name), {colour.red, colour.green, colour.blue}});
-    }
+    viewed.tissues = viewed_tissues(scene.body);
     for (std::size_t t = 0; t < scene.tools.size(); ++t) {
         const ToolOutline& outline = scene.tools[t].outline;
         viewed.tools.push_back({.name = name_of(scene, t),
@@ -200,7 +230,9 @@ ViewedScene viewed_scene(const Scene& scene, const ViewedSetting& setting) {
                                 .staying = outline.is_implant() ? staying_shape(scene.tools[t]) : ViewedMesh{},
                                 .is_implant = outline.is_implant(),
                                 .lead_by = lead_of(scene.tools[t]),
-                                .lead = outline.thread_lead});
+                                .lead = outline.thread_lead,
+                                .law = scene.tools[t].setup.force->id,
+                                .signals = signals_of(scene.tools[t])});
     }
     for (const Body& implant : scene.implants) viewed.implants.push_back(body_shape(implant));
     for (const documents::Zone& zone : scene.anatomy.zones) viewed.zones.push_back(viewed_zone(zone, scene));

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "run/scene.h"
 #include "run/view/viewed_run.h"
+#include "session/report/recorded_procedure.h"
 
 namespace kerf::run {
 
@@ -32,5 +34,11 @@ struct ViewedSetting {
 
 /// Returns a limit as a viewer shows it: "thrust at most 60 N".   [any] pure
 [[nodiscard]] ViewedLimit viewed_limit(const documents::Limit& limit, const documents::Procedure& procedure);
+
+/// Returns a goal or limit of a recorded procedure as a viewer shows it.   [any] pure
+[[nodiscard]] ViewedLimit viewed_demand(const session::RecordedDemand& demand);
+
+/// Returns the tissues of a body with the colours that they have everywhere.   [any] pure
+[[nodiscard]] std::vector<ViewedTissue> viewed_tissues(const Body& body);
 
 }  // namespace kerf::run

@@ -38,6 +38,12 @@ struct ViewedTissue {
     ViewedColour colour{};
 };
 
+/// A quantity that a law reports in each tick.
+struct ViewedSignal {
+    std::string name{}, unit{};  ///< for people; no unit: a plain number
+    double per_unit = 1.0;       ///< SI per unit
+};
+
 struct ViewedTool {
     std::string name{};    ///< for people
     ViewedMesh mesh{};     ///< tool frame: tip at z = 0, +z ahead of it
@@ -46,6 +52,8 @@ struct ViewedTool {
     /// How a mouse moves it: across its axis, in the plane of a blade, or in the plane of the picture.
     enum class Lead : std::uint8_t { across, in_blade, facing } lead_by = Lead::across;
     double lead = 0.0;  ///< [m] per turn of its thread; 0: it has none
+    std::string law{};  ///< name of its force model, for people
+    std::vector<ViewedSignal> signals{};
 };
 
 struct ViewedZone {
@@ -69,7 +77,7 @@ struct ViewedStep {
     std::vector<ViewedLimit> goals{}, limits{};
     std::optional<double> depth_goal{}, depth_limit{};  ///< [m]
     Vec3 entry{}, along{0, 0, 1};                       ///< of its axis before the first tick, world; `along` is a unit
-    double length = 0.0;                                ///< [m] of the axis from its entry to the goal
+    double length = 0.0;                                ///< [m] of the axis from its entry to the goal; 0: no plan
     std::optional<Vec3> plane_normal{};                 ///< unit, world, of a step with a plane
 };
 
@@ -95,6 +103,10 @@ struct ViewedScene {
     double time_limit = 0.0;        ///< [s]
     std::vector<ViewedArm> arms{};  ///< between which a viewer turns the C-arm; the first one is AP
     std::string hand{};             ///< "rehearsal expert", "mouse", the name of a device
+    std::string note{};             ///< the part of the operation that the view lacks, for people; empty: none
+    /// A sphere around the tool's motion, which a view without bone shows. `radius` [m] 0: it is unknown.
+    Vec3 region_middle{};
+    double region_radius = 0.0;
 };
 
 // ---- the surface --------------------------------------------------------------------------------------------------
@@ -190,10 +202,92 @@ struct ViewedRadiograph {
     std::string error{};                       ///< not empty: there is no picture
 };
 
+// ---- the inside of a tick, for the author of a law ---------------------------------------------------------------
+
+/// A point at which the law queries bone. Tool frame.
+struct ViewedSample {
+    Vec3 point{};      ///< [m]
+    Vec3 direction{};  ///< unit: of an edge, along which it cuts; of a contact, out of the surface; zero: no bone is
+                       ///< near
+    /// [m] of a contact: signed distance to the present surface, negative inside; of an edge: distance that it must
+    /// travel to uncut bone.
+    double distance = 0.0;
+    double engagement = 0.0;  ///< [–] of an edge, in the committed cut; of a contact 1 inside bone, else 0
+    bool is_edge = false;
+    std::int16_t body = -1;  ///< −1: none
+};
+
+/// One resistance of the law that the last step of a tick solved. Its force on the tool is −`force` × `along`, at
+/// `point`, and its torque −`force` × `about`, about the tip. Tool frame.
+struct ViewedChannel {
+    enum class Kind : std::uint8_t { cut, contact, friction, hold } kind = Kind::contact;
+    /// Null: of the plugin's law; else the name of a wall of the host, such as "metal". A literal.
+    const char* wall = nullptr;
+    std::uint32_t id = 0;
+    Vec3 along{}, about{};  ///< [–], [m]
+    Vec3 point{};           ///< [m] on the line of its force; the tip if it is a torque alone
+    double rate = 0.0;      ///< [m/s] of the tool along it
+    double force = 0.0;     ///< λ [N]
+    double slope = 0.0;     ///< dλ/ds [N·s/m]
+    double depth = 0.0;     ///< [m] δ of a contact or hold
+    double gap = 0.0;       ///< [m] of a cut
+};
+
+/// The coupling after a tick. World frame. Forces in bone newtons.
+struct ViewedCoupling {
+    Pose world_from_handle{};             ///< as the device reported it
+    Pose world_from_unstretched{};        ///< of a tool with the handle there and a coupling without stretch
+    Vec3 grip_of_tool{}, grip_of_hand{};  ///< [m] the gripped point on the tool, and on the unstretched tool
+    Vec3 stretch{};                       ///< [m] of the spring at the centre of compliance, from tool to handle
+    double twist = 0.0;                   ///< [rad] of the spring
+    Vec3 force{}, torque{};               ///< [N], [N·m] on the hand, within the limits; the torque about the grip
+    double max_force = 0.0;               ///< [N]
+    double max_torque_across = 0.0, max_torque_along = 0.0;  ///< [N·m] about lines across the shaft, and about it
+    bool is_saturated = false;                               ///< the limits reduced force or torque in the tick
+    double device_force = 0.0;                               ///< [N] commanded, device newtons
+};
+
+/// Signed distances on a square part of a plane. Column 0 is at the left, row 0 at the bottom.
+struct ViewedSlice {
+    Pose world_from_slice{};  ///< origin in the middle; x to the right, y upwards
+    Pose tool_from_slice{};
+    double step = 0.0;   ///< [m] between neighbouring samples
+    int edge = 0;        ///< number of samples along each side
+    double reach = 0.0;  ///< [m] to which distances are clamped
+    /// [m] to the committed bone, negative inside: as edges read it. `edge` × `edge`, row by row.
+    std::vector<float> distance{};
+    /// Index of the tissue, −1: no bone, −2: a body that cannot be cut.
+    std::vector<std::int8_t> tissue{};
+
+    /// Returns the point of a sample [m], frame of the slice.
+    [[nodiscard]] Vec3 point(int column, int row) const noexcept {
+        const double middle = 0.5 * (edge - 1);
+        return {step * (column - middle), step * (row - middle), 0.0};
+    }
+};
+
+inline constexpr std::size_t max_viewed_signals = 16, max_viewed_samples = 1024;
+
+/// The law of one tick, its forces, and the bone around the tool.
+struct ViewedInspection {
+    std::uint64_t tick = 0;  ///< number of ticks so far, as in ViewedState
+    std::size_t tool = 0;    ///< index into `ViewedScene::tools`
+    Pose world_from_tool{};
+    std::vector<ViewedSample> samples{};    ///< of the law at `world_from_tool`, at most `max_viewed_samples`
+    std::size_t sample_count = 0;           ///< number that the law queries
+    std::vector<ViewedChannel> channels{};  ///< of the law, then of the host
+    std::array<double, max_viewed_signals> signals{};  ///< SI, in the order of `ViewedTool::signals`
+    Vec3 following{};  ///< [N] tool frame: force on the tool that is no channel, such as of a motor
+    int parts = 1;     ///< of the tick; the channels are those of the last one
+    ViewedCoupling coupling{};
+    std::shared_ptr<const ViewedSlice> along{}, across{};  ///< through the axis, and at the tip across it
+};
+
 /// State and surface at one time.
 struct ViewedMoment {
     ViewedState state{};
     std::shared_ptr<const ViewedSurface> surface{};
+    std::shared_ptr<const ViewedInspection> inspection{};  ///< null: none was requested
 };
 
 /// A sample of the plots, one for each tick.
@@ -205,14 +299,14 @@ struct ViewedRow {
 
 struct ViewedEvent {
     double time = 0.0;  ///< [s]
-    enum class Kind : std::uint8_t { note, goal, limit, step, fault } kind = Kind::note;
+    enum class Kind : std::uint8_t { note, goal, limit, step, image, fault } kind = Kind::note;
     std::string words{};
 };
 
 /// The result, after the last tick.
 struct ViewedResult {
     std::string verdict{};  ///< "pass", "fail", "incomplete", "invalid"
-    double score = 0.0;     ///< of 100
+    double score = 0.0;     ///< of 100; NaN: there is none
     std::vector<std::string> reasons{};
     struct Deduction {
         double points = 0.0, time = 0.0;  ///< [s]
@@ -249,6 +343,9 @@ public:
     /// Requests help with the running step, if `ViewedScene::assist` is `on_request`; `ViewedState::has_help` shows it.
     /// nonblocking
     virtual void request_help() {}
+    /// Requests that each moment from now on has an inspection, or no longer. The run's thread makes them between
+    /// ticks, and no result changes. An examination has none.   nonblocking
+    virtual void request_inspection(bool /*is_wanted*/) noexcept {}
     /// Returns the newest surface; null before the first one.
     [[nodiscard]] virtual std::shared_ptr<const ViewedSurface> surface() const = 0;
     /// Returns the end of the last tick that there will be [s]; nothing if it is unknown, as in a live run.

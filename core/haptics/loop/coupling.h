@@ -92,6 +92,13 @@ struct Spring {
 [[nodiscard]] Spring combined_spring(const CouplingGains& gains, const std::optional<HandCompliance>& held,
                                      double grip_z, TipBending tip) noexcept;
 
+/// The coupling at two poses, for a viewer. Tool frame, bone newtons.
+struct CoupledPoses {
+    Vec3 centre{}, grip{};            ///< [m] points of the tool: centre of compliance, and point that the hand grips
+    Vec3 stretch{}, twist{};          ///< [m] at the centre, [rad]: from the tool towards the handle
+    Split max_force{}, max_torque{};  ///< [N], [N·m] at which the anchor slides
+};
+
 /// State of the coupling: the pose of its anchor. The anchor slides when the spring's force or torque would exceed what
 /// the device can render or the hands withstand.
 class Coupling {
@@ -143,6 +150,15 @@ public:
     [[nodiscard]] double torque_limit() const noexcept { return torque_fraction_ * gains_.torque_limit; }
     /// Returns the limit of the device's motor about the shaft times its allowed fraction [N·m], device newtons.
     [[nodiscard]] double shaft_limit() const noexcept { return torque_fraction_ * gains_.shaft.torque_limit; }
+    /// Returns how far the spring is stretched, and its limits.   [any]
+    [[nodiscard]] CoupledPoses at(const Pose& world_from_handle, const Pose& world_from_tool) const noexcept {
+        return {centre(),
+                grip_,
+                stretch(world_from_handle, world_from_tool),
+                small_rotation_vector(twist(world_from_handle, world_from_tool)),
+                max_force(),
+                max_torque()};
+    }
     [[nodiscard]] Vec3 grip() const noexcept { return grip_; }  ///< point that the hand grips, tool frame [m]
     [[nodiscard]] const Spring& spring() const noexcept { return spring_; }
 

@@ -39,6 +39,10 @@ public:
                 Balance& balance) const noexcept {
         coupling_.hold(world_from_handle, motion_.rate(), world_from_tool, dt, balance);
     }
+    /// Returns the coupling at the hand's last pose: see `Coupling::at`.   [any]
+    [[nodiscard]] CoupledPoses coupled(const Pose& world_from_tool) const noexcept {
+        return coupling_.at(pose(), world_from_tool);
+    }
     /// Adds the coupling's wrenches on the hand and the hand's power at a solved motion to the result, times `weight`:
     /// the fraction of the tick that the motion lasts (0 … 1).   [haptic, nonblocking]
     void add_wrenches(const Balance& balance, const Motion& motion, double weight, const Pose& world_from_tool,

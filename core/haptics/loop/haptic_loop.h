@@ -104,6 +104,20 @@ public:
     /// Returns the maximum speed at which a tool follows the hand near bone [m/s]: half a voxel in each part of a tick.
     [[nodiscard]] double fastest_near_bone() const noexcept { return half_voxel() * max_parts / period_; }
 
+    // ---- for viewers, between ticks; no tick calls these functions
+
+    /// Returns the law of the last step. Its directions are in the frame of the tool before that step.
+    [[nodiscard]] const EvaluatedLaw& law() const noexcept { return tools_.law(); }
+    /// Returns the rate of the tool in the last step, tool frame; zero if the tool rested.
+    [[nodiscard]] const Vec6& last_rate() const noexcept { return last_rate_; }
+    /// Evaluates the law once more, at the present pose, with another query of the bone, and keeps nothing of it.
+    /// Returns the plugin's status. Pre: `law` has a capacity of KERF_MAX_CHANNELS channels.   [main]
+    [[nodiscard]] kerf_status evaluate_with(const kerf_bone_query& bone, kerf_law& law) const noexcept {
+        return tools_.evaluate_with(bone, period_, tick_, law);
+    }
+    /// Returns the coupling between the hand's last pose and the tool.
+    [[nodiscard]] CoupledPoses coupled() const noexcept { return hand_.coupled(world_from_tool_); }
+
     // ---- its bodies
 
     [[nodiscard]] std::span<const std::unique_ptr<LiveBody>> bodies() const noexcept { return bodies_.all(); }

@@ -62,6 +62,11 @@ bool LoopTools::evaluate(const Surroundings& around, double dt, std::uint64_t ti
     return fault.what == LawFault::What::none || reject(fault);
 }
 
+kerf_status LoopTools::evaluate_with(const kerf_bone_query& bone, double dt, std::uint64_t tick,
+                                     kerf_law& law) const noexcept {
+    return call_resist(*setup().force, tick_in(bone, dt, tick), state_, law);
+}
+
 bool LoopTools::reject(LawFault fault) noexcept {
     fault.law = setup().force;
     fault_ = fault;

@@ -67,6 +67,9 @@ public:
     [[nodiscard]] CommittedLaw commit(const AppliedMotion& applied, const kerf_bone_query& bone,
                                       std::uint64_t tick) noexcept;
 
+    /// Evaluates the law with another query of the bone, and stores nothing of it. Returns the plugin's status. [main]
+    [[nodiscard]] kerf_status evaluate_with(const kerf_bone_query& bone, double dt, std::uint64_t tick,
+                                            kerf_law& law) const noexcept;
     /// Returns the law as `evaluate` found it last.
     [[nodiscard]] const EvaluatedLaw& law() const noexcept { return law_; }
     /// Returns the last fault that was rejected.
