@@ -59,6 +59,29 @@ DrawnSurface drawn_surface(const Mesh& mesh) {
     return drawn.is_empty() ? DrawnSurface{} : drawn;
 }
 
+Mesh unpacked(const DrawnSurface& surface) {
+    const std::size_t vertices = surface.tissues.size(), width = surface.is_short() ? 2 : 4;
+    const auto number = [](const Bytes& bytes, std::size_t at, std::size_t size) {
+        std::uint32_t value = 0;
+        for (std::size_t i = size; i-- > 0;) value = (value << 8) | bytes[at + i];
+        return value;
+    };
+    const auto step = [&](std::size_t at) {
+        return surface.step * static_cast<std::int16_t>(number(surface.positions, at, 2));
+    };
+    const auto part = [&](std::size_t at) { return static_cast<std::int8_t>(surface.normals[at]) / 127.0; };
+    Mesh mesh;
+    mesh.tissue = surface.tissues;
+    for (std::size_t v = 0; v < vertices; ++v) {
+        mesh.vertices.push_back(surface.centre + Vec3{step(8 * v), step(8 * v + 2), step(8 * v + 4)});
+        mesh.normals.push_back(normalized(Vec3{part(4 * v), part(4 * v + 1), part(4 * v + 2)}));
+    }
+    for (std::size_t at = 0; at < surface.triangles.size(); at += 3 * width)
+        mesh.triangles.push_back({number(surface.triangles, at, width), number(surface.triangles, at + width, width),
+                                  number(surface.triangles, at + 2 * width, width)});
+    return mesh;
+}
+
 bool is_sound(const DrawnSurface& surface) {
     const std::size_t vertices = surface.tissues.size(), width = surface.is_short() ? 2 : 4;
     if (surface.positions.size() != 8 * vertices || surface.normals.size() != 4 * vertices ||

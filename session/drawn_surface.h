@@ -30,6 +30,9 @@ inline constexpr std::uint8_t drawn_metal = 15;
 /// there are none. Leaves out triangles with invalid vertices.   [any]
 [[nodiscard]] DrawnSurface drawn_surface(const Mesh& mesh);
 
+/// Returns the mesh that was packed, with its rounded positions and normals.   [any] pure. Pre: is_sound(surface)
+[[nodiscard]] Mesh unpacked(const DrawnSurface& surface);
+
 /// Returns whether the arrays have consistent lengths and every triangle has valid vertices.   [any]
 [[nodiscard]] bool is_sound(const DrawnSurface& surface);
 

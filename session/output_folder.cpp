@@ -72,29 +72,15 @@ std::string refusal_of_length(const std::string& folder) {
                                    " bytes, expected at most " + std::to_string(longest) + ". Give a shorter one.";
 }
 
-}  // namespace
-
-std::string prepare_output(const std::string& folder, text::OutputLock& lock, text::MadeFolders& made) {
+/// Returns why the files of a folder keep a run from writing there, for people; empty if they do not.
+std::string refusal_of_contents(const std::string& folder) {
     std::error_code error;
     const fs::path path(folder);
-    const fs::file_status status = fs::status(path, error);
-
-    if (std::string why = refusal_of_length(folder); !why.empty()) return why;
-    if (!fs::exists(status)) {
-        const std::string why = made.make(folder);
-        return why.empty() ? lock.take(folder) : why;
-    }
-    if (!fs::is_directory(status)) return folder + " is a file; results need a folder. Give another one.";
-
-    // Locked before any check: another run could change the folder.
-    if (std::string taken = lock.take(folder); !taken.empty()) return taken;
     const bool is_empty = fs::is_empty(path, error);
     if (error) return folder + " could not be read: " + error.message();
     if (is_empty) return {};
     if (!is_session(path / "session.db") && !is_trace_of_a_run(path))
         return folder + " holds other files and no Kerf session, so it was left alone. Give a new or empty folder.";
-
-    // Only files of a run are removed. Any other file stops the removal before the first file is removed.
     const std::vector<std::string> ours = files_of_a_run();
     for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
@@ -103,7 +89,42 @@ std::string prepare_output(const std::string& folder, text::OutputLock& lock, te
             return folder + " holds `" + name +
                    "`, which no run has written, so it was left alone. Give a new or empty folder.";
     }
-    for (const std::string& name : ours)
+    return error ? folder + " could not be read: " + error.message() : std::string();
+}
+
+/// Returns why a path leads to no folder that can be made or written, for people; empty if it does.
+std::string refusal_of_path(const std::string& folder, const fs::file_status& status) {
+    if (std::string why = refusal_of_length(folder); !why.empty()) return why;
+    return fs::exists(status) && !fs::is_directory(status)
+               ? folder + " is a file; results need a folder. Give another one."
+               : std::string();
+}
+
+}  // namespace
+
+std::string refusal_of_output(const std::string& folder) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(folder, ignored);
+    if (std::string why = refusal_of_path(folder, status); !why.empty()) return why;
+    return fs::exists(status) ? refusal_of_contents(folder) : std::string();
+}
+
+std::string prepare_output(const std::string& folder, text::OutputLock& lock, text::MadeFolders& made) {
+    std::error_code error;
+    const fs::path path(folder);
+    const fs::file_status status = fs::status(path, error);
+
+    if (std::string why = refusal_of_path(folder, status); !why.empty()) return why;
+    if (!fs::exists(status)) {
+        const std::string why = made.make(folder);
+        return why.empty() ? lock.take(folder) : why;
+    }
+
+    // Locked before the files are checked: another run could change the folder.
+    if (std::string taken = lock.take(folder); !taken.empty()) return taken;
+    if (std::string why = refusal_of_contents(folder); !why.empty()) return why;
+    // Only files of a run are removed. Any other file stops the removal before the first file is removed.
+    for (const std::string& name : files_of_a_run())
         if (!error) fs::remove(path / name, error);
     return error ? folder + " could not be emptied: " + error.message() : std::string();
 }

@@ -70,9 +70,11 @@ std::shared_ptr<const ViewedSurface> SurfaceView::update(PresentBone& bone, cons
             const Grid& grid = whole.grid();
             next->bodies[body] = {grid.bricks, grid.spacing, grid.origin,
                                   PagedTable<ViewedPatch>(is_drawn[body] ? grid.brick_count() : 0)};
-            if (is_drawn[body]) pieces_[body].emplace(Piece{&whole, SurfacePatches(whole)});
+            pieces_[body].emplace(Piece{&whole, std::nullopt});
+            if (is_drawn[body]) pieces_[body]->patches.emplace(whole);
+            has_changed = true;
         }
-        if (pieces_[body] && (update_body(bone, body, is_new, *next) || is_new)) has_changed = true;
+        if (pieces_[body]->patches && update_body(bone, body, is_new, *next)) has_changed = true;
     }
     if (!has_changed) return nullptr;
     ++next->version;
@@ -83,7 +85,7 @@ std::shared_ptr<const ViewedSurface> SurfaceView::update(PresentBone& bone, cons
 bool SurfaceView::update_body(PresentBone& bone, std::size_t body, bool is_new, ViewedSurface& next) {
     const std::vector<std::size_t> changed = bone.take_changed(body);
     const CutField& cut = bone.cut(body);
-    SurfacePatches& patches = pieces_[body]->patches;
+    SurfacePatches& patches = *pieces_[body]->patches;
     const auto published = is_new ? patches.update_all(cut) : patches.update(cut, changed);
     std::vector<PatchChange<ViewedPatch>> lit;
     for (const auto& [brick, patch] : published)

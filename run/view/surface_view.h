@@ -23,11 +23,11 @@ public:
 private:
     struct Piece {
         const Body* bone;
-        SurfacePatches patches;
+        std::optional<SurfacePatches> patches;  ///< nothing: not drawn
     };
     [[nodiscard]] bool update_body(PresentBone& bone, std::size_t body, bool is_new, ViewedSurface& next);
 
-    std::vector<std::optional<Piece>> pieces_;  ///< for each body; nothing: not drawn
+    std::vector<std::optional<Piece>> pieces_;  ///< for each body; nothing: a new one
     std::shared_ptr<const ViewedSurface> last_;
 };
 

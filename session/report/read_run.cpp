@@ -33,10 +33,14 @@ bool is_drawn(std::string_view column) {
            std::ranges::any_of(starts, [&](std::string_view start) { return column.starts_with(start); });
 }
 
+/// Returns whether only an observer of the rows needs a column of `ticks`.
+bool is_only_observed(std::string_view column) { return column.starts_with("commanded_f") || column == "feed_rate"; }
+
 /// Reads one session's tables. The first table that no run writes causes the error.
 class Reading {
 public:
-    Reading(const std::string& path, SessionFile& file) : path_(path), file_(file), bytes_left_(file.bytes()) {}
+    Reading(const std::string& path, SessionFile& file, RowObserver* observer)
+        : path_(path), file_(file), bytes_left_(file.bytes()), observer_(observer) {}
 
     std::optional<RecordedRun> run(std::string& error) {
         read_keys();
@@ -110,6 +114,7 @@ private:
     const std::string& path_;
     SessionFile& file_;
     std::uint64_t bytes_left_;
+    RowObserver* observer_;  ///< may be null
     std::map<std::string, std::string> keys_;
     EventRow last_event_;
     RecordedRun run_;
@@ -151,10 +156,12 @@ void Reading::read_lists() {
     });
     if (run_.summary.signals.size() > max_signal_columns)
         fail("has more than " + std::to_string(max_signal_columns) + " signals");
+    if (observer_ != nullptr && error_.empty()) observer_->on_begin(run_);
     each("events", "tick, time, id, detail", "rowid", [&](const SessionQuery& row) {
         last_event_ = {static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2),
                        text(row, 3)};
         run_.drawn.add(last_event_);
+        if (observer_ != nullptr) observer_->on_event(last_event_);
     });
 }
 
@@ -212,9 +219,10 @@ void Reading::read_ticks() {
     run_.drawn.expect(*count);
     const std::vector<Table> tables = recorded_tables(file_.handle());
     const Table& ticks = find_table(tables, ticks_table);
+    const bool is_observed = observer_ != nullptr;
     std::vector<std::string> wanted;
     for (const TableColumn& column : ticks.columns)
-        if (is_drawn(column.name)) wanted.push_back(column.name);
+        if (is_drawn(column.name) || (is_observed && is_only_observed(column.name))) wanted.push_back(column.name);
     RecordedRows rows(file_.handle(), ticks, wanted);
     while (error_.empty() && rows.next()) {
         std::size_t column = 0;
@@ -242,16 +250,18 @@ void Reading::read_ticks() {
         row.device_from_handle = pose();
         row.world_from_tool = pose();
         for (std::size_t i = 0; i < 3; ++i) row.modelled[i] = next();
-        for (std::size_t i = 3; i < 6; ++i) row.commanded[i] = next();
+        for (std::size_t i = is_observed ? 0 : 3; i < 6; ++i) row.commanded[i] = next();
         row.thrust = next();
         row.torque = next();
         row.depth = next();
+        if (is_observed) row.feed_rate = next();
         row.tissue = small(integer());
         row.removed = next();
         for (std::size_t i = 0; i < run_.summary.signals.size(); ++i) row.signals[i] = next();
         if (tick < 0 || (run_.drawn.last() && row.tick <= run_.drawn.last()->tick))
             fail("tick " + std::to_string(tick) + " is there twice or before the first");
         run_.drawn.add(row);
+        if (is_observed && error_.empty()) observer_->on_tick(row);
     }
     if (!rows.fault().empty()) fail(rows.fault());
 }
@@ -260,6 +270,7 @@ void Reading::read_surface() {
     bool is_there = false;
     SessionQuery version(file_.handle(), "PRAGMA user_version");
     const bool has_zones = version.next() && version.integer(0) >= first_schema_with_zones;
+    run_.is_bone_placed = has_zones;
     const std::string centre = has_zones ? ", centre_x, centre_y, centre_z" : "";
     each("surface", "step, half_x, half_y, half_z, positions, normals, tissues, triangles" + centre, "rowid",
          [&](const SessionQuery& row) {
@@ -308,7 +319,8 @@ void Reading::read_zones() {
 void Reading::complete() {
     RunSummary& summary = run_.summary;
     const std::uint64_t lost = count_of("lost_ticks") + count_of("lost_events") + count_of("lost_cuts");
-    if (keys_.contains("result.verdict")) {
+    run_.has_result = keys_.contains("result.verdict");
+    if (run_.has_result) {
         if (key("state") != "finished")
             run_.missing = "The record is incomplete: " + std::to_string(lost) + " rows of it were lost.";
         if (!run_.missing.empty()) summary.reasons.push_back(run_.missing);
@@ -337,12 +349,12 @@ void Reading::check_rows() {
 
 }  // namespace
 
-std::optional<RecordedRun> read_run(const std::string& path, std::string& error, bool is_own) {
+std::optional<RecordedRun> read_run(const std::string& path, std::string& error, bool is_own, RowObserver* observer) {
     std::vector<std::string> tables;
     for (const Table& table : session_tables({})) tables.push_back(table.name);
     SessionFile file;
     if (error = file.open(path, tables, is_own); !error.empty()) return std::nullopt;
-    return Reading(path, file).run(error);
+    return Reading(path, file, observer).run(error);
 }
 
 }  // namespace kerf::session

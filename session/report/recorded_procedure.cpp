@@ -82,7 +82,15 @@ RecordedProcedure recorded_procedure(const std::string& text, std::string_view r
     for (const documents::Node& one : children_of(root, "rehearsals"))
         if (!rehearsal.empty() && text_of(one, "id") == rehearsal) procedure.rehearsal_title = text_of(one, "title");
     for (const documents::Node& step : children_of(root, "steps"))
-        procedure.steps.push_back({text_of(step, "id"), demands_of(step, "goals"), demands_of(step, "limits")});
+        procedure.steps.push_back({text_of(step, "id"), text_of(step, "title"), text_of(step, "instrument"),
+                                   demands_of(step, "goals"), demands_of(step, "limits")});
+    for (const documents::Node& one : children_of(root, "instruments")) {
+        RecordedInstrument instrument{one.key};
+        std::string unit;
+        if (const documents::Node* parameters = one.find("parameters"))
+            instrument.diameter = quantity_of(*parameters, "diameter", unit);
+        procedure.instruments.push_back(std::move(instrument));
+    }
     return procedure;
 }
 

@@ -24,13 +24,21 @@ struct RecordedDemand {
 
 struct RecordedStep {
     std::string id;
-    std::vector<RecordedDemand> goals, limits;  ///< in the order of the text
+    std::string title{}, instrument{};              ///< the latter is an id
+    std::vector<RecordedDemand> goals{}, limits{};  ///< in the order of the text
+};
+
+/// An instrument as written in the text.
+struct RecordedInstrument {
+    std::string id;
+    std::optional<double> diameter{};  ///< [m] its parameter of that name
 };
 
 struct RecordedProcedure {
     std::string title;
     std::string variant_title, rehearsal_title;  ///< empty for none
     std::vector<RecordedStep> steps;
+    std::vector<RecordedInstrument> instruments{};
 };
 
 /// Reads the data that the page needs from a procedure's text. It uses no plugin, so it also reads procedures whose
