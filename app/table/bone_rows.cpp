@@ -115,8 +115,53 @@ Command anatomy_command() {
             .run = with_environment(&commands::anatomy)};
 }
 
+Command landmarks_command() {
+    using T = LandmarksOptions;
+    return {.name = "landmarks",
+            .group = "Bones",
+            .summary = "Pick landmarks of a bone by clicks in a window, or by rays, and write them into its anatomy",
+            .arguments = {{.name = "ANATOMY",
+                           .value = yaml(),
+                           .help = "YAML file of the anatomy; it needs no landmarks yet",
+                           .is_required = true,
+                           .member = in<T>(&T::anatomy)}},
+            .options = {{.name = "--point",
+                         .value = {.placeholder = "NAME=RAY", .kind = ValueKind::setting},
+                         .help = "Pick a point: where a ray from one point through another meets the bone, as in "
+                                 "`--point \"tip=0 80 0 mm, 0 0 0 mm\"`; may be repeated",
+                         .member = in<T>(&T::points)},
+                        {.name = "--axis",
+                         .value = {.placeholder = "NAME=RAY;RAY", .kind = ValueKind::setting},
+                         .help = "Pick an axis by two rays, where it begins and where it ends; may be repeated",
+                         .member = in<T>(&T::axes)},
+                        flag("--write", "Write them into the file, in place of a window or standard output",
+                             in<T>(&T::is_written)),
+                        {.name = "--spacing",
+                         .value = text("SPACING", "a length, as in `--spacing \"0.25 mm\"`"),
+                         .help = "Spacing of the bone's grid",
+                         .default_value = "0.5 mm, finer for thin bone, coarser for a large one",
+                         .member = in<T>(&T::spacing)},
+                        {.name = "--screenshot",
+                         .value = file("the name of a picture, as in `--screenshot landmarks.png`", ".png"),
+                         .help = "Write a picture and end; needs no display",
+                         .member = in<T>(&T::screenshot)},
+                        {.name = "--side",
+                         .value = one_of("SIDE", {"oblique", "front", "back", "left", "right", "head", "foot"}),
+                         .help = "From where the picture shows the bone",
+                         .default_value = "oblique",
+                         .member = in<T>(&T::side)}},
+            .when_missing = "of which bone? Write `kerf landmarks ANATOMY.yaml`.",
+            .examples = {{"kerf landmarks my-bone.yaml", "shows the bone; each click is a point on its surface"},
+                         {"kerf landmarks my-bone.yaml --point \"tip=0 80 0 mm, 0 0 0 mm\"",
+                          "prints a point as YAML, without a window"}},
+            .footer = "Without `--point`, `--axis` and `--screenshot` a window opens.\nExit code: 0 done, 2 bad input, "
+                      "3 fault or no display.",
+            .defaults = T{},
+            .run = [](const Options&, const Invocation& call) { return become_window(call.here, call.argv); }};
+}
+
 }  // namespace
 
-std::vector<Command> bone_commands() { return {import_command(), anatomy_command()}; }
+std::vector<Command> bone_commands() { return {import_command(), anatomy_command(), landmarks_command()}; }
 
 }  // namespace kerf::app::table
