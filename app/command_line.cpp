@@ -59,10 +59,7 @@ std::string complaint_about(const Value& value, const std::string& word) {
         case ValueKind::number:
             return is_number(value, word) ? std::string() : "is `" + word + "`. Write " + numbers_of(value) + ".";
         case ValueKind::code:  // it is part of every session, so it must not be a name
-            return is_code(word)
-                       ? std::string()
-                       : "must be a code of letters, digits, `.`, `_` and `-`, at most 64, and never a name. Write a "
-                         "code, as in `L17`.";
+            return is_code(word) ? std::string() : code_rule;
         case ValueKind::setting:
             return is_setting(word)
                        ? std::string()

@@ -14,9 +14,7 @@ bool is_code(const std::string& word) {
 
 std::string refusal_of_learner(const std::string& code) {
     if (code.empty()) return {};
-    if (!is_code(code))
-        return "The code must be letters, digits, `.`, `_` and `-`, at most 64, and never a name. Write a code, as "
-               "`L17`.";
+    if (!is_code(code)) return std::string("The code ") + code_rule;
     if (code.front() == '.') return "The code begins with `.`, so its folder would be hidden. Begin with a letter.";
     return {};
 }

@@ -100,6 +100,16 @@ struct AnatomyOptions {
     std::string out;                    ///< file; empty: the anatomy goes to stdout
 };
 
+struct LandmarksOptions {
+    std::string anatomy;              ///< file
+    std::vector<std::string> points;  ///< "name=ray" each
+    std::vector<std::string> axes;    ///< "name=ray; ray" each
+    bool is_written = false;          ///< into the file
+    std::string spacing;              ///< of the bone; empty: one that it needs
+    std::string screenshot;           ///< file of a picture, drawn without a window; empty: none
+    std::string side = "oblique";     ///< from which the picture shows the bone
+};
+
 struct ReportOptions {
     std::string session;
     std::string out;  ///< page; empty: report.html next to the session
@@ -120,10 +130,13 @@ struct RemeshOptions : SessionOptions {
 };
 
 struct ViewOptions : SessionOptions {
-    std::string at;          ///< [s] shown first; empty: the start
-    std::string screenshot;  ///< file of a picture, drawn without a window; empty: a window opens
-    std::string frames;      ///< folder of the pictures of a film, drawn without a window; empty: none
-    std::string language;    ///< of the procedure's words; empty: that of the environment
+    std::string at;                     ///< [s] shown first; empty: the start
+    std::string screenshot;             ///< file of a picture, drawn without a window; empty: a window opens
+    std::string frames;                 ///< folder of the pictures of a film, drawn without a window; empty: none
+    bool is_recorded = false;           ///< from the session alone
+    bool is_procedure_assumed = false;  ///< `procedure` is a guess: if it does not fit, the session alone is shown
+    bool is_inspecting = false;         ///< shows the inspection of the law
+    std::string language;               ///< of the procedure's words; empty: that of the environment
 };
 
 struct WindowOptions {
@@ -188,10 +201,10 @@ struct CompletionOptions {
 
 struct ManOptions {};
 
-using Options =
-    std::variant<RunOptions, ValidateOptions, RehearseOptions, ExpandOptions, PreviewOptions, PlanOptions,
-                 ExplainOptions, SchemaOptions, ImportSourceOptions, AnatomyOptions, ReportOptions, RemeshOptions,
-                 ViewOptions, WindowOptions, PrivacyOptions, ListOptions, DevicesOptions, DescribeOptions, CheckOptions,
-                 NewOptions, StabilityOptions, ChartOptions, CompletionOptions, ManOptions>;
+using Options = std::variant<RunOptions, ValidateOptions, RehearseOptions, ExpandOptions, PreviewOptions, PlanOptions,
+                             ExplainOptions, SchemaOptions, ImportSourceOptions, AnatomyOptions, LandmarksOptions,
+                             ReportOptions, RemeshOptions, ViewOptions, WindowOptions, PrivacyOptions, ListOptions,
+                             DevicesOptions, DescribeOptions, CheckOptions, NewOptions, StabilityOptions, ChartOptions,
+                             CompletionOptions, ManOptions>;
 
 }  // namespace kerf::app

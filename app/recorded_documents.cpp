@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/recorded_documents.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/make_bone.h"
@@ -26,19 +27,34 @@ std::string shipped_procedure(const SessionOptions& options, const Environment& 
     return {};
 }
 
+/// Returns the refusal by the first error of a document.
+DocumentRefusal refusal_by(const std::string& what, const text::Diagnostics& findings) {
+    const auto is_error = [](const text::Diagnostic& one) { return one.level == text::Diagnostic::Level::error; };
+    const auto first = std::find_if(findings.begin(), findings.end(), is_error);
+    const std::string code = first == findings.end() ? "" : " (" + first->code + ")";
+    return {.clause = what + " cannot be used" + code, .findings = findings};
+}
+
 }  // namespace
 
-ExitCode read_documents_of(const SessionOptions& options, const Environment& with, RecordedDocuments& result) {
+ExitCode complain(const DocumentRefusal& refusal) {
+    if (!refusal.findings.empty()) print_error(to_text(refusal.findings));
+    return refusal.error.empty() ? exit_bad_input : complain(refusal.error, exit_bad_input);
+}
+
+std::optional<DocumentRefusal> read_documents_of(const SessionOptions& options, const Environment& with,
+                                                 RecordedDocuments& result) {
     std::string error;
     auto recorded = session::read_session(options.session, error);
-    if (!recorded) return complain(error, exit_bad_input);
+    if (!recorded) return DocumentRefusal{.clause = "it cannot be repeated", .error = error};
     result.recorded = std::move(*recorded);
     result.file = !options.procedure.empty() ? options.procedure : shipped_procedure(options, with, result.recorded);
     if (result.file.empty())
-        return complain(options.session +
-                            ": no shipped procedure has the text that it was recorded with. Name its procedure, as in "
-                            "`--procedure amputation.yaml`, with the `--patch` and `--set` it was run with.",
-                        exit_bad_input);
+        return DocumentRefusal{
+            .clause = "no procedure with its text and plugins was found",
+            .error = options.session +
+                     ": no shipped procedure has the text that it was recorded with. Name its procedure, as in "
+                     "`--procedure amputation.yaml`, with the `--patch` and `--set` it was run with."};
     text::Diagnostics diagnostics;
     result.documents = run::check_documents({result.file,
                                              options.anatomy,
@@ -46,24 +62,24 @@ ExitCode read_documents_of(const SessionOptions& options, const Environment& wit
                                              with.here.procedures()},
                                             with.plugins)
                            .take(diagnostics);
-    if (!result.documents) {
-        print_error(to_text(diagnostics));
-        return exit_bad_input;
-    }
+    if (!result.documents) return refusal_by("its procedure", diagnostics);
     if (error = refusal_of_replay(result.recorded, options.session, result.documents->procedure); !error.empty())
-        return complain(error, exit_bad_input);
-    return exit_pass;
+        return DocumentRefusal{.clause = "its procedure has another text now", .error = error};
+    return std::nullopt;
 }
 
-std::optional<run::Scene> scene_of(RecordedDocuments& of_session, const std::string& session) {
+std::optional<run::Scene> scene_of(RecordedDocuments& of_session, const std::string& session,
+                                   DocumentRefusal& refusal) {
     text::Diagnostics diagnostics;
     auto scene = make_bone(std::move(*of_session.documents), of_session.file).take(diagnostics);
-    if (!diagnostics.empty()) print_error(to_text(diagnostics));
-    if (scene && of_session.recorded.anatomy_hash != scene->anatomy_hash) {
-        static_cast<void>(complain(refusal_of_other_text(session), exit_bad_input));
+    if (!scene) {
+        refusal = refusal_by("its bone", diagnostics);
         return std::nullopt;
     }
-    return scene;
+    if (!diagnostics.empty()) print_error(to_text(diagnostics));
+    if (of_session.recorded.anatomy_hash == scene->anatomy_hash) return scene;
+    refusal = {.clause = "its anatomy is another one now", .error = refusal_of_other_text(session)};
+    return std::nullopt;
 }
 
 }  // namespace kerf::app

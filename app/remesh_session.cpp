@@ -133,7 +133,7 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
     if (folder.empty()) folder = ".";
     if (error = refusal_of_folder(folder); !error.empty()) return complain(error, exit_bad_input);
     RecordedDocuments of_session;
-    if (const ExitCode code = read_documents_of(options, with, of_session); code != exit_pass) return code;
+    if (const auto refusal = read_documents_of(options, with, of_session)) return complain(*refusal);
     const session::RecordedInputs& recorded = of_session.recorded;
     // While this process has one thread and little memory.
     run::ExactStrategies strategies(with.here.strategies(with.plugins));
@@ -143,8 +143,9 @@ ExitCode remesh_session(const RemeshOptions& options, const Environment& with) {
         return exit_fault;
     }
     const Interruption interruption;
-    const auto bone = scene_of(of_session, options.session);
-    if (!bone) return exit_bad_input;
+    DocumentRefusal refusal;
+    const auto bone = scene_of(of_session, options.session, refusal);
+    if (!bone) return complain(refusal);
 
     run::RunRequest request;
     if (error = repeat(recorded, options.session, request); !error.empty()) return complain(error, exit_bad_input);

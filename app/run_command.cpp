@@ -31,6 +31,7 @@
 #include "run/run_checks.h"
 #include "run/run_procedure.h"
 #include "session/content_hash.h"
+#include "session/output_folder.h"
 #include "session/read_session.h"
 #include "session/record_checksum.h"
 #include "session/recorder.h"
@@ -242,8 +243,6 @@ namespace commands {
 ExitCode run(const RunOptions& options, const Environment& with) {
     if (options.is_in_window && with.display == nullptr)
         return complain("this program has no window. Write `kerf run … --window`.", exit_bad_input);
-    if (const std::string refusal = options.out.empty() ? "" : refusal_of_folder(options.out); !refusal.empty())
-        return complain(refusal, exit_bad_input);
     const std::string& file = options.procedure;
     text::Diagnostics diagnostics;
     auto documents = run::check_documents(request_of(file, options, with.here), with.plugins).take(diagnostics);
@@ -255,6 +254,9 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (const std::string refusal = refusal_of(options, documents->procedure); !refusal.empty())
         return complain(refusal, exit_bad_input);
     // Checked before the bone is made, which may take minutes.
+    const std::string out = options.out.empty() ? "out/" + documents->procedure.id : options.out;
+    for (const std::string& refusal : {refusal_of_folder(out), session::refusal_of_output(out)})
+        if (!refusal.empty()) return complain(refusal, exit_bad_input);
     std::optional<session::RecordedInputs> recorded;
     if (const std::string refusal = read_recording(options, documents->procedure, recorded); !refusal.empty())
         return complain(refusal, exit_bad_input);
@@ -316,7 +318,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (recorded)
         if (const std::string error = repeat(*recorded, options.replay, request); !error.empty())
             return complain(error, exit_bad_input);
-    request.out = options.out.empty() ? "out/" + scene->procedure.id : options.out;
+    request.out = out;
     std::error_code ignored;
     if (!options.replay.empty() && std::filesystem::equivalent(options.replay, request.out + "/session.db", ignored))
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);

@@ -48,28 +48,36 @@ std::string WindowDisplay::show(run::ViewedRun& run) {
         const std::string error = write_picture(file, pixels);
         print_error("kerf: " + (error.empty() ? "picture written to " + file : error) + "\n");
     };
+    const auto leave = [&](const window::CardAction& action) {
+        const auto result = run.result();
+        after_ = {action, result ? result->folder : ""};
+    };
     const std::string why_not = window::show_run(*window_, run,
                                                  {.on_picture = save,
                                                   .begins_at = options_.begins_at,
                                                   .closes_at_end = !options_.screenshot.empty(),
-                                                  .has_start_page = options_.window != nullptr});
+                                                  .is_inspecting = options_.is_inspecting,
+                                                  .has_start_page = options_.has_start_page,
+                                                  .has_again = options_.has_again,
+                                                  .has_debrief = options_.has_debrief,
+                                                  .has_resume = options_.has_resume,
+                                                  .on_leave = leave});
     return why_not.empty() ? why_not : "the window cannot draw: " + why_not;
 }
 
 // ---- pictures -----------------------------------------------------------------------------------------------------
 
-std::unique_ptr<PictureDisplay> PictureDisplay::one(std::string file, double time) {
-    return std::unique_ptr<PictureDisplay>(new PictureDisplay(std::move(file), false, time));
+std::unique_ptr<PictureDisplay> PictureDisplay::one(std::string file, double time, bool is_inspecting) {
+    return std::unique_ptr<PictureDisplay>(new PictureDisplay(std::move(file), false, time, is_inspecting));
 }
 
-std::unique_ptr<PictureDisplay> PictureDisplay::film(std::string folder, double from) {
-    return std::unique_ptr<PictureDisplay>(new PictureDisplay(std::move(folder), true, from));
+std::unique_ptr<PictureDisplay> PictureDisplay::film(std::string folder, double from, bool is_inspecting) {
+    return std::unique_ptr<PictureDisplay>(new PictureDisplay(std::move(folder), true, from, is_inspecting));
 }
 
 std::string PictureDisplay::open(const std::string& /*title*/) {
-    constexpr int width = 1280, height = 800;
     std::string error;
-    offscreen_ = window::Offscreen::open(width, height, error);
+    offscreen_ = window::Offscreen::open(picture_width, picture_height, error);
     return error;
 }
 
@@ -93,7 +101,7 @@ std::string PictureDisplay::show(run::ViewedRun& run) {
         ++count;
         if (is_film_ && run.duration()) show_progress(time / *run.duration(), "drawing frames");
     };
-    const std::string why_not = window::draw_run(run, next_time, save);
+    const std::string why_not = window::draw_run(run, next_time, save, is_inspecting_);
     return why_not.empty() ? error : why_not;
 }
 

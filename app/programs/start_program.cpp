@@ -7,6 +7,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -16,8 +17,10 @@
 #include <utility>
 
 #include "app/attempts.h"
+#include "app/interruption.h"
 #include "app/learner_code.h"
 #include "app/outputs.h"
+#include "app/programs/resumed_run.h"
 #include "app/programs/run_displays.h"
 #include "app/run_thread.h"
 #include "app/standard_streams.h"
@@ -75,7 +78,7 @@ public:
         while (true) {
             window_->set_title("Kerf");
             std::string error;
-            const auto action = window::show_start(*window_, pages_, selection_, save, error);
+            const auto action = show_page(save, error);
             if (!error.empty()) return complain("the window cannot draw: " + error, exit_fault);
             if (!action) return exit_pass;
             if (action->kind == window::StartAction::Kind::start) start();
@@ -88,31 +91,61 @@ public:
     }
 
 private:
-    /// Returns a display in the window of the page.
-    WindowDisplay display(const std::string& folder, std::optional<double> begins_at) {
-        return WindowDisplay({.folder = folder, .begins_at = begins_at, .window = window_});
+    /// Shows the page. A signal closes it as the user does; during a run it ends the run.
+    std::optional<window::StartAction> show_page(const std::function<void(const window::Pixels&)>& save,
+                                                 std::string& error) {
+        const Interruption interruption;
+        return window::show_start(
+            *window_, pages_, selection_, save, [&] { return interruption.has_come(); }, error);
     }
 
+    /// Starts the chosen operation, and again or from a moment on as often as the user wants it on the card with the
+    /// result.
     void start() {
-        const window::StartProcedure& procedure = pages_.page(selection_).procedures[selection_.procedure];
-        std::string error;
-        const std::string folder = make_attempt_folder(options_->attempts, selection_.learner, procedure.id, error);
-        if (folder.empty()) return pages_.set_message(error, true);
-        WindowDisplay shown = display(folder, {});
-        // A picture in the making takes the processor from a run on the clock.
-        shown.wait(
-            "Finishing the picture", [] { return 0.5; }, [&] { return pages_.is_idle(); });
+        using Kind = window::CardAction::Kind;
+        WindowDisplay::After after = start_once(chosen());
+        while (after.action.kind == Kind::again || after.action.kind == Kind::resume)
+            after = start_once(after.action.kind == Kind::again ? chosen()
+                                                                : resumed(chosen(), after.folder, after.action.time));
+        if (after.action.kind != Kind::debrief) return;
+        watch({.procedure = pages_.page(selection_).procedures[selection_.procedure].id, .folder = after.folder},
+              after.action.time);
+    }
+
+    /// Returns the options of a run of the chosen operation.
+    RunOptions chosen() {
         RunOptions run;
-        run.procedure = procedure.file;
+        run.procedure = pages_.page(selection_).procedures[selection_.procedure].file;
         run.variant = selection_.variant;
         run.learner = selection_.learner;
-        run.out = folder;
         run.is_in_window = true;
         run.hand = selection_.device.empty() ? selection_.rehearsal : "";
         run.device = selection_.device;
         run.mode = selection_.device.empty() ? "demo" : selection_.mode;
         if (run.mode != "exam") run.assist = selection_.assist;
         run.language = options_->language;
+        return run;
+    }
+
+    /// Carries out the chosen operation as a new attempt. Returns the choice of the user after it.
+    WindowDisplay::After start_once(RunOptions run) {
+        const window::StartProcedure& procedure = pages_.page(selection_).procedures[selection_.procedure];
+        std::string error;
+        const std::string folder = make_attempt_folder(options_->attempts, selection_.learner, procedure.id, error);
+        if (folder.empty()) {
+            pages_.set_message(error, true);
+            return {};
+        }
+        run.out = folder;
+        WindowDisplay shown({.folder = folder,
+                             .window = window_,
+                             .has_start_page = true,
+                             .has_again = true,
+                             .has_debrief = true,
+                             .has_resume = can_be_resumed(run)});
+        // A picture in the making takes the processor from a run on the clock.
+        shown.wait(
+            "Finishing the picture", [] { return 0.5; }, [&] { return pages_.is_idle(); });
         const ErrorCopy errors;
         const ExitCode code = commands::run(run, {with_.plugins, with_.here, &shown});
         remove_empty_attempt(folder);
@@ -124,15 +157,18 @@ private:
                                false);
         else
             pages_.set_message(reason_in(errors.text()), true);
+        return shown.after();
     }
 
-    void watch(const window::StartAttempt& attempt) {
+    /// @param from  [s]
+    void watch(const window::StartAttempt& attempt, double from = 0.0) {
         ViewOptions view;
         view.language = options_->language;
         view.session = attempt.folder + "/session.db";
         for (const window::StartProcedure& one : pages_.page(selection_).procedures)
             if (one.id == attempt.procedure) view.procedure = one.file;
-        WindowDisplay shown = display(attempt.folder, 0.0);
+        view.is_procedure_assumed = true;
+        WindowDisplay shown({.folder = attempt.folder, .begins_at = from, .window = window_, .has_start_page = true});
         const ErrorCopy errors;
         const ExitCode code = commands::view(view, {with_.plugins, with_.here, &shown});
         pages_.set_message(code == exit_pass ? "" : reason_in(errors.text()), true);

@@ -38,34 +38,40 @@ std::vector<Parameter> with_documents(std::vector<Parameter> others) {
 
 Command view_row() {
     using T = ViewOptions;
-    return {
-        .name = "view",
-        .group = "Sessions",
-        .summary = "Watch a recorded operation in a window, or draw pictures of it",
-        .arguments = {session_of<T>()},
-        .options = with_documents<T>({{.name = "--at",
-                                       .value = text("SECONDS", "a time, as in `--at 20.5`"),
-                                       .help = "Time to begin at",
-                                       .default_value = "the start; of a picture, the end",
-                                       .member = in<T>(&T::at)},
-                                      {.name = "--screenshot",
-                                       .value = file("the name of a picture, as in `--screenshot at-20-s.png`", ".png"),
-                                       .help = "Write a picture of this time and end; needs no display",
-                                       .member = in<T>(&T::screenshot)},
-                                      {.name = "--frames",
-                                       .value = {.placeholder = "FOLDER",
-                                                 .kind = ValueKind::folder,
-                                                 .expects = "a folder, as in `--frames out/film`"},
-                                       .help = "Write a picture for every 40 ms and end; needs no display",
-                                       .member = in<T>(&T::frames)},
-                                      language_of<T>()}),
-        .when_missing = "which run? Write `kerf view SESSION.db`.",
-        .examples = {{"kerf view out/pedicle-screw/session.db", "shows the operation again, with a time line"},
-                     {"kerf view out/pedicle-screw/session.db --at 20 --screenshot at-20-s.png",
-                      "writes a picture of the operation after 20 s"}},
-        .footer = "Exit code: 0 shown, 2 bad input, 3 fault, no display or interrupted.",
-        .defaults = T{},
-        .run = [](const Options&, const Invocation& call) { return become_window(call.here, call.argv); }};
+    return {.name = "view",
+            .group = "Sessions",
+            .summary = "Watch a recorded operation in a window, or draw pictures of it",
+            .arguments = {session_of<T>()},
+            .options = with_documents<T>(
+                {{.name = "--at",
+                  .value = text("SECONDS", "a time, as in `--at 20.5`"),
+                  .help = "Time to begin at",
+                  .default_value = "the start; of a picture, the end",
+                  .member = in<T>(&T::at)},
+                 {.name = "--screenshot",
+                  .value = file("the name of a picture, as in `--screenshot at-20-s.png`", ".png"),
+                  .help = "Write a picture of this time and end; needs no display",
+                  .member = in<T>(&T::screenshot)},
+                 {.name = "--frames",
+                  .value = {.placeholder = "FOLDER",
+                            .kind = ValueKind::folder,
+                            .expects = "a folder, as in `--frames out/film`"},
+                  .help = "Write a picture for every 40 ms and end; needs no display",
+                  .member = in<T>(&T::frames)},
+                 flag("--inspect", "Show the law at the tip: its points, forces, channels, bone and coupling",
+                      in<T>(&T::is_inspecting)),
+                 flag("--recorded", "Show the session alone: tool, plots and result over the bone of the end",
+                      in<T>(&T::is_recorded)),
+                 language_of<T>()}),
+            .when_missing = "which run? Write `kerf view SESSION.db`.",
+            .examples = {{"kerf view out/pedicle-screw/session.db", "shows the operation again, with a time line"},
+                         {"kerf view out/pedicle-screw/session.db --at 20 --screenshot at-20-s.png",
+                          "writes a picture of the operation after 20 s"}},
+            .footer =
+                "Without a procedure, anatomy and plugins that fit, the session alone is shown, with a sentence why. "
+                "Exit code: 0 shown, 2 bad input, 3 fault, no display or interrupted.",
+            .defaults = T{},
+            .run = [](const Options&, const Invocation& call) { return become_window(call.here, call.argv); }};
 }
 
 Command remesh_row() {

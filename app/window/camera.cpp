@@ -48,6 +48,18 @@ void Camera::zoom(double factor) { distance_ = std::clamp(distance_ * factor, 5e
 
 double Camera::height_at_target() const { return 2.0 * distance_ * std::tan(0.5 * field_of_view); }
 
+Vec3 Camera::direction_through(double right, double up, double aspect) const {
+    const double half = std::tan(0.5 * field_of_view);
+    return normalized(half * aspect * right * this->right() + half * up * up_ - towards_);
+}
+
+std::optional<glm::vec2> Camera::shown_at(Vec3 point, double aspect) const {
+    const Vec3 d = point - eye();
+    const double depth = -dot(d, towards_), half = depth * std::tan(0.5 * field_of_view);
+    if (depth <= 1e-6) return std::nullopt;
+    return glm::vec2(static_cast<float>(dot(d, right()) / (half * aspect)), static_cast<float>(dot(d, up_) / half));
+}
+
 glm::mat4 Camera::view_from_world() const {
     return glm::inverse(glm::mat4(glm::vec4(single(right()), 0), glm::vec4(single(up_), 0),
                                   glm::vec4(single(towards_), 0), glm::vec4(single(eye()), 1)));

@@ -34,6 +34,8 @@ int code_of(int key) {
             return Input::f2;
         case GLFW_KEY_F3:
             return Input::f3;
+        case GLFW_KEY_F4:
+            return Input::f4;
         case GLFW_KEY_F12:
             return Input::f12;
         case GLFW_KEY_LEFT:
@@ -116,6 +118,7 @@ void GlfwWindow::keep_open() { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
 bool GlfwWindow::should_close() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 void GlfwWindow::swap() { glfwSwapBuffers(window_); }
 void GlfwWindow::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+void GlfwWindow::copy(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
 
 void GlfwWindow::capture_cursor(bool captures) {
     if (std::exchange(has_captured_, captures) == captures) return;

@@ -37,6 +37,8 @@ public:
     /// Hides the cursor and lets the mouse move without an end, or shows it again.
     void capture_cursor(bool captures);
     void set_title(const std::string& title);
+    /// Puts a text on the clipboard of the desktop.
+    void copy(const std::string& text);
 
 private:
     explicit GlfwWindow(GLFWwindow* window);

@@ -90,6 +90,11 @@ bool Gui::has_mouse() const {
     return ImGui::GetIO().WantCaptureMouse;
 }
 
+bool Gui::has_keyboard() const {
+    ImGui::SetCurrentContext(context_);
+    return ImGui::GetIO().WantTextInput;
+}
+
 void Gui::feed() {
     ImGuiIO& io = ImGui::GetIO();
     auto next = waiting_.begin();

@@ -26,6 +26,8 @@ public:
     [[nodiscard]] bool has_waiting_input() const noexcept { return !waiting_.empty(); }
     /// Returns whether a widget of the last frame, such as an open list, lies below the mouse.
     [[nodiscard]] bool has_mouse() const;
+    /// Returns whether a text field of the last frame takes the keys.
+    [[nodiscard]] bool has_keyboard() const;
     /// Calls `paint` within a frame, and draws what it painted.
     void draw(int width, int height, const std::function<void(const Fonts&)>& paint);
 

@@ -15,6 +15,7 @@ struct Input {
         f1,
         f2,
         f3,
+        f4,
         f12,
         arrow_left,
         arrow_right,

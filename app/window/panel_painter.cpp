@@ -13,6 +13,16 @@ ImVec2 size_of(ImFont* font, const std::string& text, float wrap = 0.0f) {
     return font->CalcTextSizeA(font->FontSize, 1e9f, wrap, text.c_str());
 }
 
+constexpr float line_gap = 3.0f;  // [pixels] between lines of a paragraph
+
+/// Returns where the next line of a text begins that is wrapped at words. Pre: from < end
+const char* end_of_line(ImFont* font, const char* from, const char* end, float width) {
+    const char* to = font->CalcWordWrapPositionA(1.0f, from, end, width);
+    if (to == from) ++to;
+    while (to < end && *to == ' ') ++to;
+    return to;
+}
+
 /// Returns a round step for about three lines over a range.
 float grid_step(float range) {
     const float raw = std::max(range, 1e-6f) / 3.0f, power = std::pow(10.0f, std::floor(std::log10(raw)));
@@ -62,17 +72,26 @@ void PanelPainter::line_in(ImFont* font, const std::string& text, ImU32 colour) 
     y_ += font->FontSize + 6.0f;
 }
 
-void PanelPainter::paragraph(const std::string& text, ImU32 colour, int max_lines, ImFont* font) {
+void PanelPainter::paragraph(const std::string& text, ImU32 colour, int max_lines, ImFont* font, float spare) {
     ImFont* used = font != nullptr ? font : fonts_->small;
+    const float wide = width() - spare;
     const char *from = text.c_str(), *end = from + text.size();
     for (int i = 0; i < max_lines && from < end; ++i) {
-        const char* to = i + 1 == max_lines ? end : used->CalcWordWrapPositionA(1.0f, from, end, width());
-        if (to == from) to = from + 1;
-        list_->AddText(used, used->FontSize, {left(), y_}, colour,
-                       shortened(used, std::string(from, to), width()).c_str());
-        y_ += used->FontSize + 3.0f;
-        for (from = to; from < end && *from == ' ';) ++from;
+        const char* to = i + 1 == max_lines ? end : end_of_line(used, from, end, wide);
+        std::string line(from, to);
+        while (!line.empty() && line.back() == ' ') line.pop_back();
+        list_->AddText(used, used->FontSize, {left(), y_}, colour, shortened(used, line, wide).c_str());
+        y_ += used->FontSize + line_gap;
+        from = to;
     }
+}
+
+float height_of_paragraph(ImFont* font, const std::string& text, float width, int max_lines) {
+    const char *from = text.c_str(), *end = from + text.size();
+    int lines = 0;
+    for (; lines < max_lines && from < end; ++lines)
+        from = end_of_line(font, from, end, width - 2.0f * PanelPainter::margin);
+    return static_cast<float>(lines) * (font->FontSize + line_gap);
 }
 
 void PanelPainter::bar(double fraction, ImU32 colour, float height) {

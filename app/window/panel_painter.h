@@ -11,6 +11,8 @@ namespace kerf::window {
 /// Paints texts, bars and plots line by line from the top of a panel. Lengths in pixels.
 class PanelPainter {
 public:
+    static constexpr float margin = 14.0f;
+
     PanelPainter(ImDrawList& list, const Fonts& fonts, ImVec2 low, ImVec2 high, ImU32 background);
 
     /// Moves down.
@@ -30,18 +32,21 @@ public:
               ImU32 value_colour = theme::text);
     /// Paints a line in another font.
     void line_in(ImFont* font, const std::string& text, ImU32 colour);
-    /// Paints text over several lines, at most `max_lines`.
-    void paragraph(const std::string& text, ImU32 colour, int max_lines = 4, ImFont* font = nullptr);
+    /// Paints text over several lines, at most `max_lines`, and leaves `spare` pixels at the right.
+    void paragraph(const std::string& text, ImU32 colour, int max_lines = 4, ImFont* font = nullptr,
+                   float spare = 0.0f);
     /// Paints a horizontal bar, filled to a fraction.
     void bar(double fraction, ImU32 colour, float height = 8.0f);
 
 private:
-    static constexpr float margin = 14.0f;
     ImDrawList* list_;
     const Fonts* fonts_;
     ImVec2 low_, high_;
     float y_;
 };
+
+/// Returns the height of a paragraph in a panel of this width, margins included; see PanelPainter::paragraph [pixels].
+[[nodiscard]] float height_of_paragraph(ImFont* font, const std::string& text, float width, int max_lines);
 
 /// A line of a plot.
 struct PlotLine {

@@ -2,31 +2,16 @@
 #include "app/window/panels.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdarg>
 #include <cstdint>
-#include <cstdio>
 
+#include "app/window/inspection_panel.h"
 #include "app/window/panel_painter.h"
+#include "app/window/window_text.h"
 
 namespace kerf::window {
 
 namespace {
-
-std::string formatted(const char* form, ...) {
-    std::array<char, 256> text{};
-    va_list values;
-    va_start(values, form);
-    std::vsnprintf(text.data(), text.size(), form, values);
-    va_end(values);
-    return text.data();
-}
-
-std::string clock_text(double seconds) {
-    const int all = static_cast<int>(std::max(0.0, seconds));
-    return formatted("%02d:%02d", all / 60, all % 60);
-}
 
 /// Returns the running step; null after the last one.
 const run::ViewedStep* step_of(const PanelModel& model) {
@@ -68,10 +53,12 @@ void paint_top(const PanelModel& model, const Layout& layout, const Fonts& fonts
     const ImU32 lamp = model.state->is_faulty                   ? theme::bad
                        : is_late || model.state->is_gate_closed ? theme::limit
                                                                 : theme::good;
-    float x = layout.width - 486.0f;
-    list.AddCircleFilled({x, 19}, 6.0f, lamp);
-    const std::string pace = formatted("%.2f×   late %u", model.real_time_factor, model.state->late_ticks);
-    list.AddText(fonts.text, fonts.text->FontSize, {x + 14, text_y}, theme::text, pace.c_str());
+    const float x = layout.width - 486.0f;
+    if (!model.duration) {  // a recorded run has no pace
+        list.AddCircleFilled({x, 19}, 6.0f, lamp);
+        const std::string pace = formatted("%.2f×   late %u", model.real_time_factor, model.state->late_ticks);
+        list.AddText(fonts.text, fonts.text->FontSize, {x + 14, text_y}, theme::text, pace.c_str());
+    }
     list.AddText(fonts.text, fonts.text->FontSize, {x + 150, text_y}, theme::soft, model.renderer.c_str());
     list.AddText(fonts.text, fonts.text->FontSize, {layout.width - 192, text_y}, theme::text,
                  (clock_text(model.state->time) + " of " + clock_text(model.scene->time_limit)).c_str());
@@ -88,6 +75,7 @@ ImU32 colour_of(run::ViewedEvent::Kind kind) {
             return theme::limit;
         case Kind::fault:
             return theme::bad;
+        case Kind::image:
         case Kind::note:
             break;
     }
@@ -102,7 +90,7 @@ std::string pace_text(const Timeline& timeline, bool is_over) {
                                   : formatted("play %.0f×", timeline.speed());
 }
 
-/// Paints the time line with a mark for each event. Goals and limits have marks of their own shape.
+/// Paints the time line with a mark for each event. Goals, limits and radiographs have marks of their own shape.
 void paint_bottom(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
     const float top = layout.height - Layout::bottom, y = top + 17.0f, from = layout.line_from(), to = layout.line_to();
     list.AddRectFilled({0, top}, {layout.width, layout.height}, theme::header);
@@ -122,6 +110,9 @@ void paint_bottom(const PanelModel& model, const Layout& layout, const Fonts& fo
         const float x = at(event.time);
         if (event.kind == run::ViewedEvent::Kind::limit || event.kind == run::ViewedEvent::Kind::fault) {
             list.AddTriangleFilled({x - 6, y - 12}, {x + 6, y - 12}, {x, y - 2}, colour_of(event.kind));
+        } else if (event.kind == run::ViewedEvent::Kind::image) {
+            list.AddRectFilled({x - 4.5f, y + 5}, {x + 4.5f, y + 14}, theme::text, 1.0f);
+            list.AddCircleFilled({x, y + 9.5f}, 2.5f, theme::header);
         } else if (event.kind != run::ViewedEvent::Kind::note) {
             list.AddCircleFilled({x, y}, 4.5f, colour_of(event.kind));
         }
@@ -139,14 +130,18 @@ void paint_steps(const PanelModel& model, PanelPainter& painter) {
     const auto current = static_cast<std::size_t>(std::max(0, model.state->step));
     for (std::size_t s = 0; s < model.scene->steps.size(); ++s) {
         const bool is_done = s < current, is_now = s == current;
+        const std::string title = formatted("%zu  ", s + 1) + model.scene->steps[s].title;
+        constexpr int max_lines = 3;
+        constexpr float mark = 18.0f;
+        ImFont* font = painter.fonts().text;
+        const float tall = height_of_paragraph(font, title, Layout::left - mark, max_lines);
         if (is_now)
             painter.list().AddRectFilled({painter.left() - 6, painter.top() - 3},
-                                         {painter.right() + 6, painter.top() + 19}, theme::lit, 3.0f);
-        painter.line(formatted("%zu  ", s + 1) + model.scene->steps[s].title,
-                     is_now    ? theme::text
-                     : is_done ? theme::soft
-                               : theme::text,
-                     is_done ? "✓" : "", theme::good);
+                                         {painter.right() + 6, painter.top() + tall}, theme::lit, 3.0f);
+        if (is_done)
+            painter.list().AddText(font, font->FontSize, {painter.right() - 12, painter.top()}, theme::good, "✓");
+        painter.paragraph(title, is_done ? theme::soft : theme::text, max_lines, font, mark);
+        painter.skip(4.0f);
         constexpr float below = 330.0f;  // for the panels that follow
         const bool has_details = model.scene->assist == run::ViewedScene::Assist::full && s > current;
         for (const run::ViewedLimit& goal : model.scene->steps[s].goals)
@@ -275,54 +270,44 @@ void paint_header(const PanelModel& model, const Layout& layout, const Fonts& fo
                  shortened(fonts.text, hint, wide).c_str());
 }
 
-/// Returns the height of the card with the result, for a width of its lines.
-float height_of_card(const PanelModel& model, const Fonts& fonts, float width) {
-    if (!model.result->has_value()) return 50.0f;
-    constexpr std::size_t max_reasons = 2, max_deductions = 3;
-    constexpr float max_lines = 3.0f;
-    const run::ViewedResult& result = **model.result;
-    const auto reasons = std::min(max_reasons, result.reasons.size());
-    float height = model.exit_hint.empty() ? 132.0f : 153.0f;
-    for (std::size_t i = 0; i < reasons; ++i) {
-        const float wide = fonts.small->CalcTextSizeA(fonts.small->FontSize, 1e9f, 0.0f, result.reasons[i].c_str()).x;
-        height += (fonts.small->FontSize + 3.0f) * std::min(max_lines, std::ceil(wide / (0.9f * width)));
-    }
-    if (!result.deductions.empty()) height += 22.0f;
-    return height + 21.0f * static_cast<float>(std::min(max_deductions, result.deductions.size()));
+/// Paints the sentence about what the view lacks, at the lower edge of the picture.
+void paint_note(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    if (model.scene->note.empty()) return;
+    constexpr int max_lines = 4;
+    constexpr float margin = 8.0f;
+    const ImVec2 low = layout.picture_low();
+    ImVec2 high = layout.picture_high();
+    if (!layout.has_panels && model.card.result->has_value()) high.x -= Layout::right + 12.0f;  // the card
+    const float wide = high.x - low.x, tall = height_of_paragraph(fonts.small, model.scene->note, wide, max_lines);
+    PanelPainter painter(list, fonts, {low.x, high.y - tall - 2.0f * margin}, high, theme::bar);
+    painter.skip(margin - 12.0f);
+    painter.paragraph(model.scene->note, theme::limit, max_lines);
 }
 
-/// Paints the verdict over the picture.
-void paint_end_card(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list,
-                    std::vector<TimeLink>& links) {
-    if (!model.state->is_over) return;
-    const ImVec2 low = layout.picture_low(), high = layout.picture_high();
-    const float wide = std::min(460.0f, high.x - low.x - 20.0f), tall = height_of_card(model, fonts, wide - 28.0f),
-                x = high.x - wide - 12.0f, y = high.y - tall - 12.0f;
-    PanelPainter painter(list, fonts, {x, y}, {x + wide, y + tall}, IM_COL32(0x12, 0x16, 0x1b, 235));
-    if (!model.result->has_value()) {
-        painter.line("Writing the results …", theme::soft);
-        return;
-    }
-    const run::ViewedResult& result = **model.result;
-    const bool is_pass = result.verdict == "pass";
-    painter.line_in(fonts.large, (is_pass ? "✓ " : "✗ ") + result.verdict + formatted("   %.0f of 100", result.score),
-                    is_pass ? theme::good : theme::bad);
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, result.reasons.size()); ++i)
-        painter.paragraph(result.reasons[i], theme::text, 3);
-    painter.skip(6.0f);
-    if (!result.deductions.empty()) painter.heading("LARGEST DEDUCTIONS");
-    for (std::size_t i = 0; i < std::min<std::size_t>(3, result.deductions.size()); ++i) {
-        const auto& deduction = result.deductions[i];
-        if (deduction.time >= 0.0)
-            links.push_back(
-                {{painter.left(), painter.top()}, {painter.right(), painter.top() + 20.0f}, deduction.time});
-        const std::string when = deduction.time >= 0.0 ? "▸ " + clock_text(deduction.time) + "  " : "";
-        painter.line(when + deduction.words, theme::text, formatted("−%.1f", deduction.points), theme::limit);
-    }
-    painter.skip(6.0f);
-    if (!result.folder.empty()) painter.paragraph("Report: " + result.folder + "/report.html", theme::soft, 2);
-    if (!model.exit_hint.empty()) painter.line(model.exit_hint, theme::modelled);
-    painter.paragraph("For training and research; not for diagnosis, planning or deciding treatment.", theme::soft, 2);
+/// Paints one line without panels: how they come back, and the values that matter most.
+void paint_hint_about_panels(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
+    constexpr float tall = 20.0f;
+    const std::string how = Layout::fits(layout.width, layout.height)
+                                ? "Tab: panels"
+                                : formatted("Panels need %.0f × %.0f pixels", Layout::min_width, Layout::min_height);
+    const std::string values = model.scene->is_examination ? ""
+                                                           : formatted("   %s   depth %.1f mm   force %.0f N",
+                                                                       clock_text(model.state->time).c_str(),
+                                                                       1e3 * model.state->depth, model.state->force);
+    list.AddRectFilled({0, 0}, {layout.width, tall}, theme::header);
+    list.AddText(fonts.small, fonts.small->FontSize, {8, 3}, theme::soft,
+                 shortened(fonts.small, how + values, layout.width - 16.0f).c_str());
+}
+
+/// Paints the card with the result; after the end, and in one line at an earlier moment.
+std::vector<CardLink> paint_result(const PanelModel& model, const Layout& layout, const Fonts& fonts,
+                                   ImDrawList& list) {
+    if (!model.state->is_over && !model.card.result->has_value()) return {};
+    constexpr float force_plot = 190.0f, margin = 12.0f;
+    const ImVec2 corner = layout.has_panels ? ImVec2{layout.width, layout.height - Layout::bottom}
+                                            : ImVec2{layout.width - margin, layout.height - margin};
+    const float above = layout.has_panels ? Layout::top + force_plot : margin;
+    return paint_card(model.card, corner, Layout::right, corner.y - above, fonts, list);
 }
 
 // ---- right: plots and limits --------------------------------------------------------------------------------------
@@ -452,10 +437,16 @@ void paint_radiograph(const PanelModel& model, const run::ViewedStep* step, Pane
 }
 
 void paint_right(const PanelModel& model, const Layout& layout, const Fonts& fonts, ImDrawList& list) {
-    PanelPainter painter(list, fonts, {layout.width - Layout::right, Layout::top},
-                         {layout.width, layout.height - Layout::bottom}, theme::panel);
+    const float card = model.card.result->has_value() ? closed_card_height : 0.0f;
+    const ImVec2 low{layout.width - Layout::right, Layout::top}, high{layout.width, layout.height - Layout::bottom};
+    list.AddRectFilled(low, high, theme::panel);
+    PanelPainter painter(list, fonts, low, {high.x, high.y - card}, theme::panel);
     const run::ViewedStep* step = helped_step(model);
     paint_force(model, step, painter);
+    if (model.layers.is_any() && model.inspection != nullptr) {
+        paint_inspection_values(*model.inspection, *model.scene, model.layers, painter);
+        return;
+    }
     paint_torque(model, step, painter);
     paint_radiograph(model, step, painter);
     if (step != nullptr) paint_limits(model, *step, painter);
@@ -518,7 +509,9 @@ std::vector<KeyHelp> key_help(const PanelModel& model) {
         keys.push_back({"Space", "play or pause"});
     }
     const bool is_left = model.lead != nullptr && model.lead->is_left_handed();
+    if (!model.scene->is_examination) keys.push_back({"F4", "inspect the law: all, contacts, field, coupling"});
     const std::vector<KeyHelp> of_view{{"1, 2, 3", "see the whole bone, along the tool, from the side"},
+                                       {"4", "follow the tip, near"},
                                        {"X", "see through bone"},
                                        {"C", "cut bone away at the tool"},
                                        {"Z, P, V", "zones, plan, arrow of force"},
@@ -531,6 +524,8 @@ std::vector<KeyHelp> key_help(const PanelModel& model) {
                                        {"L", "back to the live end"},
                                        {"Tab", "hide the panels"},
                                        {"F12", "save a picture"},
+                                       {"E, ↑ ↓", "after the end: result, deductions"},
+                                       {"N, D, K", "after the end: again, replay, operate from here"},
                                        {"Ctrl + Q", "end the operation"}};
     if (model.scene->assist == run::ViewedScene::Assist::on_request)
         keys.push_back({"H", "show the help of this step"});
@@ -538,8 +533,7 @@ std::vector<KeyHelp> key_help(const PanelModel& model) {
     return keys;
 }
 
-std::vector<TimeLink> paint_panels(const PanelModel& model, const Layout& layout, const Fonts& fonts) {
-    std::vector<TimeLink> links;
+std::vector<CardLink> paint_panels(const PanelModel& model, const Layout& layout, const Fonts& fonts) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     if (layout.has_panels) {
         paint_left(model, layout, fonts, list);
@@ -547,8 +541,11 @@ std::vector<TimeLink> paint_panels(const PanelModel& model, const Layout& layout
         paint_header(model, layout, fonts, list);
         paint_bottom(model, layout, fonts, list);
         paint_top(model, layout, fonts, list);
+    } else {
+        paint_hint_about_panels(model, layout, fonts, list);
     }
-    paint_end_card(model, layout, fonts, list, links);
+    paint_note(model, layout, fonts, list);
+    std::vector<CardLink> links = paint_result(model, layout, fonts, list);
     if (model.shows_values) paint_values(model, layout, fonts, list);
     if (model.shows_keys) paint_keys(model, layout, fonts, list);
     return links;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "app/window/end_card.h"
+#include "app/window/inspection_view.h"
 #include "app/window/mouse_lead.h"
 #include "app/window/scene_renderer.h"
 #include "app/window/theme.h"
@@ -26,20 +28,22 @@ struct PanelModel {
     const run::ViewedState* state = nullptr;
     const Timeline* timeline = nullptr;
     std::optional<double> duration{};  ///< [s] of a replay
-    const std::optional<run::ViewedResult>* result = nullptr;
+    CardModel card{};
     RadiographModel radiograph{};
     std::string next_action{};
-    std::string renderer{};   ///< empty: a graphics card draws
-    std::string exit_hint{};  ///< how to leave the result; empty: by closing the window
+    std::string renderer{};  ///< empty: a graphics card draws
     double real_time_factor = 1.0;
     double frame_time = 0.0;          ///< [s] of the window
     const MouseLead* lead = nullptr;  ///< null: no mouse leads the tool
+    InspectionLayers layers{};
+    std::shared_ptr<const run::ViewedInspection> inspection{};  ///< null: there is none at this time
     bool shows_keys = false, shows_values = false;
     std::size_t triangles = 0;
 };
 
 /// The places of the panels in a window, in pixels from the upper left corner.
 struct Layout {
+    static constexpr float min_width = 760.0f, min_height = 420.0f;
     static constexpr float top = 38.0f, bottom = 40.0f, left = 236.0f, right = 292.0f, header = 46.0f;
     float width = 0.0f, height = 0.0f;
     bool has_panels = true;
@@ -54,17 +58,13 @@ struct Layout {
     [[nodiscard]] float line_from() const noexcept { return 96.0f; }
     [[nodiscard]] float line_to() const noexcept { return width - 80.0f; }
     /// Returns whether the panels fit.
-    [[nodiscard]] static bool fits(float width, float height) noexcept { return width >= 760.0f && height >= 420.0f; }
-};
-
-/// A rectangle that leads to a time when it is clicked.
-struct TimeLink {
-    ImVec2 low, high;
-    double time;  ///< [s]
+    [[nodiscard]] static bool fits(float width, float height) noexcept {
+        return width >= min_width && height >= min_height;
+    }
 };
 
 /// Paints all panels into ImGui's background. Returns what can be clicked. Pre: a frame of ImGui has begun.
-std::vector<TimeLink> paint_panels(const PanelModel& model, const Layout& layout, const Fonts& fonts);
+std::vector<CardLink> paint_panels(const PanelModel& model, const Layout& layout, const Fonts& fonts);
 
 /// Returns the length of the time line [s].
 [[nodiscard]] double line_span(const Timeline& timeline, const std::optional<double>& duration);

@@ -8,7 +8,7 @@
 
 namespace kerf::window {
 
-RunScreen::RunScreen(run::ViewedRun& run) : run_(&run), renderer_(run.scene()) {
+RunScreen::RunScreen(run::ViewedRun& run) : run_(&run), renderer_(run.scene()), inspection_(run.scene()) {
     if (is_software_renderer()) renderer_name_ = "software renderer";
 }
 
@@ -19,9 +19,9 @@ void RunScreen::take(const Input& input) {
     const bool is_on_line =
         may_rewind() && layout().has_panels && mouse_y_ > static_cast<float>(height_) - Layout::bottom;
     if (is_left_button && input.is_pressed)
-        for (const TimeLink& link : links_)
+        for (const CardLink& link : links_)
             if (mouse_x_ >= link.low.x && mouse_x_ <= link.high.x && mouse_y_ >= link.low.y && mouse_y_ <= link.high.y)
-                return timeline_.show_at(link.time);
+                return act(link.action);
     if (is_left_button && (is_scrubbing_ || (input.is_pressed && is_on_line))) {
         is_scrubbing_ = input.is_pressed;
         if (is_scrubbing_) scrub(mouse_x_);
@@ -52,6 +52,7 @@ void RunScreen::take_view(const Input& input) {
             if (is_turning) camera_.orbit(4.0 * right, -4.0 * down);
             if (is_held_[2]) camera_.pan(right, -down);
             is_free_ = is_free_ || is_turning || is_held_[2];
+            follows_tip_ = follows_tip_ && !is_held_[2];
             break;
         }
         case Input::Kind::wheel:
@@ -87,7 +88,89 @@ LeadContext RunScreen::lead_context() const {
     return context;
 }
 
+// ---- the card with the result -------------------------------------------------------------------------------------
+
+void RunScreen::act(const CardAction& action) {
+    using Kind = CardAction::Kind;
+    if (action.kind == Kind::toggle) {
+        bool& is_open = state().is_over ? is_card_open_at_end_ : is_card_open_earlier_;
+        is_open = !is_open;
+    } else if (action.kind == Kind::show_moment) {
+        is_card_open_earlier_ = is_card_open_earlier_ || is_card_open();  // it stays open
+        timeline_.show_at(action.time);
+    } else {
+        action_ = action;
+    }
+}
+
+bool RunScreen::is_card_open() const { return state().is_over ? is_card_open_at_end_ : is_card_open_earlier_; }
+
+/// Takes a key of the card. Returns whether it is one.
+bool RunScreen::take_card_key(int key) {
+    using Kind = CardAction::Kind;
+    if (!is_over()) return false;
+    switch (key) {
+        case 'E':
+            act({Kind::toggle});
+            return true;
+        case 'N':
+            if (buttons_.has_again) act({Kind::again});
+            return true;
+        case 'D':
+            if (buttons_.has_debrief) act({Kind::debrief, debrief_time()});
+            return true;
+        case 'K':
+            if (buttons_.has_resume && debrief_time() > 0.0) act({Kind::resume, debrief_time()});
+            return true;
+        case Input::enter:
+            if (buttons_.has_start_page) act({Kind::leave});
+            return true;
+        case Input::arrow_up:
+        case Input::arrow_down:
+            choose_deduction(key == Input::arrow_down ? 1 : -1);
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// Shows the moment of the next or previous deduction that has one.
+void RunScreen::choose_deduction(int step) {
+    if (!result_) return;
+    const auto count = static_cast<int>(listed_deductions(*result_));
+    for (int at = deduction_ ? static_cast<int>(*deduction_) + step
+                  : step > 0 ? 0
+                             : count - 1;
+         at >= 0 && at < count; at += step) {
+        const auto number = static_cast<std::size_t>(at);
+        if (result_->deductions[number].time < 0.0) continue;
+        deduction_ = number;
+        return act({CardAction::Kind::show_moment, result_->deductions[number].time});
+    }
+}
+
+/// Returns the time at which a debrief begins: the shown one; at the end, shortly before the largest deduction [s].
+double RunScreen::debrief_time() const {
+    constexpr double before = 3.0;
+    if (!state().is_over) return state().time;
+    if (!result_ || result_->deductions.empty()) return 0.0;
+    return std::max(0.0, result_->deductions.front().time - before);
+}
+
+CardModel RunScreen::card_model() const {
+    const bool is_chosen = deduction_ && result_ && *deduction_ < result_->deductions.size() &&
+                           std::abs(result_->deductions[*deduction_].time - state().time) < 0.02;
+    return {.result = &result_,
+            .buttons = buttons_,
+            .is_open = is_card_open(),
+            .chosen = is_chosen ? deduction_ : std::nullopt,
+            .debrief_from = debrief_time()};
+}
+
+// ---- keys ---------------------------------------------------------------------------------------------------------
+
 void RunScreen::take_key(const Input& input) {
+    if (take_card_key(input.code)) return;
     const auto toggle = [](bool& flag) { flag = !flag; };
     switch (input.code) {
         case Input::f1:
@@ -99,6 +182,8 @@ void RunScreen::take_key(const Input& input) {
             return lead_.set_left_handed(!lead_.is_left_handed());
         case Input::f2:
             return toggle(shows_values_);
+        case Input::f4:
+            return inspect(next_layers(layers_));
         case Input::tab:
             return toggle(has_panels_);
         case Input::f12:
@@ -137,6 +222,7 @@ void RunScreen::take_key(const Input& input) {
         case '1':
         case '2':
         case '3':
+        case '4':
             return see_from(static_cast<char>(input.code));
         default:
             return;
@@ -164,23 +250,40 @@ Layout RunScreen::layout() const {
 // ---- the view -----------------------------------------------------------------------------------------------------
 
 void RunScreen::find_box(const run::ViewedSurface& surface, const run::ViewedState& state) {
-    const auto bone = sphere_around(surface, state);
-    if (!bone) return;
-    bone_ = *bone;
-    has_seen_surface_ = true;
-    see_from('3');
+    if (const auto bone = sphere_around(surface, state)) begin_view(*bone);
 }
 
-/// Takes a view of the running step: 1 of the whole bone, 2 along the tool, 3 from the side of the tool.
+void RunScreen::begin_view(const Sphere& bone) {
+    bone_ = bone;
+    has_seen_surface_ = true;
+    see_from(view_);
+}
+
+void RunScreen::inspect(const InspectionLayers& layers) {
+    if (run_->scene().is_examination) return;
+    const bool begins = !layers_.is_any() && layers.is_any();
+    layers_ = layers;
+    run_->request_inspection(layers.is_any());
+    if (!begins) return;
+    view_ = '4';
+    if (has_seen_surface_) see_from('4');
+}
+
+/// Takes a view of the running step: 1 of the whole bone, 2 along the tool, 3 from the side of the tool, 4 as 3 but
+/// near the tip.
 void RunScreen::see_from(char view) {
     view_ = view;
-    is_free_ = view == '1';
+    is_free_ = view == '1' || view == '4';
+    follows_tip_ = view == '4';
     framed_step_ = state().step;
     const auto& steps = run_->scene().steps;
     if (steps.empty()) return;
     const auto number = static_cast<std::size_t>(
         std::clamp<std::int32_t>(state().step, 0, static_cast<std::int32_t>(steps.size()) - 1));
     see_step(camera_, view, steps[number], bone_);
+    constexpr double near = 32.0;  // [voxels] around the tip
+    if (follows_tip_)
+        camera_.see(state().world_from_tool.position, near * run_->scene().spacing, camera_.towards(), camera_.up());
 }
 
 // ---- drawing ------------------------------------------------------------------------------------------------------
@@ -191,8 +294,11 @@ void RunScreen::update(double wall) {
     if (!result_) result_ = run_->result();
     const run::ViewedState& state = timeline_.state();
     if (!has_seen_surface_ && timeline_.surface() != nullptr) find_box(*timeline_.surface(), state);
+    if (const auto& scene = run_->scene(); !has_seen_surface_ && scene.region_radius > 0.0)
+        begin_view({scene.region_middle, scene.region_radius});
     const bool is_in_step = state.step < static_cast<std::int32_t>(run_->scene().steps.size());
     if (has_seen_surface_ && !is_free_ && framed_step_ != state.step && is_in_step) see_from(view_);
+    if (follows_tip_) camera_.follow(state.world_from_tool.position);
     pace_.show(timeline_.newest(), wall);
     if (last_wall_ >= 0.0) frame_time_ += 0.1 * (wall - last_wall_ - frame_time_);
     last_wall_ = wall;
@@ -235,33 +341,33 @@ void RunScreen::paint(const Layout& layout) {
                            .state = &timeline_.state(),
                            .timeline = &timeline_,
                            .duration = run_->duration(),
-                           .result = &result_,
+                           .card = card_model(),
                            .radiograph = radiograph_model(),
                            .next_action = run_->next_action(),
                            .renderer = renderer_name_,
-                           .exit_hint = exit_hint_,
                            .real_time_factor = pace_.value(),
                            .frame_time = frame_time_,
                            .lead = run_->is_led_by_mouse() ? &lead_ : nullptr,
+                           .layers = layers_,
+                           .inspection = timeline_.inspection(),
                            .shows_keys = shows_keys_,
                            .shows_values = shows_values_,
                            .triangles = renderer_.triangles()};
+    const ImVec2 low = layout.picture_low(), high = layout.picture_high();
+    const Projection projection(camera_, low, high);
     gui_.draw(width_, height_, [&](const Fonts& fonts) {
+        inspection_.paint(model.inspection, layers_, projection, low, high, fonts, *ImGui::GetBackgroundDrawList());
         links_ = paint_panels(model, layout, fonts);
-        if (is_led()) paint_push(layout, fonts);
+        if (is_led()) paint_push(projection);
     });
 }
 
 /// Paints a ring around the tip that fills with the force on the hand: it replaces the feel of a device.
-void RunScreen::paint_push(const Layout& layout, const Fonts& /*fonts*/) const {
+void RunScreen::paint_push(const Projection& projection) const {
     const run::ViewedState& state = timeline_.state();
-    const ImVec2 low = layout.picture_low(), high = layout.picture_high();
-    const double wide = static_cast<double>(high.x - low.x), tall = static_cast<double>(high.y - low.y);
-    const glm::vec4 clip = camera_.clip_from_view(wide / std::max(1.0, tall)) * camera_.view_from_world() *
-                           glm::vec4(single(state.world_from_tool.position), 1.0f);
-    if (clip.w <= 0.0f) return;
-    const ImVec2 tip{low.x + (0.5f + 0.5f * clip.x / clip.w) * (high.x - low.x),
-                     low.y + (0.5f - 0.5f * clip.y / clip.w) * (high.y - low.y)};
+    const auto at = projection.at(state.world_from_tool.position);
+    if (!at) return;
+    const ImVec2 tip = *at;
     constexpr double full = 60.0;  // [N]
     constexpr float radius = 22.0f, turn = 6.2831853f, top = -1.5707963f;
     const double fraction = std::clamp(state.hand_force / full, 0.0, 1.0);

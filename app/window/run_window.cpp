@@ -28,14 +28,12 @@ void draw_until_closed(GlfwWindow& window, run::ViewedRun& run, const WindowRequ
         screen.timeline().show_at(*request.begins_at);
         screen.timeline().play(true);
     }
-    if (request.has_start_page) screen.set_exit_hint("Enter: back to the start page");
-    bool has_stopped = false, goes_back = false;
+    if (request.is_inspecting) screen.inspect(all_layers);
+    screen.set_buttons({request.has_again, request.has_debrief, request.has_resume, request.has_start_page});
+    bool has_stopped = false;
     while (true) {
         const double begun = seconds_now();
-        for (const Input& input : window.poll()) {
-            screen.take(input);
-            goes_back = goes_back || (input.kind == Input::Kind::key && input.code == Input::enter && input.is_pressed);
-        }
+        for (const Input& input : window.poll()) screen.take(input);
         window.capture_cursor(screen.captures_cursor());
         const bool is_over = screen.is_over();
         if (window.should_close() && !std::exchange(has_stopped, true)) {
@@ -43,8 +41,9 @@ void draw_until_closed(GlfwWindow& window, run::ViewedRun& run, const WindowRequ
             const bool is_replay = run.duration().has_value();
             if (request.has_start_page && !is_replay && !is_over) window.keep_open();
         }
-        goes_back = goes_back && is_over && request.has_start_page;
-        if (goes_back || (is_over && window.should_close()) || run.is_closed()) return;
+        const auto action = screen.take_action();
+        if (action && request.on_leave) request.on_leave(*action);
+        if (action || (is_over && window.should_close()) || run.is_closed()) return;
         screen.draw(window.width(), window.height(), begun);
         const bool is_last = is_over && request.closes_at_end;
         if ((screen.takes_picture() || is_last) && request.on_picture) {
@@ -102,10 +101,11 @@ std::string show_run(GlfwWindow& window, run::ViewedRun& run, const WindowReques
 }
 
 std::string draw_run(run::ViewedRun& run, const std::function<std::optional<double>()>& next_time,
-                     const std::function<void(const Pixels&, double)>& on_picture) {
+                     const std::function<void(const Pixels&, double)>& on_picture, bool is_inspecting) {
     constexpr int width = 1280, height = 800;
     try {
         RunScreen screen(run);
+        if (is_inspecting) screen.inspect(all_layers);
         while (const auto time = next_time()) {
             wait_for(screen, run, *time);
             if (run.is_closed()) return {};

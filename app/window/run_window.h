@@ -17,7 +17,10 @@ struct WindowRequest {
     std::function<void(const Pixels&, double, bool)> on_picture{};
     std::optional<double> begins_at{};  ///< [s] plays from there; nothing: shows the newest state
     bool closes_at_end = false;         ///< takes a picture after the result, and closes
-    bool has_start_page = false;        ///< Enter closes the end card; a user who ends a run still sees the card
+    bool is_inspecting = false;         ///< begins with all layers of the law's inspection
+    bool has_start_page = false;        ///< the card leads back to it; a user who ends a run still sees the card
+    bool has_again = false, has_debrief = false, has_resume = false;  ///< buttons of the card
+    std::function<void(const CardAction&)> on_leave{};  ///< called with the action of the card that ends the display
 };
 
 /// Prepares the process for a window; to be called before another thread starts. On a software renderer the memory of
@@ -35,7 +38,8 @@ bool show_waiting(GlfwWindow& window, const std::string& what, const std::functi
 
 /// Draws a run at these times [s], ascending, without a window, and calls `on_picture` with each. A time after the end
 /// shows the end. Returns the reason if the driver refuses to draw.   [main]
+/// @param is_inspecting  whether the pictures have all layers of the law's inspection
 [[nodiscard]] std::string draw_run(run::ViewedRun& run, const std::function<std::optional<double>()>& next_time,
-                                   const std::function<void(const Pixels&, double)>& on_picture);
+                                   const std::function<void(const Pixels&, double)>& on_picture, bool is_inspecting);
 
 }  // namespace kerf::window

@@ -186,7 +186,7 @@ void SceneRenderer::draw_zones(const run::ViewedState& state, const Matrices& ma
 
 void SceneRenderer::draw_plan(const run::ViewedState& state, const Matrices& matrices) const {
     if (state.step < 0 || static_cast<std::size_t>(state.step) >= plans_.size()) return;
-    if (!state.has_help) return;
+    if (!state.has_help || !(scene_->steps[static_cast<std::size_t>(state.step)].length > 0.0)) return;
     const Plan& plan = plans_[static_cast<std::size_t>(state.step)];
     use(flat_, matrices, identity_pose());
     glUniform3fv(uniform(flat_, "base"), 1, glm::value_ptr(plan_blue));

@@ -6,73 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <span>
 #include <utility>
 
 #include "app/window/panel_painter.h"
 #include "app/window/step_view.h"
+#include "app/window/widgets.h"
 
 namespace kerf::window {
 
 namespace {
-
-constexpr const char* notice = "For training and research; not for diagnosis, planning or deciding treatment.";
-
-ImVec4 rgba(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
-
-/// Begins a panel that fills a rectangle.
-void begin_panel(const char* name, ImVec2 low, ImVec2 high, ImU32 background = theme::panel) {
-    ImGui::SetNextWindowPos(low);
-    ImGui::SetNextWindowSize({std::max(1.0f, high.x - low.x), std::max(1.0f, high.y - low.y)});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, rgba(background));
-    ImGui::Begin(name, nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
-}
-
-void end_panel() {
-    ImGui::End();
-    ImGui::PopStyleColor();
-}
-
-void heading(const Fonts& fonts, const char* words) {
-    ImGui::PushFont(fonts.small);
-    ImGui::TextColored(rgba(theme::soft), "%s", words);
-    ImGui::PopFont();
-}
-
-void wrapped(ImU32 colour, const std::string& words) {
-    ImGui::PushStyleColor(ImGuiCol_Text, rgba(colour));
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(words.c_str(), words.c_str() + words.size());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
-void set_style() {
-    ImGuiStyle& style = ImGui::GetStyle();
-    style.WindowRounding = 0.0f;
-    style.WindowBorderSize = 0.0f;
-    style.FrameRounding = style.GrabRounding = style.PopupRounding = 4.0f;
-    style.WindowPadding = {14.0f, 10.0f};
-    style.FramePadding = {8.0f, 4.0f};
-    style.ItemSpacing = {8.0f, 6.0f};
-    style.CellPadding = {6.0f, 3.0f};
-    style.ScrollbarSize = 10.0f;
-    const std::pair<ImGuiCol, ImU32> colours[] = {
-        {ImGuiCol_Text, theme::text},          {ImGuiCol_TextDisabled, theme::soft},
-        {ImGuiCol_PopupBg, theme::bar},        {ImGuiCol_Border, theme::line},
-        {ImGuiCol_FrameBg, theme::header},     {ImGuiCol_FrameBgHovered, theme::line},
-        {ImGuiCol_FrameBgActive, theme::line}, {ImGuiCol_Button, theme::header},
-        {ImGuiCol_ButtonHovered, theme::lit},  {ImGuiCol_ButtonActive, theme::lit},
-        {ImGuiCol_Header, theme::lit},         {ImGuiCol_HeaderHovered, IM_COL32(0x26, 0x3c, 0x4e, 255)},
-        {ImGuiCol_HeaderActive, theme::lit},   {ImGuiCol_CheckMark, theme::modelled},
-        {ImGuiCol_ScrollbarBg, theme::panel},  {ImGuiCol_TableHeaderBg, theme::panel},
-        {ImGuiCol_TableRowBgAlt, theme::bar}};
-    for (const auto& [which, colour] : colours) style.Colors[which] = rgba(colour);
-}
 
 std::string minutes(double seconds) {
     char text[32];
@@ -86,30 +28,14 @@ bool entry(const std::string& words, bool is_chosen) {
     return ImGui::Selectable((words + "##" + words).c_str(), is_chosen) && !is_chosen;
 }
 
-void copy(const std::string& from, std::span<char> to) {
-    const std::size_t size = std::min(from.size(), to.size() - 1);
-    std::memcpy(to.data(), from.data(), size);
-    to[size] = '\0';
+/// A list without a choice.
+void paint_fixed(const char* id, const char* shown) {
+    ImGui::BeginDisabled();
+    if (ImGui::BeginCombo(id, shown)) ImGui::EndCombo();
+    ImGui::EndDisabled();
 }
 
 }  // namespace
-
-StartScreen::Kept StartScreen::make_kept(int width, int height) {
-    GLint bound = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-    Kept kept{width, height, make_framebuffer(), make_texture(), make_texture()};
-    glBindTexture(GL_TEXTURE_2D, kept.colour.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    glBindTexture(GL_TEXTURE_2D, kept.depth.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, width, height, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
-                 nullptr);
-    glBindTexture(GL_TEXTURE_2D, 0);
-    glBindFramebuffer(GL_FRAMEBUFFER, kept.framebuffer.get());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, kept.colour.get(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, kept.depth.get(), 0);
-    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
-    return kept;
-}
 
 StartScreen::StartScreen(StartSource& source, StartSelection& selection) : source_(&source), selection_(&selection) {
     set_style();
@@ -131,13 +57,15 @@ void StartScreen::take(const Input& input) {
     if (input.kind == Input::Kind::button) is_turning_ = input.is_pressed && is_in_picture;
     if (input.kind == Input::Kind::wheel && is_in_picture) {
         camera_.zoom(std::pow(0.9, static_cast<double>(input.wheel)));
-        is_picture_old_ = true;
+        kept_.expire();
     }
     if (input.kind != Input::Kind::move) return;
     const double right = static_cast<double>(input.x - mouse_x_) / std::max(height_, 1);
     const double down = static_cast<double>(input.y - mouse_y_) / std::max(height_, 1);
-    if (is_turning_) camera_.orbit(5.0 * right, -5.0 * down);
-    is_picture_old_ = is_picture_old_ || is_turning_;
+    if (is_turning_) {
+        camera_.orbit(5.0 * right, -5.0 * down);
+        kept_.expire();
+    }
     mouse_x_ = input.x;
     mouse_y_ = input.y;
 }
@@ -169,60 +97,38 @@ void StartScreen::take_picture() {
     renderer_.reset();
     picture_ = newest;
     if (picture_ == nullptr) return;
-    is_picture_old_ = true;
+    kept_.expire();
     renderer_ = std::make_unique<SceneRenderer>(picture_->scene);
     renderer_->show(picture_->surface, picture_->state);
     const auto bone = sphere_around(*picture_->surface, picture_->state);
     if (bone && !picture_->scene.steps.empty()) see_step(camera_, '3', picture_->scene.steps.front(), *bone);
 }
 
+/// Returns whether the chosen operation is an examination: its help is hidden here, too.
+bool StartScreen::is_examination() const { return !selection_->device.empty() && selection_->mode == "exam"; }
+
 void StartScreen::draw_picture(const StartLayout& layout) {
     take_picture();
+    if (std::exchange(was_examination_, is_examination()) != is_examination()) kept_.expire();
     const Rectangle where{static_cast<int>(layout.left()), height_ - static_cast<int>(layout.picture_high()),
                           static_cast<int>(layout.right()) - static_cast<int>(layout.left()),
                           static_cast<int>(layout.picture_high()) - static_cast<int>(layout.picture_low())};
     if (renderer_ == nullptr || where.width < 1 || where.height < 1) return;
-    if (kept_.width != where.width || kept_.height != where.height) {
-        kept_ = make_kept(where.width, where.height);
-        is_picture_old_ = true;
-    }
-    copy_picture(where);
-}
-
-/// Copies the picture into a rectangle of the bound framebuffer; draws it anew first if it is old.
-void StartScreen::copy_picture(const Rectangle& where) {
-    GLint target = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-    if (std::exchange(is_picture_old_, false)) {
-        glBindFramebuffer(GL_FRAMEBUFFER, kept_.framebuffer.get());
-        glViewport(0, 0, where.width, where.height);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    kept_.show(where, [&](const Rectangle& all) {
         ViewSettings settings;
         settings.shows_force = false;
-        renderer_->draw(picture_->state, camera_, settings, {0, 0, where.width, where.height});
-    }
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_.framebuffer.get());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(target));
-    glBlitFramebuffer(0, 0, where.width, where.height, where.x, where.y, where.x + where.width, where.y + where.height,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
+        settings.shows_zones = settings.shows_plan = !is_examination();
+        renderer_->draw(picture_->state, camera_, settings, all);
+    });
 }
 
 void StartScreen::paint(const StartLayout& layout, const Fonts& fonts) {
-    paint_top(layout, fonts);
+    paint_top(fonts, layout.width);
     paint_procedures(layout, fonts);
     paint_title(layout, fonts);
     paint_steps(layout, fonts);
     paint_choices(layout, fonts);
     paint_attempts(layout, fonts);
-}
-
-void StartScreen::paint_top(const StartLayout& layout, const Fonts& fonts) const {
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddRectFilled({0, 0}, {layout.width, StartLayout::top}, theme::header);
-    list.AddText(fonts.large, fonts.large->FontSize, {14, 10}, theme::text, "Kerf");
-    list.AddText(fonts.small, fonts.small->FontSize, {76, 14}, theme::soft,
-                 shortened(fonts.small, notice, layout.width - 90.0f).c_str());
 }
 
 // ---- left: procedures ---------------------------------------------------------------------------------------------
@@ -304,6 +210,7 @@ void StartScreen::paint_title(const StartLayout& layout, const Fonts& fonts) con
 
 void StartScreen::paint_steps(const StartLayout& layout, const Fonts& fonts) const {
     begin_panel("steps", {layout.left(), layout.picture_high()}, {layout.right(), layout.bottom()});
+    if (is_examination()) wrapped(theme::limit, "An examination shows no zones, no limits and no plan.");
     if (!page_->details.error.empty()) wrapped(theme::bad, page_->details.error);
     for (std::size_t i = 0; i < page_->details.steps.size(); ++i) {
         const StartDetails::Step& step = page_->details.steps[i];
@@ -316,7 +223,7 @@ void StartScreen::paint_steps(const StartLayout& layout, const Fonts& fonts) con
         for (const std::string& limit : step.limits) limits += (limits.empty() ? "" : ", ") + limit;
         wrapped(theme::modelled, "with the " + step.tool + ": " + goals);
         ImGui::PushFont(fonts.small);
-        if (!limits.empty()) wrapped(theme::soft, "Limits: " + limits);
+        if (!limits.empty() && !is_examination()) wrapped(theme::soft, "Limits: " + limits);
         ImGui::PopFont();
         ImGui::Unindent(20.0f);
     }
@@ -342,13 +249,13 @@ void StartScreen::paint_choices(const StartLayout& layout, const Fonts& fonts) {
         selection_->learner = learner_.data();
     paint_operator(fonts);
     paint_variant(fonts);
-    if (!selection_->device.empty()) {
-        heading(fonts, "MODE");
-        if (ImGui::BeginCombo("##mode", selection_->mode.c_str())) {
-            for (const char* mode : {"practice", "exam", "demo"})
-                if (entry(mode, selection_->mode == mode)) selection_->mode = mode;
-            ImGui::EndCombo();
-        }
+    heading(fonts, "MODE");
+    if (selection_->device.empty()) {
+        paint_fixed("##mode", "demo");
+    } else if (ImGui::BeginCombo("##mode", selection_->mode.c_str())) {
+        for (const char* mode : {"practice", "exam", "demo"})
+            if (entry(mode, selection_->mode == mode)) selection_->mode = mode;
+        ImGui::EndCombo();
     }
     if (selection_->device.empty() || selection_->mode != "exam") paint_assist(fonts);
     ImGui::PopItemWidth();
@@ -425,8 +332,11 @@ void StartScreen::paint_assist(const Fonts& fonts) {
 
 void StartScreen::paint_variant(const Fonts& fonts) {
     const StartProcedure* one = procedure();
-    if (one == nullptr || one->variants.empty()) return;
-    heading(fonts, "VARIANT");
+    heading(fonts, "VARIANT");  // always there, so that the button below stays where it is
+    if (one == nullptr || one->variants.empty()) {
+        paint_fixed("##variant", "none");
+        return;
+    }
     constexpr const char* none = "as written";
     std::string shown = none;
     for (const StartEntry& variant : one->variants)

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "app/window/camera.h"
-#include "app/window/gl_objects.h"
 #include "app/window/gui.h"
 #include "app/window/input.h"
+#include "app/window/kept_picture.h"
 #include "app/window/pixels.h"
 #include "app/window/scene_renderer.h"
 #include "app/window/start_page.h"
@@ -47,18 +47,9 @@ public:
     [[nodiscard]] Pixels pixels() const { return read_pixels(width_, height_); }
 
 private:
-    /// The picture as it was drawn last: to draw it costs 30 ms on a software renderer, to copy it 0.1 ms.
-    struct Kept {
-        int width = 0, height = 0;
-        GlFramebuffer framebuffer;
-        GlTexture colour, depth;
-    };
-    [[nodiscard]] static Kept make_kept(int width, int height);
     void take_picture();
     void draw_picture(const StartLayout& layout);
-    void copy_picture(const Rectangle& where);
     void paint(const StartLayout& layout, const Fonts& fonts);
-    void paint_top(const StartLayout& layout, const Fonts& fonts) const;
     void paint_procedures(const StartLayout& layout, const Fonts& fonts);
     void paint_procedure(std::size_t index, const Fonts& fonts);
     void paint_folder(const Fonts& fonts);
@@ -72,6 +63,7 @@ private:
     void paint_attempts(const StartLayout& layout, const Fonts& fonts);
     void paint_attempt(std::size_t index, const StartAttempt& attempt);
     [[nodiscard]] std::string why_not_start() const;
+    [[nodiscard]] bool is_examination() const;
     [[nodiscard]] const StartProcedure* procedure() const;
 
     StartSource* source_;
@@ -83,8 +75,8 @@ private:
     std::array<char, 1024> folder_{};
     std::shared_ptr<const StartPicture> picture_;
     std::unique_ptr<SceneRenderer> renderer_;  ///< of picture_
-    Kept kept_;
-    bool is_picture_old_ = true;  ///< `kept_` shows another view or procedure
+    KeptPicture kept_;                         ///< of renderer_ with this camera
+    bool was_examination_ = false;             ///< in the last frame
     Camera camera_;
     bool is_turning_ = false;
     float mouse_x_ = 0.0f, mouse_y_ = 0.0f;

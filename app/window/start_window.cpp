@@ -20,11 +20,12 @@ constexpr int frames_without_input = 12;
 }  // namespace
 
 std::optional<StartAction> show_start(GlfwWindow& window, StartSource& source, StartSelection& selection,
-                                      const std::function<void(const Pixels&)>& on_picture, std::string& error) {
+                                      const std::function<void(const Pixels&)>& on_picture,
+                                      const std::function<bool()>& is_ended, std::string& error) {
     try {
         StartScreen screen(source, selection);
         screen.take(window.pointer());  // it reports motion only
-        for (int unchanged = frames_without_input; !window.should_close(); ++unchanged) {
+        for (int unchanged = frames_without_input; !window.should_close() && !is_ended(); ++unchanged) {
             bool takes_picture = false;
             for (const Input& input : window.poll()) {
                 takes_picture =

@@ -9,6 +9,7 @@ namespace kerf::window {
 void Timeline::take(run::ViewedRun& run, double passed) {
     run.take(newest_);
     run.take(moments_);
+    drop_inspections();
     run.take(events_);
     run.take(radiographs_);
     take_rows(run);
@@ -30,6 +31,11 @@ void Timeline::take_rows(run::ViewedRun& run) {
             std::abs(row.turned - turns_.back().turned) >= turn_step)
             turns_.push_back({row.time, row.turned, row.torque, row.step});
     }
+}
+
+/// Limits the memory of a long run.
+void Timeline::drop_inspections() {
+    for (; dropped_ + max_inspections < moments_.size(); ++dropped_) moments_[dropped_].inspection = nullptr;
 }
 
 // ---- the shown time -----------------------------------------------------------------------------------------------
@@ -70,6 +76,11 @@ const run::ViewedState& Timeline::state() const noexcept {
 
 const std::shared_ptr<const run::ViewedSurface>& Timeline::surface() const noexcept {
     return is_following_ || moments_.empty() ? newest_surface_ : moments_[shown_].surface;
+}
+
+std::shared_ptr<const run::ViewedInspection> Timeline::inspection() const noexcept {
+    if (moments_.empty()) return nullptr;
+    return is_following_ ? moments_.back().inspection : moments_[shown_].inspection;
 }
 
 std::shared_ptr<const run::ViewedRadiograph> Timeline::radiograph() const noexcept {

@@ -13,7 +13,8 @@ namespace kerf::window {
 /// All that a window has seen of a run, and the time that it shows: the newest, or one that the user has chosen.
 class Timeline {
 public:
-    static constexpr double plot_span = 5.0;  ///< [s] of the force plot
+    static constexpr double plot_span = 5.0;                ///< [s] of the force plot
+    static constexpr std::size_t max_inspections = 20'000;  ///< moments, about five minutes, that keep theirs
 
     /// Takes what is new of the run, and plays on.
     /// @param passed  [s] on the wall since the last call
@@ -35,6 +36,8 @@ public:
     [[nodiscard]] double speed() const noexcept { return speed_; }
     [[nodiscard]] const run::ViewedState& state() const noexcept;
     [[nodiscard]] const std::shared_ptr<const run::ViewedSurface>& surface() const noexcept;
+    /// Returns the inspection at the shown time; null: none was requested, or it is more than `max_inspections` old.
+    [[nodiscard]] std::shared_ptr<const run::ViewedInspection> inspection() const noexcept;
     /// Returns the last radiograph taken up to the shown time; null: there is none, or it is not yet made.
     [[nodiscard]] std::shared_ptr<const run::ViewedRadiograph> radiograph() const noexcept;
     /// Returns whether that radiograph is made, or none was taken.
@@ -56,6 +59,7 @@ public:
 private:
     void take_rows(run::ViewedRun& run);
     void find_shown();
+    void drop_inspections();
 
     run::ViewedState newest_;
     std::shared_ptr<const run::ViewedSurface> newest_surface_;
@@ -66,7 +70,8 @@ private:
     std::vector<std::shared_ptr<const run::ViewedRadiograph>> radiographs_;  ///< by number
     bool is_following_ = true, is_playing_ = false;
     double speed_ = 1.0, shown_time_ = 0.0;
-    std::size_t shown_ = 0;  ///< index into `moments_`
+    std::size_t shown_ = 0;    ///< index into `moments_`
+    std::size_t dropped_ = 0;  ///< number of moments without their inspections
 };
 
 /// Measures how fast a run passes compared with the wall, over about a second.

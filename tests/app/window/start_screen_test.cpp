@@ -92,7 +92,7 @@ struct Page {
 };
 
 // Points on the page of 1280 × 800.
-constexpr std::pair second_procedure{100.0f, 135.0f}, start_button{1120.0f, 174.0f}, code_field{1120.0f, 79.0f},
+constexpr std::pair second_procedure{100.0f, 135.0f}, start_button{1120.0f, 268.0f}, code_field{1120.0f, 79.0f},
     watch_button{1140.0f, 650.0f}, folder_field{140.0f, 740.0f};
 
 int count(const Pixels& pixels, int left, int top, int right, int bottom,
@@ -118,6 +118,30 @@ TEST(StartScreen, StartsByItsButtonOnce) {
     Page page;
     EXPECT_EQ(page.click(start_button.first, start_button.second).kind, StartAction::Kind::start);
     EXPECT_EQ(page.screen->draw(width, height).kind, StartAction::Kind::none);
+}
+
+TEST(StartScreen, KeepsItsButtonForAnyChoice) {
+    for (const bool has_variant : {false, true})
+        for (const char* device : {"", "udp/1"}) {
+            Page page;
+            if (has_variant) page.source.contents.procedures[0].variants = {{"left", "The left side"}};
+            page.selection.device = device;
+            page.picture();
+            EXPECT_EQ(page.click(start_button.first, start_button.second).kind, StartAction::Kind::start)
+                << has_variant << device;
+        }
+}
+
+TEST(StartScreen, HidesLimitsOfAnExamination) {
+    Page page;
+    page.selection.device = "udp/1";
+    page.source.contents.details.steps[0].limits = {"thrust at most 60 N"};
+    const Pixels practice = page.picture();
+    page.selection.mode = "exam";
+    const Pixels exam = page.picture();
+    page.source.contents.details.steps[0].limits.clear();
+    EXPECT_EQ(exam.rgb, page.picture().rgb) << "limits change nothing";
+    EXPECT_NE(practice.rgb, exam.rgb);
 }
 
 TEST(StartScreen, TypesTheCodeOfALearner) {
@@ -162,9 +186,9 @@ TEST(StartScreen, OpensTheFolderThatIsTyped) {
 TEST(StartScreen, ShowsTheLampOfADevice) {
     Page page;
     const auto is_green = [](int r, int g, int b) { return g > 170 && r < 80 && b > 110 && b < 160; };
-    EXPECT_GT(count(page.picture(), 970, 205, 992, 260, is_green), 50);
+    EXPECT_GT(count(page.picture(), 970, 299, 992, 354, is_green), 50);
     page.source.contents.devices[0].problem = "it is in use";
-    EXPECT_EQ(count(page.picture(), 970, 205, 992, 260, is_green), 0);
+    EXPECT_EQ(count(page.picture(), 970, 299, 992, 354, is_green), 0);
 }
 
 TEST(StartScreen, ListsAFileThatCannotBeUsedInRed) {

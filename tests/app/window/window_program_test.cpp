@@ -47,16 +47,21 @@ TEST(Window, ShowsARunOnTheClockAndWritesItsLastPicture) {
     EXPECT_TRUE(std::filesystem::exists(folder / "run/report.html"));
 
     // The recorded run is drawn without a display.
-    const std::string at_2_s = folder / "at-2-s.png";
-    const Ended viewed =
-        kerf("view " + (folder / "run/session.db") +
-                 " --procedure " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --anatomy " KERF_SOURCE_DIR
-                 "/procedures/anatomy/vertebra-phantom.yaml --set \"accuracy.spacing=0.5 mm\" --set "
-                 "\"time_limit=3 s\" --at 2 --screenshot " +
-                 at_2_s,
-             "DISPLAY=");
-    EXPECT_EQ(viewed.exit_code, 0) << viewed.err;
-    EXPECT_EQ(size_of_picture(at_2_s), std::pair(1280u, 800u)) << viewed.err;
+    const auto draw = [&](const std::string& options) {
+        const std::string file = folder / "at-2-s.png";
+        std::filesystem::remove(file);
+        const Ended viewed =
+            kerf("view " + (folder / "run/session.db") +
+                     " --procedure " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --anatomy " KERF_SOURCE_DIR
+                     "/procedures/anatomy/vertebra-phantom.yaml --set \"accuracy.spacing=0.5 mm\" --set "
+                     "\"time_limit=3 s\" --at 2 " +
+                     options + " --screenshot " + file,
+                 "DISPLAY=");
+        EXPECT_EQ(viewed.exit_code, 0) << viewed.err;
+        EXPECT_EQ(size_of_picture(file), std::pair(1280u, 800u)) << viewed.err;
+        return contents_of(file);
+    };
+    EXPECT_NE(draw(""), draw("--inspect"));
 }
 
 TEST(Window, EndsWithASentenceWithoutADisplay) {
@@ -133,6 +138,32 @@ TEST(StartPage, RefusesOptionsBeforeItOpens) {
     const Ended ended = kerf("window --attempts " + (folder / "new"), "DISPLAY= WAYLAND_DISPLAY=");
     EXPECT_EQ(ended.exit_code, 3);
     EXPECT_NE(ended.err.find("no window can be opened"), std::string::npos) << ended.err;
+}
+
+TEST(View, ShowsTheSessionAloneWhenItsProcedureHasChanged) {
+    const TemporaryFolder folder;
+    write_short_operation(folder / "own");
+    const std::string procedure = folder / "own/screw.yaml", session = folder / "run/session.db";
+    ASSERT_EQ(kerf("run " + procedure + " --out " + (folder / "run")).exit_code, 1) << "a second is not enough";
+    std::ofstream(procedure, std::ios::app) << "# another text\n";
+    const auto picture = [&](const std::string& options, const std::string& name) {
+        const Ended ended = kerf("view " + session + options + " --screenshot " + (folder / name), "DISPLAY=");
+        EXPECT_EQ(ended.exit_code, 0) << ended.err;
+        EXPECT_NE(ended.err.find("From the record alone"), std::string::npos) << ended.err;
+        EXPECT_EQ(size_of_picture(folder / name), std::pair(1280u, 800u)) << ended.err;
+        return contents_of(folder / name);
+    };
+    EXPECT_NE(picture(" --at 0", "first.png"), picture(" --at 1", "last.png"));
+    static_cast<void>(picture(" --recorded", "recorded.png"));
+
+    const Ended refused =
+        kerf("view " + session + " --procedure " + procedure + " --screenshot " + (folder / "none.png"), "DISPLAY=");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.err.find("another text"), std::string::npos) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "none.png"));
+    const Ended late = kerf("view " + session + " --recorded --at 99 --screenshot " + (folder / "none.png"));
+    EXPECT_EQ(late.exit_code, 2);
+    EXPECT_NE(late.err.find("the recording ends after 1.0 s"), std::string::npos) << late.err;
 }
 
 TEST(View, RefusesATimeThatIsNone) {
