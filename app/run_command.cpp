@@ -206,6 +206,8 @@ std::string read_parent(const RunOptions& options, const documents::Procedure& p
     const auto recorded = session::read_session(options.parent, error);
     if (!recorded) return error;
     if (error = refusal_of_replay(*recorded, options.parent, procedure); !error.empty()) return error;
+    if (recorded->uuid.empty())
+        return options.parent + ": has no uuid, so it cannot be continued. The file was changed.";
     if (recorded->is_examination) return options.parent + ": was an examination, which cannot be continued.";
     if (!recorded->device_values.empty())
         return options.parent + ": was recorded with the device `" + recorded->device +

@@ -104,8 +104,8 @@ ExitCode view(const ViewOptions& options, const Environment& with) {
     const documents::Procedure& procedure = of_session.documents->procedure;
     if (const std::string note = note_of_language(options.language, procedure.translations); !note.empty())
         print_error("kerf: " + note + "\n");
-    if (const std::string why_not = with.display->open(
-            procedure.translations.of(procedure.title, language_for(options.language)));
+    if (const std::string why_not =
+            with.display->open(procedure.translations.of(procedure.title, language_for(options.language)));
         !why_not.empty())
         return complain(why_not, exit_fault);
     DocumentRefusal refusal;

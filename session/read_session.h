@@ -32,7 +32,7 @@ struct RecordedInputs {
         late_changes;    ///< numbers of changes that the loop took over late or refused, each with the next tick
     std::string device;  ///< id of the connected device; empty: a hand without one
     std::vector<std::pair<std::string, double>> device_values;  ///< of the connected device [SI]
-    std::string uuid;                                           ///< of the session
+    std::string uuid;                                           ///< of the session; empty: the file has none
     std::string hash;                         ///< sixteen hexadecimal digits; empty for a run that was cut short
     RecordCheck rows = RecordCheck::unknown;  ///< result of the checksum
     bool is_old = false;                      ///< written by a version without checksums

@@ -257,7 +257,7 @@ void StartScreen::paint_choices(const StartLayout& layout, const Fonts& fonts) {
             if (entry(mode, selection_->mode == mode)) selection_->mode = mode;
         ImGui::EndCombo();
     }
-    if (selection_->device.empty() || selection_->mode != "exam") paint_assist(fonts);
+    paint_assist(fonts);
     ImGui::PopItemWidth();
     ImGui::Dummy({0.0f, 2.0f});
     const std::string why_not = why_not_start();
@@ -322,6 +322,7 @@ void StartScreen::paint_operator(const Fonts& fonts) {
 
 void StartScreen::paint_assist(const Fonts& fonts) {
     heading(fonts, "HELP with plan, zones, limits and hints");
+    if (is_examination()) return paint_fixed("##assist", "off");
     const std::string own = "as written: " + page_->details.assist;
     if (!ImGui::BeginCombo("##assist", selection_->assist.empty() ? own.c_str() : selection_->assist.c_str())) return;
     if (entry(own, selection_->assist.empty())) selection_->assist.clear();

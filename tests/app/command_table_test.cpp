@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <set>
 #include <sstream>
 #include <string>
@@ -100,7 +101,7 @@ TEST(CommandTable, ExamplesAreRight) {
         for (const Example& example : command.examples) {
             std::istringstream line(example.line);
             std::vector<std::string> words;
-            for (std::string word; line >> word;) words.push_back(word);
+            for (std::string word; line >> std::quoted(word);) words.push_back(word);
             ASSERT_EQ(words.front(), "kerf");
             words.erase(words.begin());
             const CommandLine read_line = read(words);

@@ -130,6 +130,7 @@ TEST(RunScreen, ShowsTheRadiographThatWasTakenByKeys) {
     ASSERT_NE(shown().view.radiograph(), nullptr);
     EXPECT_EQ(shown().view.radiograph()->words, "lateral");
     EXPECT_EQ(shown().view.radiograph()->shot, 1);
+    shown().press('E');  // closes the card
     constexpr Region right_panel{width - 292, 300, width, 760};
     const auto is_grey = [](int r, int g, int b) { return r == g && g == b && r > 30 && r < 230; };
     const auto is_black = [](int r, int g, int b) { return r + g + b < 12; };
@@ -140,6 +141,7 @@ TEST(RunScreen, ShowsTheRadiographThatWasTakenByKeys) {
     const Pixels before = shown().picture();
     shown().screen->timeline().follow();
     EXPECT_LT(count(before, right_panel, is_grey), 500) << "it is not yet taken";
+    shown().press('E');
 }
 
 TEST(RunScreen, ShowsTheLayersOfAnInspectionByKey) {
@@ -335,7 +337,7 @@ TEST(RunScreen, ShowsTheNoteOfARunAndItsMotionWithoutBone) {
     EXPECT_NE(first.rgb, last.rgb);
     EXPECT_GT(count(last, picture_region, is_steel), 500) << "the pointer";
     const auto is_note = [](int r, int g, int b) { return r > 200 && g > 130 && g < 190 && b < 60; };
-    EXPECT_GT(count(last, {236, 700, 988, 760}, is_note), 300);
+    EXPECT_GT(count(last, {236, 700, 988, 760}, is_note), 200);
 }
 
 TEST(RunScreen, IsSoundInAnySize) {

@@ -92,7 +92,7 @@ struct Page {
 };
 
 // Points on the page of 1280 × 800.
-constexpr std::pair second_procedure{100.0f, 135.0f}, start_button{1120.0f, 268.0f}, code_field{1120.0f, 79.0f},
+constexpr std::pair second_procedure{100.0f, 135.0f}, start_button{1120.0f, 315.0f}, code_field{1120.0f, 79.0f},
     watch_button{1140.0f, 650.0f}, folder_field{140.0f, 740.0f};
 
 int count(const Pixels& pixels, int left, int top, int right, int bottom,
@@ -126,6 +126,7 @@ TEST(StartScreen, KeepsItsButtonForAnyChoice) {
             Page page;
             if (has_variant) page.source.contents.procedures[0].variants = {{"left", "The left side"}};
             page.selection.device = device;
+            page.selection.mode = has_variant ? "exam" : "practice";
             page.picture();
             EXPECT_EQ(page.click(start_button.first, start_button.second).kind, StartAction::Kind::start)
                 << has_variant << device;
@@ -186,7 +187,7 @@ TEST(StartScreen, OpensTheFolderThatIsTyped) {
 TEST(StartScreen, ShowsTheLampOfADevice) {
     Page page;
     const auto is_green = [](int r, int g, int b) { return g > 170 && r < 80 && b > 110 && b < 160; };
-    EXPECT_GT(count(page.picture(), 970, 299, 992, 354, is_green), 50);
+    EXPECT_GT(count(page.picture(), 970, 346, 992, 401, is_green), 50);
     page.source.contents.devices[0].problem = "it is in use";
     EXPECT_EQ(count(page.picture(), 970, 299, 992, 354, is_green), 0);
 }

@@ -151,7 +151,7 @@ struct Inspected {
     std::vector<ViewedMoment> moments;
 
     explicit Inspected(const std::string& mode, bool is_wanted = true)
-        : view(test::short_scene(), mode, "rehearsal expert", "") {
+        : view(test::short_scene(), {.mode = mode, .hand = "rehearsal expert"}) {
         RunRequest request;
         request.mode = mode;
         request.observers = {&view};
