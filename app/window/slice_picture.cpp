@@ -37,9 +37,8 @@ double distance_at(const run::ViewedSlice& slice, double column, double row) {
 Shade filled(const run::ViewedSlice& slice, double column, double row, std::span<const run::ViewedTissue> tissues) {
     const int c = std::clamp(static_cast<int>(std::lround(column)), 0, slice.edge - 1);
     const int r = std::clamp(static_cast<int>(std::lround(row)), 0, slice.edge - 1);
-    // Negative values are kinds, so the sign is meant.
-    const int tissue =
-        slice.tissue[static_cast<std::size_t>(r * slice.edge + c)];  // NOLINT(bugprone-signed-char-misuse)
+    // NOLINTNEXTLINE(bugprone-signed-char-misuse): negative values are kinds, so the sign is meant
+    const int tissue = slice.tissue[static_cast<std::size_t>(r * slice.edge + c)];
     if (tissue < -1) return metal;
     if (tissue < 0 || static_cast<std::size_t>(tissue) >= tissues.size()) return air;
     const run::ViewedColour& colour = tissues[static_cast<std::size_t>(tissue)].colour;
