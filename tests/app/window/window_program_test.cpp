@@ -112,7 +112,7 @@ TEST(StartPage, StartsAnOperationAndReturns) {
            "i=0; until [ -f "
         << attempt
         << "/report.html ] || [ $i -gt 100 ]; do\n"
-           "  xdotool mousemove 1120 268 click 1; sleep 0.3; i=$((i + 1)); done\n"
+           "  xdotool mousemove 1120 315 click 1; sleep 0.3; i=$((i + 1)); done\n"
            "i=0; while kill -0 $page 2> /dev/null && [ $i -lt 60 ]; do\n"
            "  xdotool key Return; sleep 0.3; xdotool key ctrl+q; sleep 0.3; i=$((i + 1)); done\n"
            "wait $page\n";
