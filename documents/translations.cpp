@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "documents/yaml/document.h"
+#include "documents/yaml/shape.h"
+
 namespace kerf::documents {
 
 namespace {

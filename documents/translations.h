@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "documents/yaml/document.h"
-#include "documents/yaml/shape.h"
-
 namespace kerf::documents {
+
+struct Node;
+struct Shape;
 
 /// The words of a document in other languages than its first. Results and messages have the first.
 class Translations {
