@@ -10,7 +10,7 @@ namespace kerf::run {
 
 namespace {
 
-constexpr double air_speed = 10e-3;                 // [m/s]
+constexpr double air_speed = 30e-3;                 // [m/s] a hand that goes up to bone [assumed]
 constexpr double bone_speed = 1.5;                  // [–] of the planned feed
 constexpr double keep = 0.25;                       // [s] of motion that is remembered; of rest that ends a push
 constexpr double spread = 20e-3;                    // [s] over which a sample of the mouse becomes motion
@@ -171,6 +171,7 @@ void MouseHand::push(Vec3 step) noexcept {
         lean_ *= decay;
     else if (is_along && along * step_along > 0.0)
         lean_ += leaning_ * dt_ * along;
+    if (std::abs(lean_) < nothing) lean_ = 0.0;  // a rest of it does not keep an opposite lean from growing
     const double stretch = dot(aim_.position - hand_.reported().position, shaft);  // of the arm, without the lean
     lean_ = std::clamp(lean_, std::min(0.0, -max_lead_ - stretch), std::max(0.0, max_lead_ - stretch));
 }

@@ -94,19 +94,19 @@ TEST(MouseHand, StartsFromTheTotalsAtItsStart) {
     EXPECT_EQ(hand.reported().rotation.w, 1.0);
 }
 
-TEST(MouseHand, MovesAt10MillimetresPerSecondInAir) {
+TEST(MouseHand, MovesAt30MillimetresPerSecondInAir) {
     Rig rig;
     rig.move({100.0 * mm, 0, 0}, 0.0, 1.0);
     const double before = rig.at().x;
     rig.move({100.0 * mm, 0, 0}, 0.0, 1.0);
-    EXPECT_NEAR(rig.at().x - before, 10.0 * mm, 0.05 * mm);
+    EXPECT_NEAR(rig.at().x - before, 30.0 * mm, 0.15 * mm);
 }
 
 TEST(MouseHand, ForgetsAFlickAfterAQuarterOfASecond) {
     Rig rig;
     rig.totals.moved = {50.0 * mm, 0, 0};
     rig.rest(2.0);
-    EXPECT_NEAR(rig.at().x, 2.5 * mm, 0.01 * mm) << "0.25 s at 10 mm/s";
+    EXPECT_NEAR(rig.at().x, 7.5 * mm, 0.03 * mm) << "0.25 s at 30 mm/s";
 }
 
 TEST(MouseHand, LosesNothingWithASample) {
@@ -136,7 +136,7 @@ TEST(MouseHand, MovesAt1AndAHalfTimesThePlannedFeedInBone) {
     rig.move({}, -50.0 * mm, 0.3);
     before = rig.at().z;
     rig.move({}, -50.0 * mm, 0.2);
-    EXPECT_NEAR(rig.at().z - before, -2.0 * mm, 0.1 * mm) << "back out as in air";
+    EXPECT_NEAR(rig.at().z - before, -6.0 * mm, 0.3 * mm) << "back out as in air";
 }
 
 TEST(MouseHand, PushesAWallWithItsMaximum) {
@@ -151,6 +151,16 @@ TEST(MouseHand, LeansLongerThanItLeads) {
     Rig rig;
     EXPECT_LT(rig.push_wall(0.0, 20.0 * mm, 0.5), 2.5);
     EXPECT_GT(rig.push_wall(0.0, 20.0 * mm, 3.5), 9.8);
+}
+
+// What is left of a faded pull does not keep a push from growing.
+TEST(MouseHand, LeansAfterAPull) {
+    Rig rig;
+    rig.resist({0, 0, 3.0});
+    rig.move({}, -20.0 * mm, 2.0);
+    rig.resist({});
+    rig.rest(1.0);
+    EXPECT_GT(rig.push_wall(rig.at().z, 20.0 * mm, 4.0), 9.8);
 }
 
 TEST(MouseHand, EndsThePushWhenTheMouseRests) {
