@@ -69,7 +69,8 @@ std::unique_ptr<GlfwWindow> GlfwWindow::open(const std::string& title, std::stri
     glfwSetErrorCallback(on_fault);
     if (glfwInit() != GLFW_TRUE) {
         error = "no window can be opened: " + (last_fault.empty() ? "GLFW does not start" : last_fault) +
-                ". Start it in a desktop session, or set DISPLAY; leave out `--window` to run without a window.";
+                ". Start it in a desktop session, or set DISPLAY. `kerf run` without `--window`, and `kerf view` and "
+                "`kerf landmarks` with `--screenshot`, need no display.";
         return nullptr;
     }
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -141,13 +142,17 @@ int GlfwWindow::height() const {
 
 void GlfwWindow::on_key(GLFWwindow* window, int key, int /*scancode*/, int action, int mods) {
     GlfwWindow& self = *self_of(window);
-    self.has_control_ = (mods & GLFW_MOD_CONTROL) != 0;
-    self.has_shift_ = (mods & GLFW_MOD_SHIFT) != 0;
     if (action == GLFW_REPEAT) return;
+    // `mods` of X11 are those before the event: a modifier itself counts by its action.
+    const bool is_pressed = action == GLFW_PRESS;
+    const bool is_shift = key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT;
+    const bool is_control = key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL;
+    self.has_control_ = is_control ? is_pressed : (mods & GLFW_MOD_CONTROL) != 0;
+    self.has_shift_ = is_shift ? is_pressed : (mods & GLFW_MOD_SHIFT) != 0;
     if (key == GLFW_KEY_Q && self.has_control_ && action == GLFW_PRESS) glfwSetWindowShouldClose(window, GLFW_TRUE);
     self.inputs_.push_back({.kind = Input::Kind::key,
                             .code = code_of(key),
-                            .is_pressed = action == GLFW_PRESS,
+                            .is_pressed = is_pressed,
                             .has_control = self.has_control_,
                             .has_shift = self.has_shift_});
 }

@@ -14,9 +14,9 @@ constexpr double key_speed = 5e-3;                              // [m/s] of keys
 constexpr double turn_speed = std::numbers::pi;                 // [rad/s] half a turn a second
 constexpr double tilt_per_pixel = 0.15 * std::numbers::pi / 180.0;
 
-/// Two directions in which right and up on the screen move the tool [world, units].
+/// Directions in which the tool is moved by right and up on the screen, and by the wheel [world, units].
 struct Plane {
-    Vec3 right, up;
+    Vec3 right, up, through;
 };
 
 /// Returns a direction without its part along an axis, as a unit; zero if nothing is left.
@@ -28,14 +28,16 @@ Vec3 without(Vec3 direction, Vec3 axis) {
 Plane plane_of(const LeadContext& context) {
     using Lead = run::ViewedTool::Lead;
     const Vec3 right = context.camera.right(), up = context.camera.up();
-    if (context.lead == Lead::facing) return {right, up};
+    const Vec3 away = -context.camera.towards();
+    if (context.lead == Lead::facing) return {right, up, away};
     const Quat turn = context.world_from_tool.rotation;
+    const bool is_blade = context.lead == Lead::in_blade;
     // A plane that is seen on edge gets its second direction from the first.
-    const Vec3 normal = rotate(turn, context.lead == Lead::in_blade ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
+    const Vec3 normal = rotate(turn, is_blade ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
     Vec3 x = without(right, normal), y = without(up, normal);
     if (length(x) < 0.5) x = cross(y, normal);
     if (length(y) < 0.5) y = cross(normal, x);
-    return {x, y};
+    return {x, y, is_blade && dot(normal, away) < 0.0 ? -normal : normal};
 }
 
 }  // namespace
@@ -62,8 +64,7 @@ bool MouseLead::take(const Input& input, const LeadContext& context) {
         }
         case Input::Kind::wheel:
             if (input.has_control || totals_.is_paused) return false;
-            totals_.along += static_cast<double>(input.wheel) * (context.is_in_bone ? notch_in_bone : notch_in_air) *
-                             (input.has_shift ? slow : 1.0);
+            turn_wheel(static_cast<double>(input.wheel) * (input.has_shift ? slow : 1.0), context);
             return true;
         case Input::Kind::character:
             break;
@@ -123,12 +124,26 @@ void MouseLead::move(double right, double up, const LeadContext& context) {
     totals_.moved = totals_.moved + scale * (right * plane.right + up * plane.up);
 }
 
-/// Tilts the tool about its tip: its handle follows the mouse.
+/// Moves the aim through the plane of the tool: a drill along its axis.
+void MouseLead::turn_wheel(double notches, const LeadContext& context) {
+    const double distance = notches * (context.is_in_bone ? notch_in_bone : notch_in_air);
+    if (context.lead == run::ViewedTool::Lead::across)
+        totals_.along += distance;
+    else
+        totals_.moved = totals_.moved + distance * plane_of(context).through;
+}
+
+/// Tilts the tool about its tip: its handle follows the mouse. Along the handle, the mouse tilts it towards the viewer
+/// or away, as far as the picture shows it shorter.
 void MouseLead::tilt(double right, double up, const LeadContext& context) {
     const double scale = tilt_per_pixel * (is_slow_ ? slow : 1.0);
+    const Vec3 towards = context.camera.towards();
     const Vec3 handle = rotate(context.world_from_tool.rotation, {0, 0, -1});
     const Vec3 moved = right * context.camera.right() + up * context.camera.up();
-    totals_.tilted = totals_.tilted + scale * cross(handle, moved);
+    const Vec3 shown = without(handle, towards);  // zero for a handle that points at the viewer
+    const double facing = dot(handle, towards), lying = dot(moved, shown);
+    const Vec3 shortened = (facing < 0.0 ? -1.0 : 1.0) * lying * cross(towards, shown);
+    totals_.tilted = totals_.tilted + scale * (cross(handle, moved - lying * shown) + shortened);
 }
 
 }  // namespace kerf::window

@@ -25,7 +25,7 @@ inline constexpr LeadKeys right_handed{'W', 'S', 'Q', 'E', 'R', 0}, left_handed{
 
 /// Turns mouse and keys into totals that move the aim of a hand. While the grip button is held, the mouse moves the
 /// tool in a plane: across the axis of a drill, in the blade of a saw, facing the camera for a burr. The wheel moves it
-/// along its axis. Nothing moves without an input.
+/// through that plane, keys along its axis. Nothing moves without an input.
 class MouseLead {
 public:
     /// Takes an input. Returns whether it was one of these.
@@ -44,6 +44,7 @@ public:
 private:
     bool take_key(const Input& input);
     void move(double right, double up, const LeadContext& context);
+    void turn_wheel(double notches, const LeadContext& context);
     void tilt(double right, double up, const LeadContext& context);
 
     LeadKeys keys_ = right_handed;

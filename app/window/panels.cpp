@@ -259,6 +259,10 @@ void paint_header(const PanelModel& model, const Layout& layout, const Fonts& fo
         colour = theme::bad;
     } else if (model.lead != nullptr && model.lead->is_paused()) {
         hint = "Paused. Esc continues.";
+    } else if (model.state->time < model.scene->repeated) {
+        hint = formatted("Repeating the first %.0f s of the earlier operation; then the mouse leads.",
+                         model.scene->repeated);
+        colour = theme::soft;
     } else if (is_pressed_without_drive(model)) {
         hint = "The drive is off. Hold Space, or latch it by T.";
     } else if (model.state->is_gate_closed) {
@@ -479,6 +483,38 @@ void paint_values(const PanelModel& model, const Layout& layout, const Fonts& fo
     painter.line("tick", theme::soft, formatted("%llu", static_cast<unsigned long long>(s.tick)));
 }
 
+/// Returns how the mouse moves the tool of the running step.
+run::ViewedTool::Lead lead_of(const PanelModel& model) {
+    const std::vector<run::ViewedTool>& tools = model.scene->tools;
+    return model.state->tool < tools.size() ? tools[model.state->tool].lead_by : run::ViewedTool::Lead::across;
+}
+
+const char* words_of_drag(const PanelModel& model) {
+    using Lead = run::ViewedTool::Lead;
+    switch (lead_of(model)) {
+        case Lead::across:
+            return "move the tool across its axis";
+        case Lead::in_blade:
+            return "move the saw in the plane of its blade";
+        case Lead::facing:
+            break;
+    }
+    return "move the tool in the plane of the picture";
+}
+
+const char* words_of_wheel(const PanelModel& model) {
+    using Lead = run::ViewedTool::Lead;
+    switch (lead_of(model)) {
+        case Lead::across:
+            return "feed, or withdraw";
+        case Lead::in_blade:
+            return "move the saw across its blade";
+        case Lead::facing:
+            break;
+    }
+    return "move the tool away, or nearer";
+}
+
 }  // namespace
 
 double line_span(const Timeline& timeline, const std::optional<double>& duration) {
@@ -490,20 +526,19 @@ std::vector<KeyHelp> key_help(const PanelModel& model) {
     std::vector<KeyHelp> keys{{"F1", "this page"}, {"F2", "values"}};
     if (model.lead != nullptr) {
         const bool is_left = model.lead->is_left_handed();
-        const std::vector<KeyHelp> of_lead{
-            {is_left ? "right drag" : "left drag", "move the tool: across its axis, or in its blade"},
-            {"wheel", "feed, or withdraw"},
-            {is_left ? "I, K" : "W, S", "feed, withdraw"},
-            {"arrows", "move the tool"},
-            {is_left ? "Y + drag" : "R + drag", "tilt the tool about its tip, in air"},
-            {is_left ? "U, O" : "Q, E", "turn a screw or tap"},
-            {"Space", "drive while held"},
-            {"T", "drive until T again"},
-            {"Enter", "the next action of the step"},
-            {"Backspace", "undo the last cut or action"},
-            {"Shift", "a fifth of the speed"},
-            {"Esc", "pause"},
-            {"F3", "other hand"}};
+        const std::vector<KeyHelp> of_lead{{is_left ? "right drag" : "left drag", words_of_drag(model)},
+                                           {"wheel", words_of_wheel(model)},
+                                           {is_left ? "I, K" : "W, S", "feed, withdraw: along the axis"},
+                                           {"arrows", "move the tool"},
+                                           {is_left ? "Y + drag" : "R + drag", "tilt the tool about its tip, in air"},
+                                           {is_left ? "U, O" : "Q, E", "turn a screw or tap"},
+                                           {"Space", "drive while held"},
+                                           {"T", "drive until T again"},
+                                           {"Enter", "the next action of the step"},
+                                           {"Backspace", "undo the last cut or action"},
+                                           {"Shift", "a fifth of the speed"},
+                                           {"Esc", "pause"},
+                                           {"F3", "other hand"}};
         keys.insert(keys.end(), of_lead.begin(), of_lead.end());
     } else {
         keys.push_back({"Space", "play or pause"});

@@ -104,6 +104,60 @@ TEST(MouseLead, FeedsByWheelAndKeys) {
     EXPECT_NEAR(lead.totals().along, 3.0e-3, 1e-12);
 }
 
+TEST(MouseLead, MovesASawAndABurrThroughTheirPlaneByWheel) {
+    const auto turned = [](const LeadContext& with) {
+        MouseLead lead;
+        lead.take({.kind = Input::Kind::wheel, .wheel = 2}, with);
+        EXPECT_EQ(lead.totals().along, 0.0);
+        return lead.totals().moved;
+    };
+    expect_near(turned(context(Lead::facing)), {0, -2e-3, 0});  // away from the viewer
+    LeadContext with = context(Lead::in_blade);
+    const Vec3 normal = rotate(with.world_from_tool.rotation, {0, 1, 0});
+    const double sign = dot(normal, Vec3{0, -1, 0}) < 0.0 ? -1.0 : 1.0;
+    expect_near(turned(with), 2e-3 * sign * normal);
+    with.is_in_bone = true;
+    expect_near(turned(with), 0.5e-3 * sign * normal);
+}
+
+// Each motion of a tool has an input in each view, so that no operation needs another view.
+TEST(MouseLead, ReachesEachPositionAndAxisInEachView) {
+    for (const Lead lead : {Lead::across, Lead::in_blade, Lead::facing})
+        for (const Vec3 towards : {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0.6, 0.64, 0.48}}) {
+            LeadContext with = context(lead);
+            with.camera.see({0, 0, 0}, 0.05, towards, {0, 0, 1});
+            const auto moved = [&](float right, float down, float notches) {
+                MouseLead made;
+                drag(made, with, right, down);
+                made.take({.kind = Input::Kind::wheel, .wheel = notches}, with);
+                return made.totals().moved + made.totals().along * rotate(with.world_from_tool.rotation, {0, 0, 1});
+            };
+            const double volume = dot(cross(moved(10, 0, 0), moved(0, -10, 0)), moved(0, 0, 1));
+            EXPECT_GT(std::abs(volume), 0.2 * 1e-9);
+            const auto tilted = [&](float right, float down) {
+                MouseLead made;
+                press(made, 'R');
+                drag(made, with, right, down);
+                return made.totals().tilted;
+            };
+            const Vec3 right = tilted(100, 0), up = tilted(0, -100);
+            const Vec3 handle = rotate(with.world_from_tool.rotation, {0, 0, -1});
+            EXPECT_NEAR(dot(right, handle) + dot(up, handle), 0.0, 1e-12) << "a tilt turns no tool about its axis";
+            EXPECT_GT(length(cross(right, up)), 0.1 * length(right) * length(right));
+        }
+}
+
+TEST(MouseLead, TiltsAHandleThatLiesInThePictureTowardsTheViewer) {
+    const LeadContext with = context();  // the handle points along −x of the world: to the right
+    MouseLead lead;
+    press(lead, 'R');
+    drag(lead, with, 100, 0);
+    const Vec3 handle = rotate(with.world_from_tool.rotation, {0, 0, -1});
+    const Vec3 moved = cross(lead.totals().tilted, handle);
+    EXPECT_NEAR(std::abs(moved.y), length(lead.totals().tilted), 1e-12);
+    EXPECT_NEAR(length(lead.totals().tilted), 15.0 * std::numbers::pi / 180.0, 1e-9);
+}
+
 TEST(MouseLead, TurnsHalfATurnASecond) {
     MouseLead lead;
     press(lead, 'E');
