@@ -21,6 +21,7 @@
 #include "app/progress.h"
 #include "app/read_scene.h"
 #include "app/replay.h"
+#include "app/seconds.h"
 #include "app/shown_in_window.h"
 #include "app/shown_run.h"
 #include "app/standard_streams.h"
@@ -216,11 +217,11 @@ std::string read_parent(const RunOptions& options, const documents::Procedure& p
     if (error = repeat(*recorded, options.parent, beginning->run); !error.empty()) return error;
     beginning->parent = recorded->uuid;
     const double duration = 1e-3 * static_cast<double>(recorded->device_from_handle.size());
-    const double at = options.at.empty() ? duration : std::strtod(options.at.c_str(), nullptr);
-    if (!(at > 0.0 && at <= duration))
-        return "`--at` is " + options.at + " s, and the recording ends after " + formatted("%.1f", duration) +
-               " s. Write a time from 0.001 to " + formatted("%.1f", duration) + ".";
-    beginning->ticks = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(1e3 * at)));
+    const auto at = options.at.empty() ? std::optional(duration) : seconds_of(options.at);
+    if (!at || *at <= 0.0 || *at > duration)
+        return "`--at` is `" + options.at + "`, and the recording ends after " + formatted("%.1f", duration) +
+               " s. Write seconds from 0.001 to " + formatted("%.1f", duration) + ", as in `--at 0.5`.";
+    beginning->ticks = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(1e3 * *at)));
     anatomy_hash = recorded->anatomy_hash;
     return {};
 }

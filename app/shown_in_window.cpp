@@ -57,7 +57,8 @@ run::RunOutcome run_shown(const run::Scene& scene, run::RunRequest request, cons
                               .hand = hand,
                               .folder = request.out,
                               .language = language,
-                              .assist = request.assist_with(scene.procedure)});
+                              .assist = request.assist_with(scene.procedure),
+                              .repeated = request.beginning ? request.beginning->duration() : 0.0});
     if (mouse != nullptr) view.let_mouse_lead(*mouse, [&] { return interruption.has_come(); });
     request.observers.push_back(&view);
     return run_behind(display, view, interruption, [&] { return run(request); });

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/haptics/scene/simulation.h"
 #include "documents/assist.h"
 #include "run/hand_inputs.h"
 #include "run/loop_changes.h"
@@ -57,6 +58,8 @@ struct RunBeginning {
     RunRequest run;           ///< its hand, inputs and late changes, as of a replay
     std::string parent;       ///< uuid of its session
     std::uint64_t ticks = 0;  ///< of this part; at most those of the run
+
+    [[nodiscard]] double duration() const noexcept { return Simulation::dt * static_cast<double>(ticks); }  ///< [s]
 };
 
 struct RunOutcome {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // kerf-window: `kerf window`, `kerf run --window`, `kerf view`, `kerf landmarks`.
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -18,6 +16,7 @@
 #include "app/programs/resumed_run.h"
 #include "app/programs/run_displays.h"
 #include "app/programs/start_program.h"
+#include "app/seconds.h"
 #include "app/standard_streams.h"
 
 namespace kerf::app {
@@ -74,14 +73,6 @@ ExitCode run_in_window(const RunOptions& options, const Installation& here) {
             attempt.out = next_folder(first);
         }
     });
-}
-
-/// Returns a time of 0 s or more; nothing if the text is none.
-std::optional<double> seconds_of(const std::string& text) {
-    double value = 0.0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_whole = status == std::errc{} && end == text.data() + text.size();
-    return is_whole && std::isfinite(value) && value >= 0.0 ? std::optional(value) : std::nullopt;
 }
 
 ExitCode view(const ViewOptions& options, const Installation& here) {

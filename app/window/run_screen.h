@@ -54,6 +54,9 @@ public:
     /// Returns whether the mouse grips the tool.
     [[nodiscard]] bool captures_cursor() const { return is_led() && lead_.is_gripping(); }
     [[nodiscard]] bool has_surface() const noexcept { return has_seen_surface_; }
+    /// Returns what mouse and keys have done, and what their next input is seen with.
+    [[nodiscard]] const MouseLead& lead() const noexcept { return lead_; }
+    [[nodiscard]] LeadContext lead_context() const;
 
 private:
     void find_box(const run::ViewedSurface& surface, const run::ViewedState& state);
@@ -64,7 +67,6 @@ private:
     [[nodiscard]] bool is_led() const;
     [[nodiscard]] bool may_rewind() const;
     [[nodiscard]] bool is_refused_pause(const Input& input) const;
-    [[nodiscard]] LeadContext lead_context() const;
     void take_view(const Input& input);
     void paint_push(const Projection& projection) const;
     void take_key(const Input& input);

@@ -39,7 +39,7 @@ void draw_until_closed(GlfwWindow& window, run::ViewedRun& run, const WindowRequ
         if (window.should_close() && !std::exchange(has_stopped, true)) {
             run.stop();
             const bool is_replay = run.duration().has_value();
-            if (request.has_start_page && !is_replay && !is_over) window.keep_open();
+            if (!is_replay && !is_over && !request.closes_at_end) window.keep_open();
         }
         const auto action = screen.take_action();
         if (action && request.on_leave) request.on_leave(*action);

@@ -18,7 +18,7 @@ struct WindowRequest {
     std::optional<double> begins_at{};  ///< [s] plays from there; nothing: shows the newest state
     bool closes_at_end = false;         ///< takes a picture after the result, and closes
     bool is_inspecting = false;         ///< begins with all layers of the law's inspection
-    bool has_start_page = false;        ///< the card leads back to it; a user who ends a run still sees the card
+    bool has_start_page = false;        ///< the card leads back to it
     bool has_again = false, has_debrief = false, has_resume = false;  ///< buttons of the card
     std::function<void(const CardAction&)> on_leave{};  ///< called with the action of the card that ends the display
 };
@@ -32,8 +32,8 @@ void prepare_process();
 bool show_waiting(GlfwWindow& window, const std::string& what, const std::function<double()>& fraction,
                   const std::function<bool()>& is_done);
 
-/// Shows a run until the user closes the window, which ends the run. Returns the reason if the driver refuses to draw;
-/// then the run was not ended.   [main]
+/// Shows a run until the user closes the window. A run that still runs is ended by that, and its card is shown until
+/// the window is closed again. Returns the reason if the driver refuses to draw; then the run was not ended.   [main]
 [[nodiscard]] std::string show_run(GlfwWindow& window, run::ViewedRun& run, const WindowRequest& request);
 
 /// Draws a run at these times [s], ascending, without a window, and calls `on_picture` with each. A time after the end

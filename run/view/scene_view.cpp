@@ -221,6 +221,7 @@ std::vector<ViewedTissue> viewed_tissues(const Body& body) {
 ViewedScene viewed_scene(const Scene& scene, const ViewedSetting& setting) {
     ViewedScene viewed{.title = scene.procedure.translations.of(scene.procedure.title, setting.language),
                        .mode = setting.mode,
+                       .repeated = setting.repeated,
                        .hand = setting.hand};
     viewed.tissues = viewed_tissues(scene.body);
     for (std::size_t t = 0; t < scene.tools.size(); ++t) {

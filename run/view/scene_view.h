@@ -17,6 +17,7 @@ struct ViewedSetting {
     std::string folder{};    ///< of the results, for people; empty: none
     std::string language{};  ///< of the procedure's words, as "de"; empty, or without a translation: its first one
     documents::Assist assist = documents::Assist::full;
+    double repeated = 0.0;  ///< [s] of an earlier run, which this one repeats first
 };
 
 /// Returns what viewers draw of a scene and does not change: names, colours, shapes, steps in words. Of an examination

@@ -101,6 +101,7 @@ struct ViewedScene {
     std::vector<ViewedStep> steps{};
     double spacing = 0.0;           ///< [m] of the cut field
     double time_limit = 0.0;        ///< [s]
+    double repeated = 0.0;          ///< [s] of an earlier run, which this one repeats first, as fast as it can
     std::vector<ViewedArm> arms{};  ///< between which a viewer turns the C-arm; the first one is AP
     std::string hand{};             ///< "rehearsal expert", "mouse", the name of a device
     std::string note{};             ///< the part of the operation that the view lacks, for people; empty: none

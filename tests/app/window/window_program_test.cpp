@@ -70,7 +70,7 @@ TEST(Window, EndsWithASentenceWithoutADisplay) {
         kerf(std::string(short_operation) + " --window --out " + (folder / "run"), "DISPLAY= WAYLAND_DISPLAY=");
     EXPECT_EQ(ended.exit_code, 3);
     EXPECT_NE(ended.err.find("no window can be opened"), std::string::npos) << ended.err;
-    EXPECT_NE(ended.err.find("leave out `--window`"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("without `--window`"), std::string::npos) << ended.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "run/session.db"));
 }
 
@@ -145,6 +145,12 @@ TEST(View, ShowsTheSessionAloneWhenItsProcedureHasChanged) {
     write_short_operation(folder / "own");
     const std::string procedure = folder / "own/screw.yaml", session = folder / "run/session.db";
     ASSERT_EQ(kerf("run " + procedure + " --out " + (folder / "run")).exit_code, 1) << "a second is not enough";
+    for (const char* at : {"0.5abc", "2", "0", "-1"}) {
+        const Ended ended =
+            kerf("run " + procedure + " --window --device mouse --continue " + session + " --at=" + at, "DISPLAY=");
+        EXPECT_EQ(ended.exit_code, 2) << at;
+        EXPECT_NE(ended.err.find("Write seconds from 0.001 to 1.0"), std::string::npos) << ended.err;
+    }
     std::ofstream(procedure, std::ios::app) << "# another text\n";
     const auto picture = [&](const std::string& options, const std::string& name) {
         const Ended ended = kerf("view " + session + options + " --screenshot " + (folder / name), "DISPLAY=");
