@@ -32,8 +32,7 @@ RunOutcome run_by_mouse(const Scene& scene, const std::string& out, Vec3 off = {
 }
 
 const Scene& awl_scene() {
-    static const Scene scene =
-        test::scene_of(KERF_SOURCE_DIR "/procedures/pedicle-awl.yaml", "", {"accuracy.spacing=0.5 mm"});
+    static const Scene scene = test::scene_of(KERF_SOURCE_DIR "/procedures/pedicle-awl.yaml");
     return scene;
 }
 
