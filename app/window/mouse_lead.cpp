@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace kerf::window {
 
@@ -55,7 +56,8 @@ bool MouseLead::take(const Input& input, const LeadContext& context) {
             const double right = static_cast<double>(input.x - x_), up = static_cast<double>(y_ - input.y);
             x_ = input.x;
             y_ = input.y;
-            if (!is_gripping_ || totals_.is_paused) return false;
+            const bool has_moved = std::exchange(has_position_, true);  // a first position is no motion
+            if (!has_moved || !is_gripping_ || totals_.is_paused) return false;
             if (is_tilting_)
                 tilt(right, up, context);
             else

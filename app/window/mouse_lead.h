@@ -54,6 +54,7 @@ private:
     bool is_tilting_ = false;
     bool is_right_ = false, is_left_ = false, is_up_ = false, is_down_ = false;  ///< arrow keys
     float x_ = 0.0f, y_ = 0.0f;
+    bool has_position_ = false;  ///< of the cursor
 };
 
 }  // namespace kerf::window

@@ -211,8 +211,7 @@ void paint_left(const PanelModel& model, const Layout& layout, const Fonts& font
     painter.heading("TOOL");
     if (model.state->tool < model.scene->tools.size()) painter.line(model.scene->tools[model.state->tool].name);
     const double tenths = std::round(1e4 * model.state->feed), feed = tenths == 0.0 ? 0.0 : 0.1 * tenths;  // no "-0.0"
-    painter.line(model.state->is_running ? "cutting" : "not cutting",
-                 model.state->is_running ? theme::text : theme::soft, formatted("%.1f mm/s", feed));
+    painter.line("feed", model.state->is_running ? theme::text : theme::soft, formatted("%.1f mm/s", feed));
     painter.line(model.state->tissue >= 0
                      ? "in " + model.scene->tissues[static_cast<std::size_t>(model.state->tissue)].name
                      : "in air",
@@ -220,6 +219,8 @@ void paint_left(const PanelModel& model, const Layout& layout, const Fonts& font
     if (model.lead != nullptr)
         painter.line(model.lead->totals().is_driving ? "drive on" : "drive off",
                      model.lead->totals().is_driving ? theme::good : theme::soft);
+    else if (model.state->is_running)
+        painter.line("running", theme::good);
     if (!model.next_action.empty() && painter.space() > 60.0f) {
         painter.skip(8.0f);
         painter.heading("NEXT ACTION");

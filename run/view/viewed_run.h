@@ -172,7 +172,7 @@ struct ViewedState {
     std::int32_t tissue = -1;              ///< at the tip; −1: none
     std::uint32_t cortices = 0;            ///< that the tip has passed in this step
     double removed = 0.0;                  ///< [m³]
-    bool is_running = false;               ///< the tool cuts
+    bool is_running = false;               ///< its drive runs, or it cuts
 
     std::uint32_t shown_zones = 0;                           ///< bit for each zone that is to be drawn now
     std::int32_t zone = -1;                                  ///< nearest of them; −1: none

@@ -47,6 +47,15 @@ TEST(MouseLead, MovesNothingWithoutAnInput) {
     EXPECT_FALSE(lead.totals().is_driving);
 }
 
+TEST(MouseLead, MovesNothingByTheFirstPositionOfTheCursor) {
+    MouseLead lead;
+    lead.take({.kind = Input::Kind::button, .code = 0, .is_pressed = true}, context());
+    lead.take({.kind = Input::Kind::move, .x = 640, .y = 400}, context());
+    expect_near(lead.totals().moved, {});
+    lead.take({.kind = Input::Kind::move, .x = 640, .y = 350}, context());
+    expect_near(lead.totals().moved, {0, 0, 5e-3});
+}
+
 TEST(MouseLead, MovesADrillAcrossItsAxis) {
     MouseLead lead;
     drag(lead, context(), 0, -50);  // upwards
