@@ -167,11 +167,9 @@ void MouseHand::push(Vec3 step) noexcept {
     if (const double far = length(ahead); far > max_ahead) ahead = std::max(max_ahead / far, decay) * ahead;
     aim_.position = tool + ahead;
 
-    if (since_.fed > keep || !is_in_bone() || along * lean_ < 0.0)
-        lean_ *= decay;
-    else if (is_along && along * step_along > 0.0)
-        lean_ += leaning_ * dt_ * along;
-    if (std::abs(lean_) < nothing) lean_ = 0.0;  // a rest of it does not keep an opposite lean from growing
+    if (since_.fed > keep || !is_in_bone() || along * lean_ < 0.0) lean_ *= decay;
+    // Also while an opposite lean fades: otherwise a pull would keep a push from growing.
+    if (is_in_bone() && is_along && along * step_along > 0.0) lean_ += leaning_ * dt_ * along;
     const double stretch = dot(aim_.position - hand_.reported().position, shaft);  // of the arm, without the lean
     lean_ = std::clamp(lean_, std::min(0.0, -max_lead_ - stretch), std::max(0.0, max_lead_ - stretch));
 }
