@@ -126,6 +126,7 @@ void GlfwWindow::capture_cursor(bool captures) {
     glfwSetInputMode(window_, GLFW_CURSOR, captures ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
     if (glfwRawMouseMotionSupported() == GLFW_TRUE)
         glfwSetInputMode(window_, GLFW_RAW_MOUSE_MOTION, captures ? GLFW_TRUE : GLFW_FALSE);
+    if (!captures) inputs_.push_back(pointer());  // GLFW moves the cursor back without an event
 }
 
 int GlfwWindow::width() const {
@@ -143,12 +144,14 @@ int GlfwWindow::height() const {
 void GlfwWindow::on_key(GLFWwindow* window, int key, int /*scancode*/, int action, int mods) {
     GlfwWindow& self = *self_of(window);
     if (action == GLFW_REPEAT) return;
-    // `mods` of X11 are those before the event: a modifier itself counts by its action.
+    // X11 reports the modifiers before the event, so those of Shift and Ctrl themselves are taken from the keyboard.
     const bool is_pressed = action == GLFW_PRESS;
-    const bool is_shift = key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT;
-    const bool is_control = key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL;
-    self.has_control_ = is_control ? is_pressed : (mods & GLFW_MOD_CONTROL) != 0;
-    self.has_shift_ = is_shift ? is_pressed : (mods & GLFW_MOD_SHIFT) != 0;
+    const auto is_held = [&](int left, int right, int mod) {
+        if (key != left && key != right) return (mods & mod) != 0;
+        return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+    };
+    self.has_control_ = is_held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL, GLFW_MOD_CONTROL);
+    self.has_shift_ = is_held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT, GLFW_MOD_SHIFT);
     if (key == GLFW_KEY_Q && self.has_control_ && action == GLFW_PRESS) glfwSetWindowShouldClose(window, GLFW_TRUE);
     self.inputs_.push_back({.kind = Input::Kind::key,
                             .code = code_of(key),

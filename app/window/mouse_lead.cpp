@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace kerf::window {
 
@@ -26,37 +25,46 @@ Vec3 without(Vec3 direction, Vec3 axis) {
     return length(rest) > 0.2 ? normalized(rest) : Vec3{};
 }
 
+/// Returns the direction from the tip of the tool to its handle.
+Vec3 handle_of(const LeadContext& context) { return rotate(context.world_from_tool.rotation, {0, 0, -1}); }
+
 Plane plane_of(const LeadContext& context) {
     using Lead = run::ViewedTool::Lead;
     const Vec3 right = context.camera.right(), up = context.camera.up();
     const Vec3 away = -context.camera.towards();
     if (context.lead == Lead::facing) return {right, up, away};
-    const Quat turn = context.world_from_tool.rotation;
     const bool is_blade = context.lead == Lead::in_blade;
-    // A plane that is seen on edge gets its second direction from the first.
-    const Vec3 normal = rotate(turn, is_blade ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
-    Vec3 x = without(right, normal), y = without(up, normal);
-    if (length(x) < 0.5) x = cross(y, normal);
-    if (length(y) < 0.5) y = cross(normal, x);
-    return {x, y, is_blade && dot(normal, away) < 0.0 ? -normal : normal};
+    const Vec3 normal = rotate(context.world_from_tool.rotation, is_blade ? Vec3{0, 1, 0} : Vec3{0, 0, 1});
+    const bool is_on_edge = std::abs(dot(normal, away)) < 0.2;
+    const Vec3 onwards = is_on_edge ? right + 0.5 * up : away;  // the wheel moves a blade so in the picture
+    const Vec3 through = is_blade && dot(normal, onwards) < 0.0 ? -normal : normal;
+    if (!is_on_edge) return {without(right, normal), without(up, normal), through};
+    // On edge the plane is a line in the picture: the mouse moves along it, and across it into the picture.
+    const Vec3 line = normalized(cross(normal, away)), depth = without(away, normal);
+    if (std::abs(dot(line, right)) >= std::abs(dot(line, up)))
+        return {dot(line, right) < 0.0 ? -line : line, depth, through};
+    return {depth, dot(line, up) < 0.0 ? -line : line, through};
 }
 
 }  // namespace
+
+run::ViewedTool::Lead lead_of(const run::ViewedScene& scene, const run::ViewedState& state) {
+    return state.tool < scene.tools.size() ? scene.tools[state.tool].lead_by : run::ViewedTool::Lead::across;
+}
 
 bool MouseLead::take(const Input& input, const LeadContext& context) {
     switch (input.kind) {
         case Input::Kind::key:
             is_slow_ = input.has_shift;
-            return take_key(input);
+            return take_key(input, context);
         case Input::Kind::button:
             if (input.code != keys_.grip_button) return false;
             is_gripping_ = input.is_pressed;
             return true;
         case Input::Kind::move: {
+            const bool has_moved = has_position_;  // a first position is no motion
             const double right = static_cast<double>(input.x - x_), up = static_cast<double>(y_ - input.y);
-            x_ = input.x;
-            y_ = input.y;
-            const bool has_moved = std::exchange(has_position_, true);  // a first position is no motion
+            see_cursor(input.x, input.y);
             if (!has_moved || !is_gripping_ || totals_.is_paused) return false;
             if (is_tilting_)
                 tilt(right, up, context);
@@ -74,7 +82,14 @@ bool MouseLead::take(const Input& input, const LeadContext& context) {
     return false;
 }
 
-bool MouseLead::take_key(const Input& input) {
+void MouseLead::see_cursor(float x, float y) noexcept {
+    x_ = x;
+    y_ = y;
+    has_position_ = true;
+}
+
+bool MouseLead::take_key(const Input& input, const LeadContext& context) {
+    const bool was_tilting = is_tilting_;
     const auto held = [&](int code, bool& flag) {
         if (input.code != code) return false;
         flag = input.is_pressed;
@@ -85,6 +100,7 @@ bool MouseLead::take_key(const Input& input) {
                          held(keys_.tilt, is_tilting_) || held(Input::space, is_trigger_held_) ||
                          held(Input::arrow_left, is_left_) || held(Input::arrow_right, is_right_) ||
                          held(Input::arrow_up, is_up_) || held(Input::arrow_down, is_down_);
+    if (is_tilting_ && !was_tilting) is_behind_ = dot(handle_of(context), context.camera.towards()) < -0.2;
     bool is_known = is_lead;
     if (input.is_pressed && !is_lead) {
         is_known = true;
@@ -135,16 +151,16 @@ void MouseLead::turn_wheel(double notches, const LeadContext& context) {
         totals_.moved = totals_.moved + distance * plane_of(context).through;
 }
 
-/// Tilts the tool about its tip: its handle follows the mouse. Along the handle, the mouse tilts it towards the viewer
-/// or away, as far as the picture shows it shorter.
+/// Tilts the tool about its tip, so that the handle follows the mouse. A motion along the handle tilts it towards the
+/// viewer or away. The sense of that is kept during a drag: one that followed the handle would stop it in the plane of
+/// the picture.
 void MouseLead::tilt(double right, double up, const LeadContext& context) {
     const double scale = tilt_per_pixel * (is_slow_ ? slow : 1.0);
-    const Vec3 towards = context.camera.towards();
-    const Vec3 handle = rotate(context.world_from_tool.rotation, {0, 0, -1});
+    const Vec3 towards = context.camera.towards(), handle = handle_of(context);
     const Vec3 moved = right * context.camera.right() + up * context.camera.up();
     const Vec3 shown = without(handle, towards);  // zero for a handle that points at the viewer
-    const double facing = dot(handle, towards), lying = dot(moved, shown);
-    const Vec3 shortened = (facing < 0.0 ? -1.0 : 1.0) * lying * cross(towards, shown);
+    const double lying = dot(moved, shown);
+    const Vec3 shortened = (is_behind_ ? -1.0 : 1.0) * lying * cross(towards, shown);
     totals_.tilted = totals_.tilted + scale * (cross(handle, moved - lying * shown) + shortened);
 }
 

@@ -16,6 +16,9 @@ struct LeadContext {
     bool is_in_bone = false;
 };
 
+/// Returns how a mouse moves the tool of a state.
+[[nodiscard]] run::ViewedTool::Lead lead_of(const run::ViewedScene& scene, const run::ViewedState& state);
+
 /// The keys that lead the tool; those of a left-handed layout mirror the others.
 struct LeadKeys {
     int feed, withdraw, turn_left, turn_right, tilt;
@@ -30,6 +33,8 @@ class MouseLead {
 public:
     /// Takes an input. Returns whether it was one of these.
     bool take(const Input& input, const LeadContext& context);
+    /// Follows the cursor while the mouse does not lead.
+    void see_cursor(float x, float y) noexcept;
     /// Lets keys that are held act for a time [s].
     void pass(double seconds, const LeadContext& context);
 
@@ -42,7 +47,7 @@ public:
     [[nodiscard]] const LeadKeys& keys() const noexcept { return keys_; }
 
 private:
-    bool take_key(const Input& input);
+    bool take_key(const Input& input, const LeadContext& context);
     void move(double right, double up, const LeadContext& context);
     void turn_wheel(double notches, const LeadContext& context);
     void tilt(double right, double up, const LeadContext& context);
@@ -55,6 +60,7 @@ private:
     bool is_right_ = false, is_left_ = false, is_up_ = false, is_down_ = false;  ///< arrow keys
     float x_ = 0.0f, y_ = 0.0f;
     bool has_position_ = false;  ///< of the cursor
+    bool is_behind_ = false;     ///< the handle pointed away from the viewer when the tilt began
 };
 
 }  // namespace kerf::window

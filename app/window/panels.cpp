@@ -228,8 +228,15 @@ void paint_left(const PanelModel& model, const Layout& layout, const Fonts& font
     }
     if (model.lead == nullptr || painter.space() < 100.0f) return;
     painter.skip(8.0f);
-    for (const char* words : {"drag moves, wheel feeds", "Space drives, T latches it", "R + drag tilts, Q E turn",
-                              model.scene->is_examination ? "" : "Backspace undoes, Esc pauses"})
+    const LeadKeys& keys = model.lead->keys();
+    const auto letter = [](int code) { return std::string(1, static_cast<char>(code)); };
+    const bool wheel_feeds = lead_of(*model.scene, *model.state) == run::ViewedTool::Lead::across;
+    for (const std::string& words :
+         {wheel_feeds ? std::string("drag moves, wheel feeds")
+                      : "drag and wheel move, " + letter(keys.feed) + " " + letter(keys.withdraw) + " feed",
+          std::string("Space drives, T latches it"),
+          letter(keys.tilt) + " + drag tilts, " + letter(keys.turn_left) + " " + letter(keys.turn_right) + " turn",
+          std::string(model.scene->is_examination ? "" : "Backspace undoes, Esc pauses")})
         painter.paragraph(words, theme::soft, 1);
 }
 
@@ -253,18 +260,19 @@ void paint_header(const PanelModel& model, const Layout& layout, const Fonts& fo
     list.AddText(fonts.bold, fonts.bold->FontSize, {low.x + 14, low.y + 5}, theme::text,
                  shortened(fonts.bold, title, wide).c_str());
     std::string hint;
+    const bool is_live = model.timeline->is_following() && !model.state->is_over;
     ImU32 colour = theme::limit;
     if (step != nullptr && model.state->broken != 0) {
         for (std::size_t i = 0; i < step->limits.size() && i < run::max_viewed_limits; ++i)
             if ((model.state->broken >> i & 1u) != 0) hint = "Limit broken: " + step->limits[i].words;
         colour = theme::bad;
-    } else if (model.lead != nullptr && model.lead->is_paused()) {
+    } else if (is_live && model.lead != nullptr && model.lead->is_paused()) {
         hint = "Paused. Esc continues.";
-    } else if (model.state->time < model.scene->repeated) {
-        hint = formatted("Repeating the first %.0f s of the earlier operation; then the mouse leads.",
+    } else if (is_live && model.state->time < model.scene->repeated) {
+        hint = formatted("Repeating the first %.1f s of the earlier operation. Then the mouse leads.",
                          model.scene->repeated);
         colour = theme::soft;
-    } else if (is_pressed_without_drive(model)) {
+    } else if (is_live && is_pressed_without_drive(model)) {
         hint = "The drive is off. Hold Space, or latch it by T.";
     } else if (model.state->is_gate_closed) {
         hint = "The force has faded; it returns when hand and tool are together again.";
@@ -484,15 +492,9 @@ void paint_values(const PanelModel& model, const Layout& layout, const Fonts& fo
     painter.line("tick", theme::soft, formatted("%llu", static_cast<unsigned long long>(s.tick)));
 }
 
-/// Returns how the mouse moves the tool of the running step.
-run::ViewedTool::Lead lead_of(const PanelModel& model) {
-    const std::vector<run::ViewedTool>& tools = model.scene->tools;
-    return model.state->tool < tools.size() ? tools[model.state->tool].lead_by : run::ViewedTool::Lead::across;
-}
-
 const char* words_of_drag(const PanelModel& model) {
     using Lead = run::ViewedTool::Lead;
-    switch (lead_of(model)) {
+    switch (lead_of(*model.scene, *model.state)) {
         case Lead::across:
             return "move the tool across its axis";
         case Lead::in_blade:
@@ -505,7 +507,7 @@ const char* words_of_drag(const PanelModel& model) {
 
 const char* words_of_wheel(const PanelModel& model) {
     using Lead = run::ViewedTool::Lead;
-    switch (lead_of(model)) {
+    switch (lead_of(*model.scene, *model.state)) {
         case Lead::across:
             return "feed, or withdraw";
         case Lead::in_blade:
@@ -532,7 +534,7 @@ std::vector<KeyHelp> key_help(const PanelModel& model) {
                                            {is_left ? "I, K" : "W, S", "feed, withdraw: along the axis"},
                                            {"arrows", "move the tool"},
                                            {is_left ? "Y + drag" : "R + drag", "tilt the tool about its tip, in air"},
-                                           {is_left ? "U, O" : "Q, E", "turn a screw or tap"},
+                                           {is_left ? "U, O" : "Q, E", "turn a screw or tap; in air, any tool"},
                                            {"Space", "drive while held"},
                                            {"T", "drive until T again"},
                                            {"Enter", "the next action of the step"},
@@ -562,7 +564,7 @@ std::vector<KeyHelp> key_help(const PanelModel& model) {
                                        {"F12", "save a picture"},
                                        {"E, ↑ ↓", "after the end: result, deductions"},
                                        {"N, D, K", "after the end: again, replay, operate from here"},
-                                       {"Ctrl + Q", "end the operation"}};
+                                       {"Ctrl + Q", "end the operation; then close the window"}};
     if (model.scene->assist == run::ViewedScene::Assist::on_request)
         keys.push_back({"H", "show the help of this step"});
     keys.insert(keys.end(), of_view.begin(), of_view.end());

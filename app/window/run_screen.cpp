@@ -31,6 +31,7 @@ void RunScreen::take(const Input& input) {
         take_view(input);
     }
     if (input.kind != Input::Kind::move) return;
+    lead_.see_cursor(input.x, input.y);
     mouse_x_ = input.x;
     mouse_y_ = input.y;
     if (is_scrubbing_) scrub(input.x);
@@ -82,7 +83,7 @@ LeadContext RunScreen::lead_context() const {
     LeadContext context{.camera = camera_, .world_from_tool = state.world_from_tool};
     const float tall = layout().picture_high().y - layout().picture_low().y;
     context.metres_per_pixel = camera_.height_at_target() / std::max(1.0, static_cast<double>(tall));
-    if (state.tool < run_->scene().tools.size()) context.lead = run_->scene().tools[state.tool].lead_by;
+    context.lead = lead_of(run_->scene(), state);
     constexpr double touch = 1.0;  // [N]
     context.is_in_bone = state.tissue >= 0 || state.force > touch;
     return context;

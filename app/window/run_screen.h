@@ -54,8 +54,9 @@ public:
     /// Returns whether the mouse grips the tool.
     [[nodiscard]] bool captures_cursor() const { return is_led() && lead_.is_gripping(); }
     [[nodiscard]] bool has_surface() const noexcept { return has_seen_surface_; }
-    /// Returns what mouse and keys have done, and what their next input is seen with.
+    /// Returns the state of mouse and keys.
     [[nodiscard]] const MouseLead& lead() const noexcept { return lead_; }
+    /// Returns what their next input refers to: camera, tool and tissue.
     [[nodiscard]] LeadContext lead_context() const;
 
 private:

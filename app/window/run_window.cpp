@@ -30,7 +30,7 @@ void draw_until_closed(GlfwWindow& window, run::ViewedRun& run, const WindowRequ
     }
     if (request.is_inspecting) screen.inspect(all_layers);
     screen.set_buttons({request.has_again, request.has_debrief, request.has_resume, request.has_start_page});
-    screen.take(window.pointer());  // it reports motion only
+    screen.take(window.pointer());  // GLFW reports the cursor only when it moves
     bool has_stopped = false;
     while (true) {
         const double begun = seconds_now();

@@ -32,8 +32,9 @@ void prepare_process();
 bool show_waiting(GlfwWindow& window, const std::string& what, const std::function<double()>& fraction,
                   const std::function<bool()>& is_done);
 
-/// Shows a run until the user closes the window. A run that still runs is ended by that, and its card is shown until
-/// the window is closed again. Returns the reason if the driver refuses to draw; then the run was not ended.   [main]
+/// Shows a run until the user closes the window. Closing it during a run ends the run and shows the card; closing it
+/// again returns. A replay, or a run with `closes_at_end`, returns at the first. Returns the reason if the driver
+/// refuses to draw; then the run was not ended.   [main]
 [[nodiscard]] std::string show_run(GlfwWindow& window, run::ViewedRun& run, const WindowRequest& request);
 
 /// Draws a run at these times [s], ascending, without a window, and calls `on_picture` with each. A time after the end

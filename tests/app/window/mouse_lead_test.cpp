@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace kerf::window {
 namespace {
@@ -113,7 +114,7 @@ TEST(MouseLead, FeedsByWheelAndKeys) {
     EXPECT_NEAR(lead.totals().along, 3.0e-3, 1e-12);
 }
 
-TEST(MouseLead, MovesASawAndABurrThroughTheirPlaneByWheel) {
+TEST(MouseLead, MovesSawAndBurrOutOfTheirPlaneByWheel) {
     const auto turned = [](const LeadContext& with) {
         MouseLead lead;
         lead.take({.kind = Input::Kind::wheel, .wheel = 2}, with);
@@ -132,9 +133,12 @@ TEST(MouseLead, MovesASawAndABurrThroughTheirPlaneByWheel) {
 // Each motion of a tool has an input in each view, so that no operation needs another view.
 TEST(MouseLead, ReachesEachPositionAndAxisInEachView) {
     for (const Lead lead : {Lead::across, Lead::in_blade, Lead::facing})
-        for (const Vec3 towards : {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0.6, 0.64, 0.48}}) {
+        for (const auto& [towards, upwards] :
+             {std::pair{Vec3{0, 1, 0}, Vec3{0, 0, 1}}, std::pair{Vec3{1, 0, 0}, Vec3{0, 0, 1}},
+              std::pair{Vec3{-1, 0, 0}, Vec3{0, 0, 1}}, std::pair{Vec3{0.6, 0.64, 0.48}, Vec3{0, 0, 1}},
+              std::pair{Vec3{0, 1, 0}, Vec3{1, 0, 1}}}) {
             LeadContext with = context(lead);
-            with.camera.see({0, 0, 0}, 0.05, towards, {0, 0, 1});
+            with.camera.see({0, 0, 0}, 0.05, towards, upwards);
             const auto moved = [&](float right, float down, float notches) {
                 MouseLead made;
                 drag(made, with, right, down);
@@ -156,15 +160,30 @@ TEST(MouseLead, ReachesEachPositionAndAxisInEachView) {
         }
 }
 
-TEST(MouseLead, TiltsAHandleThatLiesInThePictureTowardsTheViewer) {
-    const LeadContext with = context();  // the handle points along −x of the world: to the right
+TEST(MouseLead, TiltsAHandleInThePictureTowardsTheViewer) {
+    const LeadContext with = context();  // the handle points along −x of the world: to the right; the viewer is at +y
     MouseLead lead;
     press(lead, 'R');
-    drag(lead, with, 100, 0);
+    drag(lead, with, -100, 0);  // towards the tip
     const Vec3 handle = rotate(with.world_from_tool.rotation, {0, 0, -1});
     const Vec3 moved = cross(lead.totals().tilted, handle);
-    EXPECT_NEAR(std::abs(moved.y), length(lead.totals().tilted), 1e-12);
+    EXPECT_NEAR(moved.y, length(lead.totals().tilted), 1e-12);
     EXPECT_NEAR(length(lead.totals().tilted), 15.0 * std::numbers::pi / 180.0, 1e-9);
+}
+
+// The handle follows a drag along it from the viewer's side through the plane of the picture.
+TEST(MouseLead, TiltsThroughThePlaneOfThePicture) {
+    LeadContext with = context();
+    with.world_from_tool.rotation = quat_between({0, 0, -1}, {0.0, 0.5, std::sqrt(0.75)});  // handle up, to the viewer
+    MouseLead lead;
+    press(lead, 'R');
+    for (int i = 0; i < 10; ++i) {
+        const Vec3 before = lead.totals().tilted;
+        drag(lead, with, 0, -50);
+        const Quat turn = quat_from_rotation_vector(lead.totals().tilted - before);
+        with.world_from_tool.rotation = turn * with.world_from_tool.rotation;
+    }
+    EXPECT_LT(dot(rotate(with.world_from_tool.rotation, {0, 0, -1}), with.camera.towards()), -0.5);
 }
 
 TEST(MouseLead, TurnsHalfATurnASecond) {
