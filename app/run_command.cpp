@@ -219,8 +219,8 @@ std::string read_parent(const RunOptions& options, const documents::Procedure& p
     const double duration = 1e-3 * static_cast<double>(recorded->device_from_handle.size());
     const auto at = options.at.empty() ? std::optional(duration) : seconds_of(options.at);
     if (!at || *at <= 0.0 || *at > duration)
-        return "`--at` is `" + options.at + "`, and the recording ends after " + formatted("%.1f", duration) +
-               " s. Write seconds from 0.001 to " + formatted("%.1f", duration) + ", as in `--at 0.5`.";
+        return "`--at` is `" + options.at + "`, and the recording ends after " + formatted("%.3f", duration) +
+               " s. Write seconds from 0.001 to " + formatted("%.3f", duration) + ", as in `--at 0.5`.";
     beginning->ticks = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(1e3 * *at)));
     anatomy_hash = recorded->anatomy_hash;
     return {};

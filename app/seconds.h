@@ -9,7 +9,7 @@
 
 namespace kerf::app {
 
-/// Returns a time of 0 s or more that a text states in seconds, "20.5"; nothing if the text is none.   [any] pure
+/// Returns the seconds, 0 or more, that a text such as "20.5" states; nothing for any other text.   [any] pure
 [[nodiscard]] inline std::optional<double> seconds_of(const std::string& text) {
     double value = 0.0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // `kerf view`.
-#include <cstdlib>
 #include <memory>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include "app/recorded_documents.h"
 #include "app/replay.h"
 #include "app/run_display.h"
+#include "app/seconds.h"
 #include "app/shown_in_window.h"
 #include "app/standard_streams.h"
 #include "run/run_procedure.h"
@@ -53,7 +53,7 @@ ExitCode view_replay(const run::Scene& scene, run::RunRequest& request, double d
 /// Returns why `--at` does not fit a recording, for people; empty if it does.
 /// @param duration  [s]
 std::string refusal_of_time(const ViewOptions& options, double duration) {
-    if (options.at.empty() || std::strtod(options.at.c_str(), nullptr) <= duration) return {};
+    if (const auto at = seconds_of(options.at); !at || *at <= duration) return {};  // without a time, the end
     return "`--at` is " + options.at + " s, and the recording ends after " + formatted("%.1f", duration) +
            " s. Write an earlier time.";
 }

@@ -149,7 +149,7 @@ TEST(View, ShowsTheSessionAloneWhenItsProcedureHasChanged) {
         const Ended ended =
             kerf("run " + procedure + " --window --device mouse --continue " + session + " --at=" + at, "DISPLAY=");
         EXPECT_EQ(ended.exit_code, 2) << at;
-        EXPECT_NE(ended.err.find("Write seconds from 0.001 to 1.0"), std::string::npos) << ended.err;
+        EXPECT_NE(ended.err.find("Write seconds from 0.001 to 1.000, as in"), std::string::npos) << ended.err;
     }
     std::ofstream(procedure, std::ios::app) << "# another text\n";
     const auto picture = [&](const std::string& options, const std::string& name) {
