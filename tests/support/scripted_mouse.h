@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,7 +70,7 @@ private:
     static constexpr double arm = 5e3, correcting_push = 0.2;   // [N/m] of the hand in bone, [s]
     static constexpr double correcting = 0.5;                   // [1/s] of a tip in bone
     static constexpr double fastest = 30e-3, tilting = 0.4;     // [m/s], [rad/s]
-    static constexpr double hand_turning = 3.14159265358979;    // [rad/s]
+    static constexpr double hand_turning = std::numbers::pi;    // [rad/s]
     static constexpr int pressing = 20;                         // samples for which the hand waits after a press
 
     void press() noexcept {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -19,8 +20,9 @@ namespace kerf::test {
 /// Keyboard and mouse of an X display: events as a user's hands cause them, by xdotool.
 class DisplayHands {
 public:
-    DisplayHands() : pipe_(popen("xdotool -", "w")) {
-        if (pipe_ == nullptr) throw std::runtime_error("xdotool does not start");
+    DisplayHands() {
+        if (std::system("command -v xdotool > /dev/null") == 0) pipe_ = popen("xdotool -", "w");
+        if (pipe_ == nullptr) throw std::runtime_error("xdotool does not start; install xdotool");
     }
     ~DisplayHands() { pclose(pipe_); }
     DisplayHands(const DisplayHands&) = delete;
@@ -42,12 +44,12 @@ public:
     }
 
 private:
-    FILE* pipe_;
+    FILE* pipe_ = nullptr;
     std::string batch_;
 };
 
-/// A person who moves mouse and keys until the window has done what totals of a mouse state: they see what the window
-/// has taken, and correct it.
+/// A person who produces given totals of a mouse by events of mouse and keys, and corrects what the window has not yet
+/// done.
 ///
 /// They hold the grip button all the time, tilt with `R` and the mouse, and use Shift in bone.
 class WindowPerson {
@@ -134,7 +136,7 @@ private:
             hands_.add("mousemove_relative -- " + std::to_string(right) + " " + std::to_string(down));
     }
 
-    // What an input does now: as a person knows it who has tried it.
+    /// Returns the totals that a drag would add, from a copy of the lead.
     [[nodiscard]] run::MouseTotals dragged(Drag by, const window::LeadContext& context) const {
         window::MouseLead tried = screen_->lead();
         // The keys of this batch come before its drag.

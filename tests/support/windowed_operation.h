@@ -112,15 +112,23 @@ private:
             }
             is_over = true;
         });
-        while (!is_over)
-            pace([&](double wall) {
-                if (result.frames == 0) person.begin();
-                show_frame(screen, person, wall, result.frames++);
-            });
+        std::exception_ptr fault_of_window;
+        try {
+            while (!is_over)
+                pace([&](double wall) {
+                    if (result.frames == 0) person.begin();
+                    show_frame(screen, person, wall, result.frames++);
+                });
+            person.end();
+            take_batch(screen);
+            window_->capture_cursor(false);
+        } catch (...) {
+            fault_of_window = std::current_exception();
+            view.stop();
+            while (!is_over) pace([](double) {});
+        }
         running.join();
-        person.end();
-        take_batch(screen);
-        window_->capture_cursor(false);
+        if (fault_of_window) std::rethrow_exception(fault_of_window);
         if (fault) std::rethrow_exception(fault);
         result.legs_done = plan.legs_done();
         result.legs = plan.legs();
