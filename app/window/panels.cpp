@@ -142,7 +142,8 @@ void paint_steps(const PanelModel& model, PanelPainter& painter) {
             painter.list().AddText(font, font->FontSize, {painter.right() - 12, painter.top()}, theme::good, "✓");
         painter.paragraph(title, is_done ? theme::soft : theme::text, max_lines, font, mark);
         painter.skip(4.0f);
-        constexpr float below = 330.0f;  // for the panels that follow
+        // For the panels that follow, and the titles of the steps that do.
+        const float below = 330.0f + 40.0f * static_cast<float>(model.scene->steps.size() - s - 1);
         const bool has_details = model.scene->assist == run::ViewedScene::Assist::full && s > current;
         for (const run::ViewedLimit& goal : model.scene->steps[s].goals)
             if (has_details && painter.space() > below) painter.line("     " + goal.words, theme::soft);
