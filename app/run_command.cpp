@@ -226,6 +226,61 @@ std::string read_parent(const RunOptions& options, const documents::Procedure& p
     return {};
 }
 
+/// Recorded runs that a run needs.
+struct Earlier {
+    std::optional<session::RecordedInputs> recorded{};  ///< that `--replay` repeats
+    std::shared_ptr<run::RunBeginning> beginning{};     ///< of `--continue`
+    std::uint64_t anatomy_of_parent = 0;                ///< hash, of `--continue`
+
+    /// Returns the rehearsal of the run; empty: the first one of the procedure.
+    [[nodiscard]] std::string rehearsal(const RunOptions& options) const {
+        if (recorded) return recorded->rehearsal;
+        return beginning != nullptr && options.hand.empty() ? beginning->run.rehearsal : options.hand;
+    }
+    /// Returns why a bone does not fit them, for people; empty if it does.
+    [[nodiscard]] std::string refusal_of(const run::Scene& scene, const RunOptions& options) const {
+        if (recorded && recorded->anatomy_hash != scene.anatomy_hash) return refusal_of_other_text(options.replay);
+        if (beginning != nullptr && anatomy_of_parent != scene.anatomy_hash)
+            return refusal_of_other_text(options.parent);
+        return {};
+    }
+};
+
+/// Reads the sessions of `--replay` and `--continue`, if there are any. Returns why one cannot be used, for people;
+/// empty if both can.
+std::string read_earlier(const RunOptions& options, const documents::Procedure& procedure, Earlier& earlier) {
+    if (const std::string refusal = read_recording(options, procedure, earlier.recorded); !refusal.empty())
+        return refusal;
+    return read_parent(options, procedure, earlier.beginning, earlier.anatomy_of_parent);
+}
+
+/// Returns why the results may not be written to a folder, for people; empty if they may.
+std::string refusal_to_overwrite(const RunOptions& options, const std::string& out) {
+    std::error_code ignored;
+    const std::string session = out + "/session.db";
+    if (!options.replay.empty() && std::filesystem::equivalent(options.replay, session, ignored))
+        return "the replay would overwrite its recording. Give another folder with `--out`.";
+    if (!options.parent.empty() && std::filesystem::equivalent(options.parent, session, ignored))
+        return "the run would overwrite the session that it continues. Give another folder with `--out`.";
+    return {};
+}
+
+/// Starts the strategies of a procedure. Prints what the run lacks, and continues.
+void start(run::ExactStrategies& strategies, const documents::Procedure& procedure) {
+    if (const std::string error = strategies.start(procedure); !error.empty()) {
+        text::Diagnostics missing;
+        run::report_strategy(procedure, strategies.instrument_without(), error, missing);
+        print_error(to_text(missing));
+    }
+    for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
+}
+
+/// Opens the window, if the run has one. Returns why it cannot; empty on success.
+std::string open_window(const RunOptions& options, const documents::Procedure& procedure, const Environment& with) {
+    if (!options.is_in_window) return {};
+    return with.display->open(procedure.translations.of(procedure.title, language_for(options.language)));
+}
+
 /// Prints the result of a run. Returns how the program ends.
 ExitCode print_outcome(const run::RunOutcome& outcome, const std::string& folder,
                        const std::optional<session::RecordedInputs>& recorded) {
@@ -260,36 +315,22 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     const std::string out = options.out.empty() ? "out/" + documents->procedure.id : options.out;
     for (const std::string& refusal : {refusal_of_folder(out), session::refusal_of_output(out)})
         if (!refusal.empty()) return complain(refusal, exit_bad_input);
-    std::optional<session::RecordedInputs> recorded;
-    if (const std::string refusal = read_recording(options, documents->procedure, recorded); !refusal.empty())
+    Earlier earlier;
+    if (const std::string refusal = read_earlier(options, documents->procedure, earlier); !refusal.empty())
         return complain(refusal, exit_bad_input);
-    std::shared_ptr<run::RunBeginning> beginning;
-    std::uint64_t anatomy_of_parent = 0;
-    if (const std::string refusal = read_parent(options, documents->procedure, beginning, anatomy_of_parent);
-        !refusal.empty())
-        return complain(refusal, exit_bad_input);
-    const std::string rehearsal = recorded                                       ? recorded->rehearsal
-                                  : beginning != nullptr && options.hand.empty() ? beginning->run.rehearsal
-                                                                                 : options.hand;
+    const std::optional<session::RecordedInputs>& recorded = earlier.recorded;
+    const std::string rehearsal = earlier.rehearsal(options);
     if (const std::string refusal = run::refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
         return complain(refusal, exit_bad_input);
     // Started while this process has one thread and little memory.
     run::ExactStrategies strategies(with.here.strategies(with.plugins));
-    if (const std::string error = strategies.start(documents->procedure); !error.empty()) {
-        text::Diagnostics missing;  // printed at once: the run continues without it
-        run::report_strategy(documents->procedure, strategies.instrument_without(), error, missing);
-        print_error(to_text(missing));
-    }
-    for (const std::string& note : strategies.notes()) print_error("kerf: " + note + "\n");
+    start(strategies, documents->procedure);
     if (const std::string note = note_of_language(options.language, documents->procedure.translations); !note.empty())
         print_error("kerf: " + note + "\n");
     const Interruption interruption;  // a second Ctrl-C ends the program at once
     DeviceOfRun of_run;
-    if (options.is_in_window)
-        if (const std::string why_not = with.display->open(
-                documents->procedure.translations.of(documents->procedure.title, language_for(options.language)));
-            !why_not.empty())
-            return complain(why_not, exit_fault);
+    if (const std::string why_not = open_window(options, documents->procedure, with); !why_not.empty())
+        return complain(why_not, exit_fault);
     const auto choose = [&] { return choose_device(options, recorded, with, interruption, of_run); };
     const bool waits_for_device = options.is_in_window && !options.device.empty();
     if (const ExitCode code =
@@ -303,14 +344,11 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (!scene) return exit_bad_input;
     if (interruption.has_come() || (options.is_in_window && with.display->wants_end()))
         return complain("ended before anything was cut; nothing is written", exit_fault);
-    if (recorded && recorded->anatomy_hash != scene->anatomy_hash)
-        return complain(refusal_of_other_text(options.replay), exit_bad_input);
-
-    if (beginning != nullptr && anatomy_of_parent != scene->anatomy_hash)
-        return complain(refusal_of_other_text(options.parent), exit_bad_input);
+    if (const std::string refusal = earlier.refusal_of(*scene, options); !refusal.empty())
+        return complain(refusal, exit_bad_input);
 
     run::RunRequest request;
-    request.beginning = beginning;
+    request.beginning = earlier.beginning;
     ShownRun shown_run(interruption);
     request.observers = {&shown_run};
     request.strategies = &strategies;
@@ -322,12 +360,8 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         if (const std::string error = repeat(*recorded, options.replay, request); !error.empty())
             return complain(error, exit_bad_input);
     request.out = out;
-    std::error_code ignored;
-    if (!options.replay.empty() && std::filesystem::equivalent(options.replay, request.out + "/session.db", ignored))
-        return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
-    if (!options.parent.empty() && std::filesystem::equivalent(options.parent, request.out + "/session.db", ignored))
-        return complain("the run would overwrite the session that it continues. Give another folder with `--out`.",
-                        exit_bad_input);
+    if (const std::string refusal = refusal_to_overwrite(options, out); !refusal.empty())
+        return complain(refusal, exit_bad_input);
 
     if (of_run.own.opened != nullptr) fit_to_workspace(*scene, rehearsal, of_run.own);
     run::MouseBox mouse;
