@@ -22,9 +22,9 @@ struct TouchedTool {
 
 /// A simulated hand whose aim a mouse moves. So the run has a hand's feed and push, and the tool is never moved itself.
 ///
-/// In air the aim moves at 30 mm/s at most [assumed]. In bone it moves at 1.5 times the step's planned feed at most, and
-/// back out as in air. What the mouse did beyond that is remembered, but no more than 0.25 s of motion at that speed
-/// [assumed]: a flick moves the tool for a quarter of a second.
+/// In air the aim moves at 30 mm/s at most [assumed]. In bone it moves at 1.5 times the step's planned feed at most,
+/// and back out as in air. What the mouse did beyond that is remembered, but no more than 0.25 s of motion at that
+/// speed [assumed]: a flick moves the tool for a quarter of a second.
 ///
 /// The aim leads the tool by at most 3 mm. While the mouse moves along the shaft and bone resists, the hand leans: its
 /// push grows with the lead and its duration, up to the arm's maximum push. The lean ends with a time constant of 0.1 s
