@@ -493,30 +493,22 @@ void paint_values(const PanelModel& model, const Layout& layout, const Fonts& fo
     painter.line("tick", theme::soft, formatted("%llu", static_cast<unsigned long long>(s.tick)));
 }
 
-const char* words_of_drag(const PanelModel& model) {
-    using Lead = run::ViewedTool::Lead;
-    switch (lead_of(*model.scene, *model.state)) {
-        case Lead::across:
-            return "move the tool across its axis";
-        case Lead::in_blade:
-            return "move the saw in the plane of its blade";
-        case Lead::facing:
-            break;
-    }
-    return "move the tool in the plane of the picture";
-}
+/// What mouse and wheel do to a tool, for people.
+struct LeadWords {
+    const char *drag, *wheel;
+};
 
-const char* words_of_wheel(const PanelModel& model) {
+LeadWords words_of(run::ViewedTool::Lead lead) {
     using Lead = run::ViewedTool::Lead;
-    switch (lead_of(*model.scene, *model.state)) {
+    switch (lead) {
         case Lead::across:
-            return "feed, or withdraw";
+            return {"move the tool across its axis", "feed, or withdraw"};
         case Lead::in_blade:
-            return "move the saw across its blade";
+            return {"move the saw in the plane of its blade", "move the saw across its blade"};
         case Lead::facing:
             break;
     }
-    return "move the tool away, or nearer";
+    return {"move the tool in the plane of the picture", "move the tool away, or nearer"};
 }
 
 }  // namespace
@@ -530,8 +522,9 @@ std::vector<KeyHelp> key_help(const PanelModel& model) {
     std::vector<KeyHelp> keys{{"F1", "this page"}, {"F2", "values"}};
     if (model.lead != nullptr) {
         const bool is_left = model.lead->is_left_handed();
-        const std::vector<KeyHelp> of_lead{{is_left ? "right drag" : "left drag", words_of_drag(model)},
-                                           {"wheel", words_of_wheel(model)},
+        const LeadWords words = words_of(lead_of(*model.scene, *model.state));
+        const std::vector<KeyHelp> of_lead{{is_left ? "right drag" : "left drag", words.drag},
+                                           {"wheel", words.wheel},
                                            {is_left ? "I, K" : "W, S", "feed, withdraw: along the axis"},
                                            {"arrows", "move the tool"},
                                            {is_left ? "Y + drag" : "R + drag", "tilt the tool about its tip, in air"},
