@@ -11,6 +11,7 @@
 #include "documents/names.h"
 #include "documents/read_anatomy.h"
 #include "documents/yaml/document.h"
+#include "text/codes.h"
 
 namespace kerf::documents {
 namespace {

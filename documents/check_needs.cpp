@@ -15,6 +15,7 @@
 #include "documents/waypoint_nodes.h"
 #include "documents/yaml/read_map.h"
 #include "kerf/units.hpp"
+#include "text/codes.h"
 #include "text/quantity.h"
 
 namespace kerf::documents {

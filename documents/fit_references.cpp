@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "documents/yaml/read_map.h"
+#include "text/codes.h"
 #include "text/printable.h"
 
 namespace kerf::documents {

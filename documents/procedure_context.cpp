@@ -7,6 +7,7 @@
 
 #include "documents/names.h"
 #include "documents/yaml/read_map.h"
+#include "text/codes.h"
 #include "text/look_alike.h"
 
 namespace kerf::documents {

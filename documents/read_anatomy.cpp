@@ -10,6 +10,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/yaml/correct_keys.h"
 #include "kerf/abi.h"
+#include "text/codes.h"
 
 namespace kerf::documents {
 namespace {

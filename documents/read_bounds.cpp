@@ -9,6 +9,7 @@
 #include "documents/names.h"
 #include "documents/shapes/shapes.h"
 #include "documents/signal_need.h"
+#include "text/codes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 

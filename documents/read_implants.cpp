@@ -7,6 +7,7 @@
 #include "documents/read_bone_source.h"
 #include "documents/read_solids.h"
 #include "documents/shapes/shapes.h"
+#include "text/codes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 

@@ -12,6 +12,7 @@
 #include "documents/names.h"
 #include "documents/shapes/shapes.h"
 #include "kerf/units.hpp"
+#include "text/codes.h"
 #include "text/printable.h"
 
 namespace kerf::documents {

@@ -5,6 +5,7 @@
 
 #include "documents/read_solids.h"
 #include "documents/shapes/shapes.h"
+#include "text/codes.h"
 #include "text/printable.h"
 
 namespace kerf::documents {

@@ -8,6 +8,7 @@
 
 #include "documents/names.h"
 #include "documents/shapes/shapes.h"
+#include "text/codes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 

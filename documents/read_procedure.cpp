@@ -19,6 +19,7 @@
 #include "documents/read_steps.h"
 #include "documents/shapes/shapes.h"
 #include "documents/yaml/correct_keys.h"
+#include "text/codes.h"
 #include "text/printable.h"
 
 namespace kerf::documents {

@@ -11,6 +11,7 @@
 #include "documents/read_instruments.h"
 #include "documents/shapes/shapes.h"
 #include "documents/waypoint_nodes.h"
+#include "text/codes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 

@@ -6,6 +6,7 @@
 
 #include "documents/anatomy.h"
 #include "documents/yaml/read_map.h"
+#include "text/codes.h"
 
 namespace kerf::documents {
 

@@ -11,6 +11,7 @@
 #include "documents/shapes/shapes.h"
 #include "documents/yaml/correct_keys.h"
 #include "documents/yaml/read_map.h"
+#include "text/codes.h"
 #include "text/printable.h"
 
 namespace kerf::documents {

@@ -9,6 +9,7 @@
 #include "documents/read_implants.h"
 #include "documents/read_instruments.h"
 #include "documents/shapes/shapes.h"
+#include "text/codes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 

@@ -11,6 +11,7 @@
 #include "documents/read_procedure.h"
 #include "documents/solids.h"
 #include "documents/yaml/document.h"
+#include "text/codes.h"
 #include "text/quantity.h"
 
 namespace kerf::run {

@@ -19,6 +19,7 @@
 #include "run/run_checks.h"
 #include "run/shipped.h"
 #include "run/thread_checks.h"
+#include "text/codes.h"
 #include "text/printable.h"
 
 namespace kerf::run {

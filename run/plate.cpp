@@ -9,6 +9,7 @@
 #include "documents/solids.h"
 #include "documents/waypoint_nodes.h"
 #include "documents/yaml/document.h"
+#include "text/codes.h"
 #include "text/quantity.h"
 
 namespace kerf::run {

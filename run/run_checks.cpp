@@ -14,6 +14,7 @@
 #include "documents/yaml/document.h"
 #include "documents/yaml/read_map.h"
 #include "run/span_in.h"
+#include "text/codes.h"
 #include "text/quantity.h"
 
 namespace kerf::run {

@@ -22,6 +22,7 @@
 #include "run/staying_implant_body.h"
 #include "run/thread_checks.h"
 #include "run/verdict/measure_bone.h"
+#include "text/codes.h"
 #include "text/quantity.h"
 
 namespace kerf::run {

@@ -10,6 +10,7 @@
 #include "documents/waypoint_nodes.h"
 #include "documents/yaml/document.h"
 #include "documents/yaml/read_map.h"
+#include "text/codes.h"
 #include "text/quantity.h"
 
 namespace kerf::run {

@@ -6,13 +6,14 @@
 #include <string>
 #include <string_view>
 
+#include "text/code.h"
+
 /// The catalogue of error codes: documents, data files (E06xx) and runs (E07xx). The files `codes_*.def` are the one
 /// table; this enumeration, `kerf explain` and docs/codes.md come from it. A number is never reused, so that a search
 /// for it finds its meaning.
 namespace kerf::text {
 
-/// The number is the one in messages: 412 is `E0412`, as a warning `W0412`.
-enum class Code {
+enum class Code : int {
 // NOLINTNEXTLINE(bugprone-macro-parentheses): an enumerator
 #define KERF_CODE(number, id, level, name, meaning, why, write) id = number,
 #include "text/codes_1_document.def"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kerf/units.hpp"
+#include "text/codes.h"
 #include "text/foreign_units.h"
 #include "text/look_alike.h"
 #include "text/printable.h"

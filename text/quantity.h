@@ -8,7 +8,7 @@
 #include "core/plugin/unit.h"
 #include "kerf/abi.h"
 #include "kerf/math.hpp"
-#include "text/codes.h"
+#include "text/code.h"
 
 /// Quantities as people write them: "3.2 mm", "1.85 g/cm3". Independent of the computer's locale.
 namespace kerf::text {

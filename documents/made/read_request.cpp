@@ -8,6 +8,7 @@
 #include "documents/made/draw.h"
 #include "documents/made/make_bone.h"
 #include "documents/shapes/shapes.h"
+#include "text/codes.h"
 #include "text/printable.h"
 
 namespace kerf::documents {

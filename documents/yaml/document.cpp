@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "text/codes.h"
+
 namespace kerf::documents {
 namespace {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "text/codes.h"
+#include "text/code.h"
 #include "text/result.h"
 #include "text/source.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "documents/yaml/map_shape.h"
 
+#include "text/codes.h"
+
 namespace kerf::documents {
 
 void read_value(MapReader& map, const std::string& key, const ValueOf<std::string>& shape, std::string& value) {

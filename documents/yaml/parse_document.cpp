@@ -17,6 +17,7 @@
 
 #include "documents/yaml/document.h"
 #include "documents/yaml/explain_syntax.h"
+#include "text/codes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 #include "text/quantity.h"

@@ -12,6 +12,7 @@
 #include "documents/yaml/explain_syntax.h"
 #include "kerf/assert.hpp"
 #include "kerf/units.hpp"
+#include "text/codes.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 

@@ -13,6 +13,7 @@
 #include "documents/yaml/document.h"
 #include "run/span_in.h"
 #include "run/verdict/within_bound.h"
+#include "text/codes.h"
 #include "text/quantity.h"
 
 namespace kerf::run {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tests/documents/marked_text.h"
+#include "text/codes.h"
 
 namespace kerf::documents {
 namespace {

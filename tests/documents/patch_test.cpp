@@ -16,6 +16,7 @@
 #include "tests/documents/every_key.h"
 #include "tests/documents/marked_text.h"
 #include "tests/support/temporary_folder.h"
+#include "text/codes.h"
 #include "text/printable_lines.h"
 
 namespace kerf::documents {

@@ -11,6 +11,7 @@
 #include "documents/solids.h"
 #include "kerf/units.hpp"
 #include "tests/documents/marked_text.h"
+#include "text/codes.h"
 
 namespace kerf::documents {
 namespace {

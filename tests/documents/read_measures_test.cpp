@@ -14,6 +14,7 @@
 #include "kerf/units.hpp"
 #include "tests/documents/catalog.h"
 #include "tests/documents/marked_text.h"
+#include "text/codes.h"
 
 namespace kerf::documents {
 namespace {

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "kerf/units.hpp"
+#include "text/codes.h"
 
 namespace kerf::text {
 namespace {
