@@ -39,6 +39,29 @@ std::vector<std::vector<std::size_t>> pieces_of(const BoneMask& mask) {
     return pieces;
 }
 
+/// Removes the crumbs of pieces: of each piece of `before`, only the largest part remains.
+void remove_crumbs(BoneMask& mask, const BoneMask& before) {
+    std::vector<std::size_t> piece_before(mask.is_bone.size(), 0);
+    std::size_t count = 0;
+    for (const auto& piece : pieces_of(before)) {
+        ++count;
+        for (const std::size_t at : piece) piece_before[at] = count;
+    }
+    auto parts = pieces_of(mask);
+    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    std::vector<bool> has_part(count + 1, false);
+    has_part[0] = true;
+    for (const auto& part : parts) {
+        bool is_needed = false;
+        for (const std::size_t at : part) {
+            if (!has_part[piece_before[at]]) is_needed = true;
+            has_part[piece_before[at]] = true;
+        }
+        if (is_needed) continue;
+        for (const std::size_t at : part) mask.is_bone[at] = 0;
+    }
+}
+
 void keep_only(BoneMask& mask, const std::vector<std::size_t>& piece) {
     std::fill(mask.is_bone.begin(), mask.is_bone.end(), std::uint8_t{0});
     for (const std::size_t at : piece) mask.is_bone[at] = 1;
@@ -48,6 +71,26 @@ void keep_only(BoneMask& mask, const std::vector<std::size_t>& piece) {
 
 std::size_t BoneMask::count() const {
     return static_cast<std::size_t>(std::count(is_bone.begin(), is_bone.end(), std::uint8_t{1}));
+}
+
+std::vector<BonePiece> bone_pieces(const BoneMask& mask) {
+    std::vector<BonePiece> pieces;
+    const auto& size = mask.image.size;
+    for (const std::vector<std::size_t>& voxels : pieces_of(mask)) {
+        const auto index_of = [&](std::size_t at) {
+            const auto nx = static_cast<std::size_t>(size[0]), ny = static_cast<std::size_t>(size[1]);
+            return std::array<int, 3>{static_cast<int>(at % nx), static_cast<int>(at / nx % ny),
+                                      static_cast<int>(at / (nx * ny))};
+        };
+        const bool is_at_face = std::any_of(voxels.begin(), voxels.end(), [&](std::size_t at) {
+            const auto [i, j, k] = index_of(at);
+            return i == 0 || j == 0 || k == 0 || i == size[0] - 1 || j == size[1] - 1 || k == size[2] - 1;
+        });
+        pieces.push_back({voxels.size(), index_of(voxels.front()), is_at_face});
+    }
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const BonePiece& a, const BonePiece& b) { return a.voxels > b.voxels; });
+    return pieces;
 }
 
 int keep_largest(BoneMask& mask) {
@@ -128,6 +171,7 @@ void follow_grey(BoneMask& mask, double threshold) {
             if (!is_bone || has_rim) mask.is_bone[at] = is_bone ? 0 : 1;
         }
     });
+    remove_crumbs(mask, before);
 }
 
 }  // namespace kerf::bone

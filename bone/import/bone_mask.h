@@ -40,6 +40,16 @@ struct BoneMask {
     [[nodiscard]] std::size_t count() const;
 };
 
+/// Bone voxels that are connected over faces.
+struct BonePiece {
+    std::size_t voxels = 0;
+    std::array<int, 3> first{};    ///< one of its voxels
+    bool is_at_grid_face = false;  ///< the bone may continue beyond the grid
+};
+
+/// Returns the pieces, largest first.
+[[nodiscard]] std::vector<BonePiece> bone_pieces(const BoneMask& mask);
+
 /// Keeps only the largest piece; smaller ones are noise or another bone. Returns the number of pieces.
 int keep_largest(BoneMask& mask);
 
@@ -53,7 +63,8 @@ void spread(BoneMask& mask, bool value, double radius);
 /// Fills cavities that are not connected to the outside over faces.
 void fill_cavities(BoneMask& mask);
 
-/// Moves the border by at most one voxel to where the grey values cross the threshold.
+/// Moves the border by at most one voxel to where the grey values cross the threshold. Each piece of bone remains one
+/// piece: crumbs that come off are removed.
 void follow_grey(BoneMask& mask, double threshold);
 
 }  // namespace kerf::bone

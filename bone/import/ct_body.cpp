@@ -6,17 +6,18 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <memory>
-#include <set>
 #include <utility>
 
-#include "bone/image/segments.h"
 #include "bone/import/bone_mask.h"
 #include "bone/import/data_file.h"
 #include "bone/import/fields_memory.h"
 #include "bone/import/fit_landmarks.h"
+#include "bone/import/import_error.h"
+#include "bone/import/label_fit.h"
+#include "bone/import/label_map.h"
+#include "bone/import/label_pieces.h"
 #include "bone/import/planned_region.h"
 #include "bone/import/voxel_density.h"
 #include "bone/import/voxel_distance.h"
@@ -27,21 +28,11 @@
 namespace kerf::bone {
 namespace {
 
-using header::list_of;
-using header::name_to_write;
-
 constexpr double hounsfield_step = 50.0;  // [HU] change of the threshold for the uncertainty of a border
 constexpr double grey_step = 0.05;        // [–] the same for grey levels, as a fraction of the threshold
 constexpr double around_border = 12e-3;   // [m] range of distances on both sides, beyond all shells
 constexpr float metal = 2800.0f;          // [HU] above enamel and cortex
 constexpr double min_metal = 5e-9;        // [m³] less is not reported
-
-/// An error. The caller turns it into a Diagnostic.
-struct ImportError {
-    const char* code;
-    std::vector<std::string> keys;  ///< path to the line of the anatomy that has to change
-    std::string message;
-};
 
 std::string millimetres(double metres) { return rounded(metres * 1e3, 2); }
 
@@ -49,120 +40,8 @@ std::string millimetres(double metres) { return rounded(metres * 1e3, 2); }
 struct Sources {
     VoxelGrid scan;
     std::function<std::optional<VoxelImage>(const VoxelRange&)> read_scan;
-    bool has_labels = false;
-    VoxelGrid labels;
-    std::vector<Segment> segments;
-    std::function<std::optional<VoxelImage>(const VoxelRange&, int layer)> read_labels;
+    std::optional<LabelMap> labels;
 };
-
-// ---- labels ---------------------------------------------------------------------------------------------------------
-
-/// Describes the structures that the segmentation names.
-std::string known_segments(const std::vector<Segment>& segments) {
-    return segments.empty() ? "It names none: write the label's number." : "It has " + list_of(segments) + ".";
-}
-
-/// Returns the only structure that matches. Refuses none, several, and one with the voxels of another.
-template <class IsMeant>
-Segment only_segment(const std::vector<Segment>& segments, const std::string& description, const IsMeant& is_meant) {
-    const auto refuse = [](const char* code, const std::string& message) {
-        throw ImportError{code, {"ct", "labels", "keep"}, message};
-    };
-    std::vector<Segment> found, alike;
-    std::copy_if(segments.begin(), segments.end(), std::back_inserter(found), is_meant);
-    if (found.empty())
-        refuse("E0635", "the segmentation has no structure " + description + ". " + known_segments(segments));
-    if (found.size() > 1)
-        refuse("E0636", "the segmentation has " + std::to_string(found.size()) + " structures " + description + ": " +
-                            list_of(found) +
-                            ". Keep one by its name or its number, whichever no other has, or rename them in 3D "
-                            "Slicer.");
-    std::copy_if(segments.begin(), segments.end(), std::back_inserter(alike),
-                 [&](const Segment& s) { return s.layer == found[0].layer && s.label == found[0].label; });
-    if (alike.size() > 1)
-        refuse("E0636", "the voxels of " + description + " cannot be distinguished from those of others: " +
-                            list_of(alike) + ". Export the segmentation from 3D Slicer again.");
-    return found[0];
-}
-
-/// Returns the labels and layers that are the bone.
-std::vector<Segment> kept_segments(const documents::CtSource& ct, const std::vector<Segment>& segments) {
-    std::vector<Segment> kept;
-    for (const int label : ct.keep) {
-        const bool is_named =
-            std::any_of(segments.begin(), segments.end(), [&](const Segment& s) { return s.label == label; });
-        const bool has_layers =
-            std::any_of(segments.begin(), segments.end(), [](const Segment& s) { return s.layer > 0; });
-        if (is_named || has_layers)
-            kept.push_back(only_segment(segments, "with the label " + std::to_string(label),
-                                        [&](const Segment& s) { return s.label == label; }));
-        else
-            kept.push_back({"", label, 0});
-    }
-    for (const std::string& name : ct.keep_named)
-        kept.push_back(
-            only_segment(segments, "`" + name_to_write(name) + "`", [&](const Segment& s) { return s.name == name; }));
-    return kept;
-}
-
-/// The nearest voxel of an image on another grid; 0 outside.
-class NearestLabel {
-public:
-    NearestLabel(const VoxelImage& labels, const VoxelGrid& description)
-        : labels_(labels), is_same_(on_one_grid(labels, description)), grid_(description) {}
-
-    [[nodiscard]] float at(int i, int j, int k, std::size_t offset) const {
-        if (is_same_) return labels_.values[offset];
-        const Vec3 index =
-            labels_.index(grid_.lps({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}));
-        const int x = static_cast<int>(std::lround(index.x)), y = static_cast<int>(std::lround(index.y)),
-                  z = static_cast<int>(std::lround(index.z));
-        return labels_.has(x, y, z) ? labels_.at(x, y, z) : 0.0f;
-    }
-
-private:
-    const VoxelImage& labels_;
-    bool is_same_;
-    const VoxelGrid& grid_;
-};
-
-/// Marks the kept labels, and the voxels of other labels. Returns false if a layer cannot be read.
-bool mark_labels(BoneMask& mask, const documents::CtSource& ct, const Sources& sources,
-                 std::vector<std::string>& notes) {
-    const double around = std::max({sources.labels.spacing(0), sources.labels.spacing(1), sources.labels.spacing(2)});
-    const VoxelRange range = sources.labels.range(grown(mask.image.box(), around));
-    if (range.voxels() == 0)
-        throw ImportError{"E0630",
-                          {"ct", "labels", "file"},
-                          "the label map covers nothing of the region around the axes. "
-                          "Check that it belongs to this image."};
-    const std::vector<Segment> kept = kept_segments(ct, sources.segments);
-    std::set<int> layers;
-    for (const Segment& segment : kept) layers.insert(segment.layer);
-    mask.is_other.assign(mask.is_bone.size(), 0);
-    for (const int layer : layers) {
-        const std::optional<VoxelImage> labels = sources.read_labels(range, layer);
-        if (!labels) return false;
-        const NearestLabel nearest(*labels, mask.image);
-        for_each_voxel(mask.image, [&](int i, int j, int k, std::size_t at) {
-            const auto label = static_cast<int>(std::lround(nearest.at(i, j, k, at)));
-            if (label == 0) return;
-            const bool is_kept = std::any_of(kept.begin(), kept.end(),
-                                             [&](const Segment& s) { return s.layer == layer && s.label == label; });
-            if (is_kept)
-                mask.is_bone[at] = 1;
-            else
-                mask.is_other[at] = 1;
-        });
-    }
-    for (std::size_t at = 0; at < mask.is_bone.size(); ++at)
-        if (mask.is_bone[at] != 0) mask.is_other[at] = 0;
-    if (!on_one_grid(sources.labels, sources.scan))
-        notes.push_back("The labels lie on another grid than the image (voxels of " +
-                        millimetres(sources.labels.spacing(0)) + " × " + millimetres(sources.labels.spacing(1)) +
-                        " × " + millimetres(sources.labels.spacing(2)) + " mm): each voxel got the nearest one.");
-    return true;
-}
 
 // ---- the mask -------------------------------------------------------------------------------------------------------
 
@@ -368,8 +247,16 @@ std::optional<CtBone> made(const documents::Anatomy& written, const Sources& sou
     doubt_values(anatomy, *part, notes, diagnostics);
 
     BoneMask blank(*part);
-    if (sources.has_labels && !mark_labels(blank, ct, sources, notes)) return std::nullopt;
+    if (sources.labels) {
+        if (!mark_labels(blank, ct, *sources.labels)) return std::nullopt;
+        if (const VoxelGrid& labels = sources.labels->grid; !on_one_grid(labels, scan))
+            notes.push_back("The labels lie on another grid than the image (voxels of " +
+                            millimetres(labels.spacing(0)) + " × " + millimetres(labels.spacing(1)) + " × " +
+                            millimetres(labels.spacing(2)) + " mm): each voxel got the nearest one.");
+        check_label_fit(blank, anatomy, *sources.labels, notes, diagnostics);
+    }
     const BoneMask mask = mask_at(ct.threshold, blank, anatomy, notes);
+    if (sources.labels) check_label_pieces(mask, anatomy, diagnostics);
     bone.voxels = mask.count();
     double cortex = 0.0;
     for (const auto& tissue : anatomy.tissues) cortex += documents::thickest(tissue);
@@ -422,9 +309,7 @@ text::Result<CtBone> make_ct_bone(const documents::Anatomy& anatomy, const Voxel
     sources.scan = image;
     sources.read_scan = [&](const VoxelRange& range) { return image.cropped(range); };
     if (labels) {
-        sources.has_labels = true;
-        sources.labels = *labels;
-        sources.read_labels = [labels](const VoxelRange& range, int) { return labels->cropped(range); };
+        sources.labels = {*labels, {}, [labels](const VoxelRange& range, int) { return labels->cropped(range); }};
     }
     text::Diagnostics diagnostics;
     auto bone = make_or_report(anatomy, sources, diagnostics, options);
@@ -475,12 +360,9 @@ text::Result<CtBone> make_ct_bone(const documents::Anatomy& anatomy, const Impor
     };
     sources.read_scan = [&](const VoxelRange& range) { return read(*scan, range, 0, {"ct", "image"}); };
     if (labels) {
-        sources.has_labels = true;
-        sources.labels = labels->grid();
-        sources.segments = labels->segments();
-        sources.read_labels = [&](const VoxelRange& range, int layer) {
-            return read(*labels, range, layer, {"ct", "labels", "file"});
-        };
+        sources.labels = {labels->grid(), labels->segments(), [&](const VoxelRange& range, int layer) {
+                              return read(*labels, range, layer, {"ct", "labels", "file"});
+                          }};
     }
     auto bone = make_or_report(anatomy, sources, diagnostics, options);
     if (!bone) return diagnostics;

@@ -14,7 +14,7 @@
 
 /// Makes bone from a CT: selects voxels, finds the border between them, computes densities.
 ///
-///     E0630  the label map covers nothing of the region
+///     E0630  the label map covers nothing of the region, or does not fit the scan
 ///     E0631  the axes lie outside the image
 ///     E0632  the image is sheared within its slices
 ///     E0633  no voxel is bone
@@ -22,7 +22,10 @@
 ///     E0619  a link leads out of the document's folder
 ///     E0635  the segmentation has no structure of that name
 ///     E0636  several structures of that name or number, or with the same voxels
+///     E0637  values of the label map that are no labels
 ///     W0675  values that are not HU, or metal
+///     W0678  labels that hardly fit the scan, or end within bone
+///     W0679  stray pieces of the kept labels
 namespace kerf::bone {
 
 /// A bone on the grid of its CT, cropped around the planned axes.

@@ -79,6 +79,28 @@ struct Scan {
     }
 };
 
+/// Labels of the scan's grid, of its lowest `slices`: 1 in the block, and what a voxel at an edge of the grid has.
+void write_labels(const std::string& file, int slices, char corner) {
+    std::string header = "NRRD0005\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 24 24 " +
+                         std::to_string(slices) +
+                         "\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\nspace origin: (-12,-12,-16)\n\n";
+    for (int k = -16; k < slices - 16; ++k)
+        for (int j = -12; j < 12; ++j)
+            for (int i = -12; i < 12; ++i) {
+                const bool is_block = std::max({std::abs(i), std::abs(j), std::abs(k)}) <= 10;
+                header += is_block ? '\1' : i == 11 && j == 11 && k == 0 ? corner : '\0';
+            }
+    write(file, header);
+}
+
+std::function<void(const std::string&)> labels_with(int code, int slices, char corner) {
+    return [=](const std::string& folder) {
+        Scan().write_to(folder + "/scan.mha");
+        write_labels(folder + "/labels.nrrd", slices, corner);
+        write_anatomy(folder, code, "{image: scan.mha, threshold: 0, labels: {file: labels.nrrd, keep: [1]}}");
+    };
+}
+
 constexpr const char* plain_ct = "{image: scan.mha, threshold: 0}";
 
 std::function<void(const std::string&)> scan_with(int code, const std::string& key, const std::string& value,
@@ -300,6 +322,10 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              write(folder + "/labels.seg.nrrd", header + "\n" + std::string(24 * 24 * 32, '\3'));
              write_anatomy(folder, 636, "{image: scan.mha, threshold: 0, labels: {file: labels.seg.nrrd, keep: [bone]}}");
          }},
+        {637, [](const std::string& folder) {
+             Scan().write_to(folder + "/scan.mha");
+             write_anatomy(folder, 637, "{image: scan.mha, threshold: 0, labels: {file: scan.mha, keep: [1000]}}");
+         }},
         {640, [](const std::string& folder) {
              surface(640, "")(folder);
              std::filesystem::remove(folder + "/block.obj");
@@ -385,6 +411,8 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              all.write_to(folder + "/scan");
              write_anatomy(folder, 675, "{image: scan, threshold: 1024}");
          }},
+        {678, labels_with(678, 18, '\0')},
+        {679, labels_with(679, 32, '\1')},
         {676, slices(676, [](Slices& all) {
              for (std::size_t n = 0; n < all.files.size(); ++n) all.files[n].text(tag::acquisition, "IS", n % 2 == 0 ? "1" : "2");
          })},
