@@ -86,7 +86,7 @@ double air_fraction(const BoneMask& mask, const documents::CtSource& ct) {
     return static_cast<double>(dark) / static_cast<double>(std::max<std::size_t>(1, mask.count()));
 }
 
-/// Returns the area [m²] of the bone's border that lies on the end of the label map while the scan goes on as bright.
+/// Returns the area [m²] of the bone's border that lies on the end of the label map while the scan continues as bright.
 double cut_area(const VoxelImage& scan, const std::vector<Face>& faces, const VoxelGrid& labels, double threshold,
                 int reach) {
     double area = 0.0;

@@ -310,8 +310,8 @@ struct RealLabels : testing::Test {
     /// The labels of this scan, moved along x by whole voxels.
     [[nodiscard]] Made moved(int voxels) const {
         VoxelImage other = *labels;
-        const Vec3 way = static_cast<double>(voxels) * other.step(0);
-        other.place(other.step(0), other.step(1), other.step(2), other.origin() + way);
+        const Vec3 offset = static_cast<double>(voxels) * other.step(0);
+        other.place(other.step(0), other.step(1), other.step(2), other.origin() + offset);
         return made(*scan, other, *anatomy);
     }
 };
