@@ -236,6 +236,58 @@ TEST(Anchor, IsAllowedAShareOfEachLimit) {
     EXPECT_DOUBLE_EQ(b.torque.limit.across, 0.05);
 }
 
+// ---- the anchor of a tool that lies askew --------------------------------------------------------------------------
+
+/// Takes x to y, y to z and z to x.
+const Quat cycled{0.5, 0.5, 0.5, 0.5};
+
+TEST(Anchor, SlidesInTheWorldAndNotInTheTool) {
+    // Given a tool whose z is the world's x, and a hand 20 mm ahead of it
+    Coupling coupling(gains(), at_grip);
+    const Pose tool{{}, cycled};
+    const auto hand_at = [&](double x) { return Pose{{x, 0, 0}, cycled}; };
+    coupling.slide(hand_at(20.0_mm), tool);
+
+    // Then the anchor is 8 mm behind the hand, along the shaft
+    expect_near(held(coupling, hand_at(20.0_mm), {}, tool).force.pull, {0, 0, 8.0});
+    expect_near(held(coupling, hand_at(12.0_mm), {}, tool).force.pull, {});
+
+    // And stays there in the world if both turn
+    const Pose back{{}, {1, 0, 0, 0}};
+    expect_near(held(coupling, {{12.0_mm, 0, 0}, {1, 0, 0, 0}}, {}, back).force.pull, {});
+}
+
+TEST(Anchor, SlipsToItsLimitAboutASecondLine) {
+    Coupling coupling(gains(), at_grip);
+    coupling.slide(turned_about_grip({0.5, 0, 0}), origin);
+    const Pose handle = turned_about_grip({0.4, 0.5, 0.3});
+    const Vec3 wanted = clamped(coupling.at(handle, origin).twist, Split{0.08});  // 0.2 N·m / 2.5 N·m/rad
+    coupling.slide(handle, origin);
+    expect_near(coupling.at(handle, origin).twist, wanted, 1e-6 /* sine for angle */);
+}
+
+TEST(Anchor, StoresTurnsUpToTheLimitOnTheBonesSide) {
+    // 10 N·m/rad and 0.8 N·m in bone: 60 mrad are within it
+    CouplingGains scaled = gains();
+    scaled.force_scale = 0.25;
+    EXPECT_NEAR(Coupling(scaled, at_grip).stored(turned_about_grip({0, 0.06, 0}), origin), 0.25 * 0.5 * 10.0 * 3.6e-3,
+                1e-7);
+}
+
+TEST(Anchor, AMotorAboutTheShaftStoresTurnsOfBothSenses) {
+    CouplingGains driven = gains();
+    driven.has_torque = false;
+    driven.force_scale = 0.25;
+    driven.shaft = {.torque_limit = 0.2, .stiffness = 1.0, .damping = 1e-3, .resolution = 1e-3};
+    for (const double sense : {1.0, -1.0}) {  // 4 N·m/rad up to 0.8 N·m in bone: up to 0.2 rad
+        const Coupling coupling(driven, at_grip);
+        const auto stored = [&](Vec3 turn) { return coupling.stored(turned_about_grip(sense * turn), origin); };
+        EXPECT_NEAR(stored({0, 0, 0.05}), 0.25 * 0.5 * 4.0 * 0.0025, 1e-7) << sense;
+        EXPECT_NEAR(stored({0, 0, 0.3}), 0.25 * 0.5 * 4.0 * 0.04, 1e-9) << sense;
+        EXPECT_NEAR(stored({0.05, 0, 0}), 0.0, 1e-15) << "no motor across";
+    }
+}
+
 // ---- gains -------------------------------------------------------------------------------------------------------
 
 DeviceRecord device() {

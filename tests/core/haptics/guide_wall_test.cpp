@@ -73,6 +73,46 @@ TEST(GuideWall, ADrillBehindOrBesideTheSleeveIsFree) {
     EXPECT_EQ(walls_of(tool_at({0.2_mm, 0, 10.0_mm}, {1, 0, 0.1})).count, 0u);
 }
 
+TEST(GuideWall, FindsTheBoreOfATiltedSleeveByItsTangent) {
+    // Given an upright drill, and the bore of a sleeve that leans by 20° and begins 5 mm off its axis
+    const double lean = 20.0_deg;
+    const Guide wide{.body = 0,
+                     .mouth = {5.0_mm, 0, 10.0_mm},
+                     .along = {std::sin(lean), 0, std::cos(lean)},
+                     .length = 40.0_mm,
+                     .bore_radius = 2.7_mm};
+    Walls walls;
+    walls.count = guide_wall(wide, drill, identity_pose(), walls.channel.data());
+    ASSERT_EQ(walls.count, 2u);
+
+    // Then its front wall is where the drill is first as wide as it gets, and its rear wall where the bore ends
+    const double front = -radius / std::tan(59.0_deg), rear = 10.0_mm - 40.0_mm * std::cos(lean);
+    const double bore_in_front = 5.0_mm - (10.0_mm - front) * std::tan(lean),
+                 bore_behind = 5.0_mm - 40.0_mm * std::sin(lean);
+    EXPECT_NEAR(walls.channel[0].delta, bore_in_front + radius - 2.7_mm, 1e-12);
+    EXPECT_NEAR(walls.channel[0].d[0], -1.0, 1e-12) << "the bore has not crossed the drill";
+    EXPECT_NEAR(walls.channel[0].d[4], -front, 1e-12);
+    EXPECT_NEAR(walls.channel[1].delta, -bore_behind + radius - 2.7_mm, 1e-12);
+    EXPECT_NEAR(walls.channel[1].d[0], 1.0, 1e-12);
+    EXPECT_NEAR(walls.channel[1].d[4], rear, 1e-12);
+}
+
+TEST(GuideWall, UsesTheToolsOwnRadiusAtEitherEnd) {
+    // Given a head of 3.2 mm on a neck of 2 mm, with a cone from 10 to 11 mm between them
+    const ToolSolid necked({{0.0, 0.0}, {-1.0_mm, 1.6_mm}, {-10.0_mm, 1.6_mm}, {-11.0_mm, 1.0_mm}, {-80.0_mm, 1.0_mm}});
+    const auto deltas = [&](double length) {
+        Guide guide = sleeve;
+        guide.length = length;
+        Walls walls;
+        walls.count = guide_wall(guide, necked, inverse(tool_at({0.5_mm, 0, 0})), walls.channel.data());
+        EXPECT_EQ(walls.count, 2u);
+        return std::array{walls.channel[0].delta, walls.channel[1].delta};
+    };
+    EXPECT_NEAR(deltas(20.0_mm)[0], 0.5_mm + 1.6_mm - sleeve.bore_radius, 1e-12);
+    EXPECT_NEAR(deltas(20.0_mm)[1], 0.5_mm + 1.0_mm - sleeve.bore_radius, 1e-12) << "22 mm behind the tip";
+    EXPECT_NEAR(deltas(8.25_mm)[1], 0.5_mm + 1.45_mm - sleeve.bore_radius, 1e-12) << "a quarter down the cone";
+}
+
 // Whatever the frame: the same sleeve and drill, moved together.
 TEST(GuideWall, TheWallsAreTheSameInEveryFrame) {
     const Pose moved{{0.1, -0.2, 0.3}, quat_from_rotation_vector({0.3, -1.1, 0.4})};

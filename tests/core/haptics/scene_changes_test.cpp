@@ -87,8 +87,8 @@ TEST(BodiesView, ManyPointsAreAskedOfEveryPieceEachItsWay) {
     ASSERT_EQ(bench.simulation.bodies().size(), 2u);
     std::vector<Vec3> points, ways;
     for (int n = 0; n < 300; ++n) {
-        const double angle = 0.7 * n, r = n % 3 == 0 ? 1.2_mm : 0.5_mm + 0.0005_mm * n;
-        points.push_back({r * std::cos(angle), r * std::sin(angle), -7.0_mm + 0.01_mm * n});
+        const double angle = 0.7 * n, r = n % 3 == 0 ? 1.2_mm : 0.5_mm + 0.0005_mm * (n % 200);
+        points.push_back({r * std::cos(angle), r * std::sin(angle), -7.0_mm + 0.008_mm * n});
         ways.push_back(normalized(Vec3{std::sin(0.3 * n), std::cos(0.3 * n), n % 2 == 0 ? 0.5 : -0.5}));
     }
     const auto count = static_cast<std::uint32_t>(points.size());
@@ -98,7 +98,7 @@ TEST(BodiesView, ManyPointsAreAskedOfEveryPieceEachItsWay) {
     query.sample(query.bone, points.data(), count, ways.data(), count, together.data());
     // Then each is answered as it is alone, from both pieces
     std::set<std::int32_t> bodies;
-    double farthest = 0.0;
+    double farthest = 0.0, farthest_in_second_block = 0.0;  // of the second body, behind a block of 256 points
     for (std::uint32_t n = 0; n < count; ++n) {
         kerf_bone_sample alone;
         query.sample(query.bone, &points[n], 1, &ways[n], 1, &alone);
@@ -107,9 +107,27 @@ TEST(BodiesView, ManyPointsAreAskedOfEveryPieceEachItsWay) {
         EXPECT_EQ(alone.body, together[n].body) << n;
         bodies.insert(alone.body);
         farthest = std::max(farthest, alone.gap);
+        if (n >= 256 && alone.body == 1) farthest_in_second_block = std::max(farthest_in_second_block, alone.gap);
     }
     EXPECT_TRUE(bodies.contains(0) && bodies.contains(1));
     EXPECT_GT(farthest, 0.0);
+    EXPECT_GT(farthest_in_second_block, 0.0);
+}
+
+TEST(BodiesView, OfTwoBodiesAtOnePointTheFirstAnswers) {
+    Bench bench;
+    const Body twin = bench.body;
+    ASSERT_EQ(bench.simulation.insert(twin, identity_pose(), true), "");
+    bench.go_to({-2.5_mm, 2.0_mm, 6.0_mm}, Bench::in_air);
+    const Vec3 point = inverse(bench.simulation.world_from_tool()) * Vec3{-1.0_mm, 2.0_mm, 0}, along{1, 0, 0};
+    const kerf_bone_query& query = bench.simulation.bone().query();
+    kerf_bone_sample sample;
+    query.sample(query.bone, &point, 1, &along, 1, &sample);
+    EXPECT_EQ(sample.engagement, 1.0);
+    EXPECT_EQ(sample.body, 0);
+    kerf_surface_point nearest;
+    query.nearest(query.bone, &point, 1, &nearest);
+    EXPECT_EQ(nearest.body, 0);
 }
 
 TEST(HeldBody, GoesWithTheForcepsUntilTheyOpen) {
@@ -168,6 +186,58 @@ TEST(HeldBody, IsStoppedByItsCornersWhenTurned) {
     bench.wait(50);
     EXPECT_NEAR(bench.place_of(1).y + 1.2_mm, 0.0, 0.15_mm);
     EXPECT_GT(linear(bench.last.coupled_on_hand).y, 1.0);
+}
+
+TEST(HeldBody, StaysInTheForcepsWhileItIsShown) {
+    Bench bench;
+    bench.sever(2.0_mm);
+    bench.grasp_the_end();
+    bench.simulation.show_body(1, true);
+    EXPECT_EQ(bench.simulation.held(), 1);
+    bench.simulation.show_body(0, false);
+    EXPECT_EQ(bench.simulation.held(), 1) << "it is another body";
+    bench.simulation.show_body(1, false);
+    EXPECT_EQ(bench.simulation.held(), -1);
+}
+
+TEST(HeldBody, IsTheGrippedOneAlsoAfterAPieceFusedToItWasPlaced) {
+    Bench bench;
+    bench.sever(2.0_mm);
+    bench.grasp_the_end();
+    ASSERT_EQ(bench.simulation.fuse(), "");
+    bench.simulation.place_body(0, {{0, 0, 1.0_mm}, {1, 0, 0, 0}});
+    EXPECT_EQ(bench.simulation.held(), 1);
+}
+
+TEST(HeldBody, IsStoppedAgainAfterItWasPutDownAndGrippedOnceMore) {
+    Bench bench;
+    bench.sever(2.0_mm);
+    bench.grasp_the_end();
+    for (int time = 0; time < 2; ++time) {
+        ASSERT_EQ(bench.simulation.held(), 1) << time;
+        bench.go_to({0.0_mm, 2.0_mm, -1.6_mm});
+        bench.wait(50);
+        EXPECT_NEAR(bench.place_of(1).y, -1.2_mm, 0.1_mm) << time;
+        EXPECT_GT(linear(bench.last.coupled_on_hand).y, 1.0) << time;
+        bench.go_to({0.0_mm, 5.0_mm, -1.6_mm});
+        bench.simulation.command_drive(0, 0.0);
+        bench.wait(2);
+        ASSERT_EQ(bench.simulation.held(), -1) << time;
+        bench.simulation.command_drive(0, 1.0);
+        bench.wait(2);
+    }
+}
+
+TEST(Separation, LeavesAPieceOfARemovedBodyRemoved) {
+    // Given a bar that is severed, and removed before the loop knows of its parts
+    Bench bench;
+    bench.go_to({-4.0_mm, 2.0_mm, 6.0_mm}, Bench::in_air);
+    while (bench.simulation.present().count() == 1) bench.go_to(bench.hand.position + Vec3{Bench::in_bone, 0, 0});
+    ASSERT_EQ(bench.simulation.bodies().size(), 1u);
+    bench.simulation.show_body(0, false);
+    bench.wait(30);
+    ASSERT_EQ(bench.simulation.bodies().size(), 2u);
+    for (const auto& body : bench.simulation.bodies()) EXPECT_FALSE(body->is_present) << body->id;
 }
 
 TEST(HeldBody, NothingIsHeldWhereThereIsNoBone) {
