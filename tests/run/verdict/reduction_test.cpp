@@ -50,6 +50,39 @@ TEST(Reduction, IsOfTheFragmentToTheRestWhereverBothAre) {
     EXPECT_FALSE(reduction_of({}, bodies)) << "a whole bone";
 }
 
+TEST(Reduction, IsTheSameForBothSignsOfAQuaternion) {
+    const documents::Anatomy anatomy = broken_femur();
+    const Quat q = quat_from_rotation_vector({0.1, -0.2, 0.15});
+    for (const Quat turn : {q, Quat{-q.w, -q.x, -q.y, -q.z}}) {
+        const std::array<Pose, 2> bodies{identity_pose(), Pose{{}, turn}};
+        EXPECT_NEAR(reduction_of(anatomy, bodies)->angle, std::sqrt(0.01 + 0.04 + 0.0225), 1e-12);
+    }
+}
+
+TEST(Reduction, OffsetIsThatOfTheFracture) {
+    // A fragment that turns about the line of its own middle by 90 degrees, 20 mm from the origin
+    const documents::Anatomy anatomy = broken_femur();
+    const Vec3 at = anatomy.fracture->at;
+    const Quat turn = quat_from_rotation_vector({0, 0, 90.0_deg});
+    const auto offset_at = [&](Vec3 position) {
+        const std::array<Pose, 2> bodies{identity_pose(), Pose{position, turn}};
+        return reduction_of(anatomy, bodies)->offset;
+    };
+    EXPECT_NEAR(offset_at({}), std::sqrt(2.0) * std::hypot(at.x, at.y), 1e-12);
+    EXPECT_NEAR(offset_at(at - rotate(turn, at)), 0.0, 1e-12);
+}
+
+TEST(AngleBetween, TakesAnAxisForThePieceOfItsMiddle) {
+    // Across the fracture at 20 mm, with its middle at 15 and at 25 mm
+    documents::Anatomy anatomy = broken_femur();
+    const Vec3 neck = normalized(anatomy.axes[0].to);
+    anatomy.axes.push_back({"rest", {}, 30.0_mm * neck, 0.0, {}});
+    anatomy.axes.push_back({"fragment", {}, 50.0_mm * neck, 0.0, {}});
+    const std::array<Pose, 2> bodies{identity_pose(), Pose{{}, quat_from_rotation_vector({0, -12.0_deg, 0})}};
+    EXPECT_NEAR(*angle_between(anatomy, bodies, "rest", "shaft"), 125.0_deg, 1e-9);
+    EXPECT_NEAR(*angle_between(anatomy, bodies, "fragment", "shaft"), 113.0_deg, 1e-9);
+}
+
 TEST(AngleBetween, FollowsEachAxisWithItsPart) {
     const documents::Anatomy anatomy = broken_femur();
     // About +y, z turns to x: the neck sinks into varus by what it is turned back.
@@ -70,6 +103,21 @@ TEST(TipApexDistance, IsTheSumOfTwoViews) {
     const Pose moved{{0.02, -0.01, 0.03}, quat_from_rotation_vector({0.1, 0.2, -0.3})};
     const std::array<Pose, 2> bodies{identity_pose(), moved};
     EXPECT_NEAR(*tip_apex_distance(anatomy, bodies, moved * (apex - 10.0_mm * neck), "apex", "neck"), 20.0_mm, 1e-9);
+}
+
+// A neck that also leads 30° to the front: its second view is across it and across the view from behind.
+TEST(TipApexDistance, OfANeckToTheFrontIsTheSumOfTwoViews) {
+    documents::Anatomy anatomy = broken_femur();
+    const Vec3 neck = normalized(Vec3{-0.6, -0.5, 0.624});
+    anatomy.axes[0].to = 50.0_mm * neck;
+    anatomy.points[0].at = 75.0_mm * neck;
+    anatomy.fracture.reset();
+    const Vec3 apex = anatomy.points[0].at, across = normalized(cross(Vec3{0, 1, 0}, neck));
+    const auto of = [&](Vec3 off) { return *tip_apex_distance(anatomy, {}, apex + off, "apex", "neck"); };
+    EXPECT_NEAR(of(6.0_mm * across), 6.0_mm + 0.0, 1e-9) << "along the second view it shows in the first alone";
+    EXPECT_NEAR(of(Vec3{0, 6.0_mm, 0}), 0.0 + 6.0_mm, 1e-9) << "to the back it shows in the second alone";
+    const Vec3 along = cross(across, Vec3{0, 1, 0});
+    EXPECT_NEAR(of(5.0_mm * along), 10.0_mm, 1e-9) << "in both";
 }
 
 }  // namespace
