@@ -82,6 +82,20 @@ TEST(BitBending, IsAboutTheAxisAcrossThePush) {
     EXPECT_EQ(drilling::bending_of(bit(), at_tip.advance()).about_y, -bending.about_y) << "to the other side";
 }
 
+TEST(BitBending, PushesAcrossEachOtherAddAsVectors) {
+    // Given 3 N to −x and 4 N to −y at the tip
+    Pushes both;
+    both.add(0.0, 3.0);
+    both.add(0.0, 4.0);
+    const Vec6 d = rate_at({}, {0, -1, 0});
+    std::copy(d.begin(), d.end(), both.channel[1].d);
+    const drilling::Bending bending = drilling::bending_of(bit(), both.advance());
+    EXPECT_NEAR(bending.stress(), 5.0 * 60.0_mm / section, 1.0);
+    EXPECT_NEAR(std::abs(bending.about_y), 3.0 * 60.0_mm / section, 1.0);
+    EXPECT_NEAR(std::abs(bending.about_x), 4.0 * 60.0_mm / section, 1.0);
+    EXPECT_LT(bending.about_x * bending.about_y, 0.0) << "as r × F of a push to the third quadrant";
+}
+
 TEST(BitBending, AThinPilotIsBentTheHarder) {
     TwistDrill stepped = bit();
     stepped.corners[0] = {10.0_mm, 1.6_mm};

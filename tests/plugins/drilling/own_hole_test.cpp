@@ -38,6 +38,15 @@ TEST(OwnHole, TheHoleStaysWhereItIsWhileTheToolTurnsAndTilts) {
     EXPECT_NEAR(tilted.along(x), z * 0.1_deg, 1e-15);
 }
 
+TEST(OwnHole, ALandGoesAsideByBothTiltsAndTurnsOfBothSenses) {
+    const OwnHole about_x = moved({}, {0, 0, 0, 10.0_deg, 0, 0}, 10);  // what lies behind the tip goes to +y
+    EXPECT_NEAR(about_x.along(y), -z * 0.1_deg, 1e-15);
+    EXPECT_NEAR(about_x.along(x), 0.0, 1e-15);
+    const OwnHole off{0.0, 0.03_mm};
+    for (const double sense : {1.0, -1.0})
+        EXPECT_NEAR(moved(off, {0, 0, 0, 0, 0, sense * 0.5 * pi}, 1000).along(x), sense * 0.03_mm, 0.03_mm * 2e-3);
+}
+
 TEST(OwnHole, WhatItDrillsAnewLiesWhereItIs) {
     const OwnHole off{0.03_mm, 0.0};
     EXPECT_NEAR(moved(off, {}, 1, 0.25_mm).along(x), 0.75 * 0.03_mm, 1e-15);

@@ -101,7 +101,7 @@ TEST(ThreadGrip, ItsStrengthRisesToFullAndFallsToNothing) {
 struct Threads {
     std::vector<kerf_thread> all;
 
-    [[nodiscard]] ThreadTrack found(const ScrewThread& tool) const {
+    [[nodiscard]] ThreadTrack found(const ScrewThread& tool, std::uint32_t held = KERF_NEW_THREAD) const {
         kerf_bone_query query{};
         query.bone = reinterpret_cast<const kerf_bone*>(this);
         query.threads = [](const kerf_bone* bone, kerf_thread* out, std::uint32_t capacity) {
@@ -109,7 +109,7 @@ struct Threads {
             std::copy_n(threads.begin(), std::min<std::size_t>(threads.size(), capacity), out);
             return static_cast<std::uint32_t>(threads.size());
         };
-        return ThreadTrack::found(BoneQuery(query), tool);
+        return ThreadTrack::found(BoneQuery(query), tool, held);
     }
 };
 
@@ -137,6 +137,37 @@ TEST(ThreadTrack, IsFoundByItsLeadItsPlaceAndItsAxis) {
     EXPECT_FALSE(is_found({{}, quat_from_rotation_vector({15.0_deg, 0, 0})}, 3.0_mm)) << "askew";
     EXPECT_TRUE(is_found({{0, 0, 2.5_mm}, {1, 0, 0, 0}}, 3.0_mm)) << "just before it";
     EXPECT_FALSE(is_found({{0, 0, 4.0_mm}, {1, 0, 0, 0}}, 3.0_mm)) << "not there yet";
+}
+
+TEST(ThreadTrack, IsTheNearestOfTwoWhicheverCameFirst) {
+    kerf_thread near = groove(thread()), far = groove(thread());
+    near.tool_from_thread.position = {0, -0.4_mm, 0};
+    far.tool_from_thread.position = {0.9_mm, 0, 0};
+    near.number = 7;
+    far.number = 8;
+    EXPECT_EQ((Threads{{near, far}}.found(thread()).thread().number), 7u);
+    EXPECT_EQ((Threads{{far, near}}.found(thread()).thread().number), 7u);
+}
+
+TEST(ThreadTrack, IsTheOneThatTheToolIsInHoweverNearAnotherLies) {
+    kerf_thread near = groove(thread()), held = groove(thread());
+    held.tool_from_thread.position = {1.5_mm, 0, 0};
+    near.number = 7;
+    held.number = 8;
+    EXPECT_EQ((Threads{{near, held}}.found(thread(), 8).thread().number), 8u);
+}
+
+TEST(ThreadTrack, ItsOffsetIsAcrossAtEveryHeight) {
+    // A thread that leans by 0.01 about y, through the tool's axis 4 mm behind the tip
+    kerf_thread t = groove(thread());
+    const Quat lean = quat_from_rotation_vector({0, 0.01, 0});
+    t.tool_from_thread = {{0, 0, -4.0_mm}, lean};
+    const ThreadTrack track = Threads{{t}}.found(thread());
+    EXPECT_NEAR(track.inclination().y, -0.01, 1e-5);
+    EXPECT_NEAR(track.inclination().x, 0.0, 1e-12);
+    EXPECT_NEAR(track.offset(-4.0_mm).x, 0.0, 1e-12);
+    EXPECT_NEAR(track.offset(0.0).x, -0.04_mm, 1e-8);
+    EXPECT_NEAR(track.offset(-14.0_mm).x, 0.1_mm, 1e-8);
 }
 
 TEST(ThreadTrack, OfAnotherLeadIsCrossed) {

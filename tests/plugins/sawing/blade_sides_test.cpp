@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stiffness of a blade along its length, and the sums of the forces on it, channel by channel.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "plugins/sawing/blade_torque.h"
+#include "plugins/sawing/saw_contact.h"
+#include "plugins/sawing/saw_cutting.h"
+#include "tests/support/saw_rig.h"
+
+namespace kerf::sawing {
+namespace {
+
+using namespace literals;
+
+constexpr double young = 193e9, contact = 500e3;  // [N/m²], [N/m]
+
+template <class Blade>
+TouchingPoints points_of(const Blade& blade) {
+    kerf_bone_query query{};
+    query.reach = 1.0_mm;
+    SawParameters law{};
+    law.contact_stiffness = contact;
+    return touching_points(blade, law, BoneQuery(query), true);
+}
+
+constexpr StraightBlade ten_high{.length = 50.0_mm,
+                                 .height = 10.0_mm,
+                                 .travel = 3.0_mm,
+                                 .pitch = 2.0_mm,
+                                 .tooth_count = 25,
+                                 .thickness = 0.8_mm,
+                                 .set = 0.1_mm,
+                                 .tooth_height = 1.0_mm};
+
+// 50 × 10 × 0.8 mm: I = 0.4267 mm⁴, J = 1.7067 mm⁴. The clamp is at x = −25 mm.
+TEST(StraightBlade, BendsFromItsClampedEnd) {
+    const double second_moment = 10.0e-3 * 0.512e-9 / 12.0, torsion = 4.0 * second_moment;
+    const TouchingPoints points = points_of(ten_high);
+    double softest = HUGE_VAL, stiffest = 0.0;
+    for (std::size_t i = 0; i < points.side_count; ++i) {
+        const std::size_t at = points.of_sides[i].index;
+        const Vec3 p = points.all.at(at);
+        const double l = p.x + 25.0_mm, arm = p.z + 5.0_mm;
+        if (l < 5.0_mm) continue;  // in the clamp
+        const double compliance = l * l * l / (3.0 * young * second_moment) + arm * arm * l / (young / 2.6 * torsion);
+        EXPECT_NEAR(points.all.stiffness(at) * (compliance + 1.0 / contact), 1.0, 1e-6) << p.x << ' ' << p.z;
+        softest = std::min(softest, points.all.stiffness(at));
+        stiffest = std::max(stiffest, points.all.stiffness(at));
+    }
+    EXPECT_GT(stiffest, 20.0 * softest);
+}
+
+// A blade of 30 mm radius, 10 mm wide and 0.5 mm thick, clamped at the axis of its swing.
+TEST(SawBlade, BendsFromTheAxisOfItsSwing) {
+    const SawBlade blade{.radius = 30.0_mm,
+                         .arc = 0.1,
+                         .pitch = 1.0_mm,
+                         .tooth_count = 10,
+                         .thickness = 0.5_mm,
+                         .set = 0.1_mm,
+                         .tooth_height = 1.0_mm};
+    const double second_moment = 10.0e-3 * 0.125e-9 / 12.0;
+    const TouchingPoints points = points_of(blade);
+    ASSERT_GT(points.side_count, 12u);
+    for (std::size_t i = 0; i < points.side_count; ++i) {
+        const std::size_t at = points.of_sides[i].index;
+        const Vec3 p = points.all.at(at);
+        const double l = 30.0_mm + p.z;
+        EXPECT_NEAR(points.all.stiffness(at) * (l * l * l / (3.0 * young * second_moment) + 1.0 / contact), 1.0, 1e-6)
+            << p.z;
+        EXPECT_NEAR(std::abs(p.y), 0.25_mm, 1e-15);
+        EXPECT_EQ(points.all.outwards(at).y, p.y > 0.0 ? 1.0 : -1.0);
+    }
+}
+
+/// Channels of which each carries a force of its own: 1 N, 10 N, 100 N …
+struct Loaded {
+    std::vector<kerf_channel> channels;
+    std::vector<double> lambda;
+    Vec6 following{};
+
+    explicit Loaded(const std::vector<std::uint32_t>& ids) {
+        double force = 1.0;
+        for (const std::uint32_t id : ids) {
+            channels.push_back({});
+            channels.back().id = id;
+            lambda.push_back(force);
+            force *= 10.0;
+        }
+    }
+    [[nodiscard]] Advance advance() const {
+        return {.rate = {}, .channel = channels, .lambda = lambda, .following = following};
+    }
+};
+
+TEST(Binding, IsTheForceOnBothSidesAlone) {
+    const std::uint32_t first = id_contact;
+    const Loaded loaded({first + slot_tip, first + slot_side, first + slot_side + 3, first + slot_edge,
+                         first + slot_back, id_rub, id_feed});
+    EXPECT_EQ(binding_of(loaded.advance()), 10.0 + 100.0);
+}
+
+TEST(BladeTorque, CountsLoadsThatFollow) {
+    // 3 N to +y at the cutting edge, 5 mm from the long axis, and a torque of 20 N·mm of their own
+    Loaded loaded({});
+    loaded.following = {0, 3.0, 0, 20.0_Nmm, 0, 0};
+    EXPECT_NEAR(blade_torque(loaded.advance(), ten_high), 20.0_Nmm - 15.0_Nmm, 1e-15);
+}
+
+}  // namespace
+}  // namespace kerf::sawing
