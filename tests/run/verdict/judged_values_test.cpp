@@ -102,6 +102,24 @@ TEST(JudgeMeasures, ComparesEachLimitAndGoalWithItsOwnMeasure) {
     EXPECT_EQ(monitor.steps()[0].limits[1].worst, 0.25);
 }
 
+TEST(JudgeMeasures, AMeasureThatIsLostAtTheEndLosesItsGoal) {
+    TwoSteps scene;
+    scene.procedure.measures = {{.id = "slope"}};
+    scene.procedure.steps[0].goals = {{.quantity = "measure", .bound = {0.0, 1.0}, .measure = "slope"}};
+    StepMonitor monitor = scene.monitor();
+    monitor.observe({.world_from_tool = scene.tool_at(1.0_mm)}, scene.drill);
+    std::vector<documents::MeasureReading> readings(1);
+    readings[0].value = 0.5;
+    monitor.show_measures(readings);
+    monitor.observe({.world_from_tool = scene.tool_at(1.0_mm)}, scene.drill);
+    ASSERT_TRUE(monitor.steps()[0].goal_done[0]);
+    monitor.judge_measures(0, readings, 1.0);
+    EXPECT_TRUE(monitor.steps()[0].goal_done[0]);
+    readings[0].value.reset();
+    monitor.judge_measures(0, readings, 1.0);
+    EXPECT_FALSE(monitor.steps()[0].goal_done[0]);
+}
+
 // ---- a bone that lies askew ----------------------------------------------------------------------------------------
 
 /// A step whose bone is the second of two, wherever that lies.
@@ -173,6 +191,22 @@ TEST(StepMonitor, ABoneThatTurnsAboutItsEntryHasNotMoved) {
     EXPECT_NEAR(show(), 0.0, 1e-15);
     bone.position = bone.position + Vec3{3.0_mm, 0, -4.0_mm};
     EXPECT_NEAR(show(), 5.0_mm, 1e-15);
+}
+
+TEST(StepMonitor, KeepsTheRangeOfASignalThatIsNeverZero) {
+    for (const double sign : {1.0, -1.0}) {
+        TwoSteps scene;
+        scene.procedure.steps[0].goals = {{.quantity = "signal", .signal = {"temperature", 0, "K"}}};
+        StepMonitor monitor = scene.monitor();
+        for (const double value : {3.0, 2.0, 5.0, 4.0}) {
+            const double signal = sign * value;
+            monitor.observe({.world_from_tool = scene.tool_at(1.0_mm), .signals = {&signal, 1}}, scene.drill);
+        }
+        const SignalState& state = monitor.steps()[0].signals[0];
+        EXPECT_EQ(state.least, sign > 0.0 ? 2.0 : -5.0);
+        EXPECT_EQ(state.greatest, sign > 0.0 ? 5.0 : -2.0);
+        EXPECT_EQ(state.last, sign * 4.0);
+    }
 }
 
 // ---- the second time -----------------------------------------------------------------------------------------------
