@@ -40,7 +40,7 @@ struct Hole {
         before.measure(thread, BoneQuery(query), along);
     }
     void go_in(double distance) {
-        for (double gone = 0.5 * step; gone < distance; gone += step) move(step);
+        for (double moved = 0.5 * step; moved < distance; moved += step) move(step);
     }
 };
 
@@ -63,7 +63,7 @@ TEST(HoleBefore, KeepsWhatItMeasuredFirst) {
     hole.move(0.0);
     hole.go_in(4.0_mm);
     hole.radius = 2.4_mm;  // the core has widened it
-    for (double gone = 0.0; gone < 2.0_mm; gone += step) hole.move(-step);
+    for (double moved = 0.0; moved < 2.0_mm; moved += step) hole.move(-step);
     hole.go_in(2.0_mm);
     EXPECT_NEAR(hole.before.radius_at(-2.0_mm), 2.0_mm, 1e-8);
 }
@@ -76,7 +76,7 @@ TEST(HoleBefore, MeasuresAgainAfterTheToolHasLeft) {
         hole.go_in(4.0_mm);
         EXPECT_NEAR(hole.before.radius_at(-2.0_mm), radius, 1e-8);
         hole.radius = 9.0_mm;  // in front of the bone
-        for (double gone = 0.0; gone < 6.0_mm; gone += step) hole.move(-step);
+        for (double moved = 0.0; moved < 6.0_mm; moved += step) hole.move(-step);
     }
 }
 

@@ -202,10 +202,10 @@ TEST(StepMonitor, KeepsTheRangeOfASignalThatIsNeverZero) {
             const double signal = sign * value;
             monitor.observe({.world_from_tool = scene.tool_at(1.0_mm), .signals = {&signal, 1}}, scene.drill);
         }
-        const SignalState& state = monitor.steps()[0].signals[0];
-        EXPECT_EQ(state.least, sign > 0.0 ? 2.0 : -5.0);
-        EXPECT_EQ(state.greatest, sign > 0.0 ? 5.0 : -2.0);
-        EXPECT_EQ(state.last, sign * 4.0);
+        const auto& [signal, smallest, greatest, last, is_seen] = monitor.steps()[0].signals[0];
+        EXPECT_EQ(smallest, sign > 0.0 ? 2.0 : -5.0);
+        EXPECT_EQ(greatest, sign > 0.0 ? 5.0 : -2.0);
+        EXPECT_EQ(last, sign * 4.0);
     }
 }
 
