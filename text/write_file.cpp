@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "text/system_reason.h"
+
 namespace kerf::text {
 namespace {
 
@@ -62,10 +64,13 @@ int open_alone(const std::string& path, int& error) {
     return -1;
 }
 
+FileIdentity identity(const struct stat& file) noexcept {
+    return {static_cast<std::uint64_t>(file.st_dev), static_cast<std::uint64_t>(file.st_ino)};
+}
+
 std::string reason(int error) {
     if (error == EBUSY) return "another process is writing it";
-    return error == ENOSPC || error == EDQUOT ? "the disk is full. Free some space, or give a folder on another disk"
-                                              : std::strerror(error);
+    return system_reason(error);
 }
 
 }  // namespace
@@ -85,6 +90,11 @@ std::string OutputLock::take(const std::string& folder) {
     if (folder_ >= 0) close(folder_);
     folder_ = opened;
     return {};
+}
+
+bool OutputLock::is_at(const std::string& folder) const {
+    struct stat locked {};
+    return fstat(folder_, &locked) == 0 && identity(locked) == identity_of(folder);
 }
 
 bool is_being_written(const std::string& folder) {
@@ -165,6 +175,11 @@ std::string write_file(const std::string& path, std::span<const unsigned char> c
     FileWriter file(path);
     file.write(contents);
     return file.finish();
+}
+
+FileIdentity identity_of(const std::string& path) noexcept {
+    struct stat found {};
+    return stat(path.c_str(), &found) == 0 ? identity(found) : FileIdentity{};
 }
 
 int store_on_disk(const std::string& path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +41,15 @@ private:
 /// [main]
 [[nodiscard]] std::string rename_into_position(const std::string& temporary, const std::string& path);
 
+/// Identifies a file or folder, whatever its name. Two zeros: none.
+struct FileIdentity {
+    std::uint64_t device = 0, number = 0;
+    friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
+};
+
+/// Returns the identity of the file or folder that a name leads to.   [any]
+[[nodiscard]] FileIdentity identity_of(const std::string& path) noexcept;
+
 /// Syncs a file's bytes, or a folder's names, to disk. Returns 0, or errno. Returns 0 for file systems without sync.
 /// [main]
 [[nodiscard]] int store_on_disk(const std::string& file_or_folder);
@@ -72,6 +82,10 @@ public:
 
     /// Takes the lock. Returns the reason if it cannot, empty on success.   [main]
     [[nodiscard]] std::string take(const std::string& folder);
+
+    /// Returns whether the name still leads to the locked folder: false if it was removed, renamed, replaced or
+    /// unmounted. Pre: `take` has succeeded.   [main]
+    [[nodiscard]] bool is_at(const std::string& folder) const;
 
 private:
     int folder_ = -1;  ///< opened
