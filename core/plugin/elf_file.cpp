@@ -109,7 +109,12 @@ std::string refusal_of_file(const std::string& path) {
     if (size < sizeof(Elf64_Ehdr)) return cut_short(size, sizeof(Elf64_Ehdr));
     Elf64_Ehdr head{};
     if (!read_at(file, 0, head)) return cut_short(size, sizeof head);
-    if (own_machine != EM_NONE && (head.e_machine != own_machine || ident[EI_CLASS] != ELFCLASS64))
+    if (own_machine != EM_NONE && head.e_machine == own_machine &&
+        (ident[EI_CLASS] != ELFCLASS64 || ident[EI_DATA] != ELFDATA2LSB))
+        return "has a header for " + name_of_machine(own_machine) +
+               " that is not of 64 bits with the least significant byte first, so it is damaged or of another kind. "
+               "Copy or build it again.";
+    if (own_machine != EM_NONE && head.e_machine != own_machine)
         return "is built for " + name_of_machine(head.e_machine) + ", and this Kerf runs on " +
                name_of_machine(own_machine) + ". Build it again on this machine.";
     if (head.e_type != ET_DYN)

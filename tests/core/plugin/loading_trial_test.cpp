@@ -106,5 +106,18 @@ TEST(ElfFile, NamesTheMachineItWasBuiltFor) {
     EXPECT_NE(refusal.find("is built for AArch64, and this Kerf runs on x86-64."), std::string::npos) << refusal;
 }
 
+// A header of this machine is not called one of another machine.
+TEST(ElfFile, NamesADamagedHeader) {
+    const test::TemporaryFolder folder;
+    for (const std::size_t byte : {4, 5}) {  // class and order of bytes
+        std::string damaged = test::contents_of(file_of("nothing_wrong"));
+        damaged[byte] = static_cast<char>(3 - damaged[byte]);
+        std::ofstream(folder / "damaged.so", std::ios::binary) << damaged;
+        const std::string refusal = load_plugin(folder / "damaged.so").refusal;
+        EXPECT_NE(refusal.find("damaged or of another kind"), std::string::npos) << refusal;
+        EXPECT_EQ(refusal.find("this Kerf runs on"), std::string::npos) << refusal;
+    }
+}
+
 }  // namespace
 }  // namespace kerf
