@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "documents/fit_references.h"
+#include "documents/list_limits.h"
 #include "documents/read_bone_source.h"
 #include "documents/read_landmarks.h"
 #include "documents/read_solids.h"
@@ -182,7 +183,7 @@ text::Result<AnatomyDraft> draft_of_text(const std::string& file, std::string te
     const Node* kind = document->root.find("kind");
     if (kind == nullptr || kind->text == "Anatomy") correct_keys(document->root, shapes::anatomy, report);
     MapReader map(document->root, shapes::anatomy, "", report);
-    if (!read_header(map, "Anatomy", report)) return found;
+    if (!read_header(map, "Anatomy", report) || !are_lists_short(document->root, report)) return found;
     AnatomyDraft draft{read_body(map, *document, report)};
     draft.is_sound = !text::has_error(found);
     return {std::move(draft), std::move(found)};

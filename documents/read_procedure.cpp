@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "documents/list_limits.h"
 #include "documents/made/read_request.h"
 #include "documents/names.h"
 #include "documents/patch.h"
@@ -25,8 +26,6 @@
 namespace kerf::documents {
 namespace {
 
-constexpr std::size_t max_variants = 32;
-
 void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Report& report) {
     std::set<std::string> used;
     for (const Step& step : steps) used.insert(step.instrument);
@@ -43,11 +42,6 @@ void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Rep
 std::vector<Variant> read_variants(const Node& node, Report& report) {
     std::vector<Variant> variants;
     if (!is_kind(node, Node::Kind::map, "variants", report)) return variants;
-    if (node.children.size() > max_variants)  // each is read and checked like a procedure
-        report.error(text::Code::out_of_range, node.children[max_variants].key_span,
-                     "There are too many variants: got " + std::to_string(node.children.size()) +
-                         ", expected at most " + std::to_string(max_variants) +
-                         ". Move some into a procedure of their own.");
     for (const Node& child : node.children) {
         read_key(child, "A variant's name", report);
         Variant& variant = variants.emplace_back(Variant{child.key, {}});
@@ -228,7 +222,7 @@ text::Result<ProcedureDraft> draft_of_text(const std::string& file, std::string 
     if (changes.any()) correct();
     Report report(*document, found);
     MapReader map(document->root, shapes::procedure, "", report);
-    if (!read_header(map, "Procedure", report)) return found;
+    if (!read_header(map, "Procedure", report) || !are_lists_short(document->root, report)) return found;
     ProcedureDraft draft = ProcedureReader(map, *document, catalog, report).read();
     draft.procedure.document = document;
     draft.procedure.translations = translations_in(document->root, shapes::procedure);

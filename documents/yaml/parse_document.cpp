@@ -4,6 +4,7 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -21,6 +22,7 @@
 #include "text/look_alike.h"
 #include "text/printable.h"
 #include "text/quantity.h"
+#include "text/regular_file.h"
 
 namespace kerf::documents {
 namespace {
@@ -329,20 +331,20 @@ private:
 
 text::Result<std::string> read_text_file(const std::string& file) {
     std::error_code failure;
-    if (!std::filesystem::exists(file, failure)) {
-        return text::Diagnostics{text::error_about(file, text::code_text(text::Code::file_unreadable),
-                                                   "The file does not exist. Check its name and its folder.")};
+    const auto refused = [&](const std::string& message) {
+        return text::Diagnostics{text::error_about(file, text::code_text(text::Code::file_unreadable), message)};
+    };
+    if (!std::filesystem::exists(file, failure) && !failure)
+        return refused("The file does not exist. Check its name and its folder.");
+    if (std::filesystem::is_directory(file, failure))
+        return refused("The path is a folder, expected a file. Name a YAML file in it.");
+    if (const auto fault = text::fault_of_file(file)) {
+        std::string problem = fault->problem;
+        problem.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(problem.front())));
+        return refused(problem + " " + fault->advice);
     }
-    // A pipe or a device could keep us waiting for ever.
-    std::ifstream stream;
-    if (std::filesystem::is_regular_file(file, failure)) stream.open(file, std::ios::binary);
-    if (!stream.is_open()) {
-        const bool is_folder = std::filesystem::is_directory(file, failure);
-        return text::Diagnostics{text::error_about(
-            file, text::code_text(text::Code::file_unreadable),
-            is_folder ? "The path is a folder, expected a file. Name a YAML file in it."
-                      : "The file cannot be read. Name a YAML file, and check that you may read it.")};
-    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream.is_open()) return refused("The file cannot be read. Name a YAML file, and check that you may read it.");
     const std::uintmax_t size = std::filesystem::file_size(file, failure);  // the largest number if it cannot be said
     std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size, largest_file)) + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
