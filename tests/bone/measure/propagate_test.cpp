@@ -89,6 +89,14 @@ TEST(Propagate, KeepsTheFirstOrderWhereFewDrawsHaveAValue) {
     EXPECT_NEAR(found->uncertainty, 1.0, 1e-12);
 }
 
+TEST(Propagate, AveragesOverTheDrawsThatHaveAValue) {
+    // Draws are even between ±√3; x² from −0.5 on has a mean square of (√3⁵ + 0.5⁵) / (5 (√3 + 0.5)) = 1.3995
+    constexpr std::array<double, 1> u{1.0};
+    const auto found = propagate_sum(u, 0.0, [](double x) { return x > -0.5 ? std::optional(x * x) : std::nullopt; });
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->uncertainty, std::sqrt(1.3995), 0.06 /* of two thirds of 1024 draws */);
+}
+
 TEST(Propagate, ToleranceIsAnEvenlySpreadInterval) {
     EXPECT_NEAR(standard_uncertainty_of(1.5e-3), 1.5e-3 / std::sqrt(3.0), 1e-15);
 }
