@@ -99,7 +99,8 @@ TEST(Breach, OfAHoleThatCrossesItsPlanIsOnTheFarSide) {
     // Begun 6 mm to −x, it leaves the bone through the face x = 12 mm
     const HolePlan plan = plan_along({}, {0, 0, 1}, 20.0_mm);
     const Vec3 direction = normalized(Vec3{1, 0, 1}), tip{14.0_mm, 0, 20.0_mm};
-    const DrilledHole hole = hole_along(block(), plan, tip, direction).value();
+    DrilledHole hole = hole_along(block(), plan, tip, direction).value();
+    hole.at = {-6.0_mm, 0, 0};
     const Breach breach = breach_of(block(), plan, hole, 4.0_mm, {1, 0, 0}, {0, 1, 0}, {19.0_mm, 20.0_mm});
     EXPECT_EQ(breach.towards[0], 4.0_mm);
     EXPECT_EQ(breach.towards[1], 0.0);
@@ -141,6 +142,18 @@ TEST(HoleAlong, AWaistEndsWhereBoneIsHalfAsWideAgain) {
     ASSERT_TRUE(hole);
     EXPECT_NEAR(hole->narrowest_depth, 15.0_mm, 0.6_mm);
     EXPECT_NEAR(hole->waist_end, 22.5_mm, 0.8_mm) << "3 mm + 1.5 mm";
+}
+
+TEST(DrilledHole, AWaistEndsWhereBoneIsHalfAsWideAgain) {
+    const Body body = waisted();
+    const auto hole = measure_hole(body, plan_along({}, {0, 0, 1}, 28.0_mm), [&](Vec3 p) {
+        const double bone = std::clamp(0.5 - uncut_distance(body, locate(body, p)) / spacing, 0.0, 1.0);
+        const double drilled = std::clamp(0.5 + (radius - std::hypot(p.x, p.y)) / spacing, 0.0, 1.0);
+        return Drilled{bone * drilled, 0.0};
+    });
+    ASSERT_TRUE(hole);
+    EXPECT_NEAR(hole->narrowest_depth, 15.0_mm, 0.6_mm);
+    EXPECT_NEAR(hole->waist_end, 22.5_mm, 0.8_mm);
 }
 
 TEST(HoleAlong, WithoutAWaistItEndsWithTheHole) {

@@ -193,5 +193,16 @@ TEST(Thickness, OfAWedgeOfTrianglesHasTheUncertaintyOfBothItsWalls) {
     }
 }
 
+TEST(FieldSurface, IsEnteredWhereALineFirstMeetsItsWall) {
+    Body body = test::block({-1.0_mm, -6.0_mm, -6.0_mm}, {15.0_mm, 6.0_mm, 6.0_mm}, 0.4_mm, {0.3, 0.1, 0.7});
+    body.surface = LevelSet::build(body.grid(), test::wedge_distance);
+    const CutField uncut(body, 0);
+    const FieldSurface surface(body, uncut);
+    const Line through{{-2.0_mm, 1.0_mm, 0.5_mm}, {1, 0, 0}}, back{{16.0_mm, 1.0_mm, 0.5_mm}, {-1, 0, 0}};
+    EXPECT_NEAR(surface.entry_on(through, 0.0, 1.0).value_or(-1.0), 2.0_mm, 0.02_mm);
+    EXPECT_NEAR(surface.entry_on(back, 0.0, 1.0).value_or(-1.0), 8.0_mm + 1.0_mm * std::tan(wedge_angle), 0.02_mm);
+    EXPECT_FALSE(surface.entry_on(through, 3.0_mm, 1.0)) << "it begins in bone";
+}
+
 }  // namespace
 }  // namespace kerf::bone
