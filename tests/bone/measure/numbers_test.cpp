@@ -193,6 +193,23 @@ TEST(Thickness, OfAWedgeOfTrianglesHasTheUncertaintyOfBothItsWalls) {
     }
 }
 
+TEST(Stretches, OfPartsThatOverlapEndAtTheOuterWalls) {
+    // A box from x = −4 to 4 mm in the wedge, whose face x = 0 is inside it
+    SurfaceMesh mesh = test::wedge_mesh();
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    SurfaceMesh box = test::wedge_mesh();
+    for (Vec3& p : box.vertices) p = {p.x > 0.0 ? 4.0_mm : -4.0_mm, p.y, p.z};
+    mesh.vertices.insert(mesh.vertices.end(), box.vertices.begin(), box.vertices.end());
+    for (const Triangle& t : box.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    const MeshSurface surface(mesh);
+    const auto stretches = surface.stretches_on({{1.0_mm, 0.3_mm, 0.7_mm}, {1, 0, 0}}, -0.1, 0.1);
+    ASSERT_EQ(stretches.size(), 1u);
+    EXPECT_NEAR(stretches[0].begin, -5.0_mm, 1e-12);
+    EXPECT_NEAR(stretches[0].end, 7.0_mm - 0.3_mm * std::tan(wedge_angle), 1e-12);
+    EXPECT_NEAR(stretches[0].cosine_at_begin, 1.0, 1e-12);
+    EXPECT_NEAR(stretches[0].cosine_at_end, std::cos(wedge_angle), 1e-12);
+}
+
 TEST(FieldSurface, IsEnteredWhereALineFirstMeetsItsWall) {
     Body body = test::block({-1.0_mm, -6.0_mm, -6.0_mm}, {15.0_mm, 6.0_mm, 6.0_mm}, 0.4_mm, {0.3, 0.1, 0.7});
     body.surface = LevelSet::build(body.grid(), test::wedge_distance);
