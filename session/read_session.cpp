@@ -56,14 +56,7 @@ bool read_keys(SessionFile& file, RecordedInputs& inputs) {
     return !keys.has_failed();
 }
 
-}  // namespace
-
-std::optional<RecordedInputs> read_session(const std::string& path, std::string& error) {
-    std::vector<std::string> tables;
-    for (const Table& table : session_tables({})) tables.push_back(table.name);
-    SessionFile file;
-    if (error = file.open(path, tables); !error.empty()) return std::nullopt;
-
+std::optional<RecordedInputs> read_inputs(const std::string& path, SessionFile& file, std::string& error) {
     RecordedInputs inputs;
     const bool has_keys = read_keys(file, inputs);
     const std::vector<Table> all = recorded_tables(file.handle());
@@ -127,6 +120,19 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
     inputs.is_old = version.next() && version.integer(0) < first_schema_with_checksum;
     inputs.rows = check_record(file.handle());
     return inputs;
+}
+
+}  // namespace
+
+std::optional<RecordedInputs> read_session(const std::string& path, std::string& error) {
+    std::vector<std::string> tables;
+    for (const Table& table : session_tables({})) tables.push_back(table.name);
+    SessionFile file;
+    if (error = file.open(path, tables); !error.empty()) return std::nullopt;
+    auto inputs = read_inputs(path, file, error);
+    if (file.outside_reason().empty()) return inputs;
+    error = file.outside_reason();
+    return std::nullopt;
 }
 
 }  // namespace kerf::session

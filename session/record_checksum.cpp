@@ -46,14 +46,25 @@ std::vector<std::string> add_statements(ContentHash& hash, SessionQuery& stateme
     return found;
 }
 
-std::string value_of(sqlite3* database, const std::string& key) {
+std::string value_of(const SessionHandle& database, const std::string& key) {
     SessionQuery query(database, "SELECT value FROM session WHERE key = '" + key + "'");
     return query.next() ? query.text(0) : std::string();
 }
 
+bool has_result(const SessionHandle& database) {
+    SessionQuery query(database,
+                       "SELECT 1 FROM session WHERE key IN ('result.verdict', 'result.score', 'hash', 'summary')");
+    return query.next();
+}
+
+bool has_blocks(const SessionHandle& database) {
+    SessionQuery query(database, "SELECT 1 FROM blocks LIMIT 1");
+    return query.next();
+}
+
 }  // namespace
 
-std::optional<std::uint64_t> record_checksum(sqlite3* database) {
+std::optional<std::uint64_t> record_checksum(const SessionHandle& database) {
     ContentHash hash;
     SessionQuery statements(database, "SELECT type, name, sql FROM sqlite_master ORDER BY type, name");
     const std::vector<std::string> tables = add_statements(hash, statements);
@@ -74,12 +85,16 @@ std::optional<std::uint64_t> record_checksum(sqlite3* database) {
     return hash.value();
 }
 
-RecordCheck check_record(sqlite3* database) {
+RecordCheck check_record(const SessionHandle& database) {
     const std::string expected = value_of(database, record_checksum_key);
     if (expected.empty()) {
         SessionQuery version(database, "PRAGMA user_version");
-        const bool must_have_one = version.next() && version.integer(0) >= first_schema_with_checksum;
-        return must_have_one && value_of(database, "state") == "finished" ? RecordCheck::changed : RecordCheck::unknown;
+        // Blocks came later than checksums: with any, the number of the schema was changed.
+        const bool must_have_one =
+            (version.next() && version.integer(0) >= first_schema_with_checksum) || has_blocks(database);
+        // A run writes its verdict and its checksum in one transaction.
+        const bool has_end = value_of(database, "state") == "finished" || has_result(database);
+        return must_have_one && has_end ? RecordCheck::changed : RecordCheck::unknown;
     }
     const auto found = record_checksum(database);
     return found && hex16(*found) == expected ? RecordCheck::same : RecordCheck::changed;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-struct sqlite3;
+#include "session/session_file.h"
 
 namespace kerf::session {
 
@@ -16,16 +16,16 @@ inline constexpr const char* record_checksum_key = "record_checksum";
 /// one row at a time, so memory does not grow with the run.
 ///
 /// It detects damage and simple edits. It does not detect a forger, who can recompute it.   [main, worker]
-[[nodiscard]] std::optional<std::uint64_t> record_checksum(sqlite3* database);
+[[nodiscard]] std::optional<std::uint64_t> record_checksum(const SessionHandle& database);
 
 /// Result of comparing a session's rows with its checksum.
 enum class RecordCheck {
     same,     ///< the rows are as the run wrote them
-    changed,  ///< the rows differ, or the checksum was removed
+    changed,  ///< the rows differ, or there is a result without a checksum
     unknown,  ///< no checksum: the run was killed, or an older Kerf wrote it
 };
 
 /// Compares the rows with the checksum. Pre: the session is open and its tables compute nothing.   [main]
-[[nodiscard]] RecordCheck check_record(sqlite3* database);
+[[nodiscard]] RecordCheck check_record(const SessionHandle& database);
 
 }  // namespace kerf::session

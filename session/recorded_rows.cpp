@@ -16,7 +16,7 @@ namespace {
 // Upper bound of zlib's output for incompressible numbers. A run writes no more.
 constexpr std::size_t max_packed_bytes = 8 * max_block_rows + 1024;
 
-bool has_blocks(sqlite3* database) {
+bool has_blocks(const SessionHandle& database) {
     SessionQuery version(database, "PRAGMA user_version");
     return version.next() && version.integer(0) >= first_schema_with_blocks;
 }
@@ -44,7 +44,7 @@ std::string plain_sql(const std::string& table, const std::vector<std::string>& 
 
 }  // namespace
 
-RecordedRows::RecordedRows(sqlite3* database, const Table& table, const std::vector<std::string>& wanted)
+RecordedRows::RecordedRows(const SessionHandle& database, const Table& table, const std::vector<std::string>& wanted)
     : table_(table), index_in_unpacked_(table.columns.size()), plain_(database, plain_sql(table.name, wanted)) {
     std::vector<std::string> names = wanted;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -136,16 +136,16 @@ std::int64_t RecordedRows::integer(std::size_t column) const {
     return integer_of(cells_[column * max_block_rows + row_]);
 }
 
-std::vector<Table> recorded_tables(sqlite3* database) {
+std::vector<Table> recorded_tables(const SessionHandle& database) {
     std::vector<SignalColumn> signals;
-    SessionQuery ids(database, "SELECT id, display_unit FROM signals ORDER BY position");
+    SessionQuery ids(database, "SELECT id, display_unit FROM signals ORDER BY rowid");
     while (signals.size() < max_signal_columns && ids.next()) signals.push_back({ids.text(0), {}, ids.text(1), 1.0});
     SessionQuery scale(database, "SELECT value FROM session WHERE key = 'condition.force_scale'");
     const text::PlainNumbers point;
     return session_tables(signals, scale.next() ? std::strtod(scale.text(0).c_str(), nullptr) : 1.0);
 }
 
-std::optional<std::uint64_t> recorded_row_count(sqlite3* database, const std::string& table) {
+std::optional<std::uint64_t> recorded_row_count(const SessionHandle& database, const std::string& table) {
     // Not count(*): for it SQLite calls no progress handler, and a cycle of pages would never end.
     SessionQuery plain(database, "SELECT total(1) FROM " + table);
     if (!plain.next()) return std::nullopt;

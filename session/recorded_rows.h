@@ -18,7 +18,7 @@ namespace kerf::session {
 class RecordedRows {
 public:
     /// @param wanted   names of the columns of `table` to read; the others are not unpacked
-    RecordedRows(sqlite3* database, const Table& table, const std::vector<std::string>& wanted);
+    RecordedRows(const SessionHandle& database, const Table& table, const std::vector<std::string>& wanted);
 
     bool next();
     /// Returns the reason for an early end, for people: "block 3 of its table `ticks` is cut short". Empty at the end
@@ -52,9 +52,9 @@ private:
 };
 
 /// Returns the tables of a session, with its own signals and predictions.   [main]
-[[nodiscard]] std::vector<Table> recorded_tables(sqlite3* database);
+[[nodiscard]] std::vector<Table> recorded_tables(const SessionHandle& database);
 
 /// Returns the number of rows that `RecordedRows` reads, according to the file; nothing if it cannot be read.   [main]
-[[nodiscard]] std::optional<std::uint64_t> recorded_row_count(sqlite3* database, const std::string& table);
+[[nodiscard]] std::optional<std::uint64_t> recorded_row_count(const SessionHandle& database, const std::string& table);
 
 }  // namespace kerf::session

@@ -30,12 +30,6 @@ void copy_text(char (&to)[N], const std::string& from) noexcept {
     to[count] = '\0';
 }
 
-/// Returns an error of SQLite for people, with advice.
-std::string for_people(const std::string& error) {
-    const bool is_full = error.find("disk is full") != std::string::npos;
-    return is_full ? "the disk is full. Free some space, or give a folder on another disk." : error + ".";
-}
-
 }  // namespace
 
 Recorder::Recorder(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
@@ -80,13 +74,14 @@ Recorder::Created Recorder::create(const std::string& path, const SessionHeader&
         }
         return {nullptr, why};
     };
-    const auto refusal = [&] { return path + " could not be made: " + for_people(database.error()); };
+    const auto refusal = [&] { return path + " could not be made: " + database.error() + "."; };
 
     if (database.open(part)) impl->create(header);
     if (!database.is_good()) return failed(refusal());
     database.close();
     if (std::string why = text::rename_into_position(part, path); !why.empty()) return failed(why);
     if (database.open(path)) impl->open_to_write();
+    impl->file = text::identity_of(path);
     if (database.is_good()) impl->start();
     if (!database.is_good()) {
         impl->finalize();
@@ -123,6 +118,8 @@ bool Recorder::wait_for_capacity() {
     return !impl_->is_failed.load(std::memory_order_acquire);
 }
 
+bool Recorder::is_removed() const noexcept { return impl_->was_removed || impl_->is_removed(); }
+
 RecorderLosses Recorder::losses() const noexcept {
     return {impl_->lost_ticks.load(), impl_->lost_events.load(), impl_->lost_cuts.load()};
 }
@@ -143,14 +140,17 @@ std::string Recorder::finish(const RunSummary& summary, const DrawnSurface& bone
     impl_->database.run("BEGIN");
     impl_->write_results(summary, bone_after);
     impl_->database.run("COMMIT");
-    impl_->close(losses().any() ? "incomplete" : "finished");
-    if (!impl_->error.empty()) return impl_->path + " is incomplete: " + for_people(impl_->error);
+    impl_->close(losses().any() ? "incomplete" : "finished", &summary);
+    if (impl_->was_removed)
+        return impl_->path + " is no longer there: it was removed, renamed or replaced during the run.";
+    if (!impl_->error.empty()) return impl_->path + " is incomplete: " + impl_->error + ".";
     if (!impl_->fold_error.empty())
-        return impl_->path + " is complete together with session.db-wal, which could not be folded into it: " +
-               for_people(impl_->fold_error) + " Keep both files together.";
+        return impl_->path +
+               " is complete together with session.db-wal, which could not be folded into it: " + impl_->fold_error +
+               ". Keep both files together.";
     if (!impl_->plain_error.empty())
         return impl_->path + " is complete, and larger than it needs to be: some rows could not be compressed: " +
-               for_people(impl_->plain_error);
+               impl_->plain_error + ".";
     return {};
 }
 

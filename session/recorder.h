@@ -134,9 +134,14 @@ public:
     [[nodiscard]] static SavedRecord save_what_is_open(const char* event_id, const char* detail) noexcept;
 
     /// Writes the remaining rows, the result, the drawn bone, the hash and the checksum of all rows, and closes the
-    /// session as a single file. Its state becomes "finished", or "incomplete" if rows were lost. Returns the error as
-    /// text, empty on success. Call it once.   [main, after the last push]
+    /// session as a single file. Its state becomes "finished", or "incomplete" if rows were lost. If is_removed(), it
+    /// changes no file of that name. Returns the error as text, empty on success. Call it once.   [main, after the last
+    /// push]
     [[nodiscard]] std::string finish(const RunSummary& summary, const DrawnSurface& bone_after = {});
+
+    /// Returns whether the session's name leads to another file or to none, because its file was removed, renamed or
+    /// replaced since `create`.   [main]
+    [[nodiscard]] bool is_removed() const noexcept;
 
 private:
     struct Impl;

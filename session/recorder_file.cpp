@@ -102,6 +102,9 @@ void Recorder::Impl::open_to_write() {
     database.run("PRAGMA synchronous=NORMAL");
     database.run("PRAGMA wal_autocheckpoint=0");
     database.run("PRAGMA secure_delete=OFF");  // plain rows remain in a block when deleted: no need to overwrite them
+    // Opens the -wal file while the folder surely has this name.
+    database.run("BEGIN IMMEDIATE");
+    database.run("COMMIT");
 
     begin.prepare(database, "BEGIN");
     commit.prepare(database, "COMMIT");
@@ -154,6 +157,9 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
         insert_surface.run();
     }
     write_zones(summary);
+}
+
+void Recorder::Impl::write_verdict(const RunSummary& summary) {
     set("session", "result.verdict", to_text(summary.verdict));
     set("session", "result.score", text_of(summary.score));
     set("session", "result.score_rules", std::to_string(summary.score_rules));
@@ -200,22 +206,25 @@ void Recorder::Impl::compress_rest() {
     }
 }
 
-/// Writes the final state and the checksum of the whole session in one transaction.
-bool Recorder::Impl::write_state(const char* state) {
+/// Writes the verdict, the final state and the checksum of the whole session in one transaction: no file has a verdict
+/// without a checksum.
+bool Recorder::Impl::write_state(const char* state, const RunSummary* summary) {
     database.run("BEGIN");
+    if (summary != nullptr) write_verdict(*summary);
     SqliteStatement(database, std::string("UPDATE session SET value='") + state + "' WHERE key='state'").run();
     set("session", "lost_ticks", std::to_string(lost_ticks.load()));
     set("session", "lost_events", std::to_string(lost_events.load()));
     set("session", "lost_cuts", std::to_string(lost_cuts.load()));
     if (!database.is_good()) return false;
-    const auto checksum = record_checksum(database.handle());
-    if (!checksum) database.fail("its rows cannot be read back");
+    std::string reason;
+    const auto checksum = record_checksum({database.handle(), &reason});
+    if (!checksum) database.fail(reason.empty() ? "its rows cannot be read back" : reason);
     if (checksum) set("session", record_checksum_key, hex16(*checksum));
     return database.run("COMMIT");
 }
 
-/// Writes the final state, merges the -wal file and closes.
-void Recorder::Impl::close(const char* state) {
+/// Writes the verdict, if there is one, and the final state, merges the -wal file and closes.
+void Recorder::Impl::close(const char* state, const RunSummary* summary) {
     // A program that cannot continue skips all work that is not needed.
     if (!is_abandoned.load(std::memory_order_acquire)) compress_rest();
     finalize();
@@ -223,19 +232,26 @@ void Recorder::Impl::close(const char* state) {
     if (!database.is_good()) {
         error = database.recover();
         state = "incomplete";
+        summary = nullptr;  // its rows may be missing
     }
-    if (!write_state(state)) {
+    if (!write_state(state, summary)) {
         const std::string why = database.recover();
         if (error.empty()) error = why;
         database.run("UPDATE session SET value='incomplete' WHERE key='state'");
         (void)database.recover();
     }
+    was_removed = is_removed();
+    if (was_removed) database.keep_files_on_close();  // files of these names belong to another program
     database.try_run("PRAGMA incremental_vacuum");
+    if (!was_removed) fold();
+    database.close();
+    is_closed = true;
+}
+
+void Recorder::Impl::fold() {
     database.run("PRAGMA wal_checkpoint(TRUNCATE)");
     database.run("PRAGMA journal_mode=DELETE");
     fold_error = database.error();
-    database.close();
-    is_closed = true;
 }
 
 }  // namespace kerf::session

@@ -18,6 +18,7 @@
 #include "session/session_tables.h"
 #include "session/sqlite_database.h"
 #include "session/summary.h"
+#include "text/write_file.h"
 
 /// The inside of a recorder: recorder.cpp has its face, recorder_file.cpp begins and ends the file, recorder_writer.cpp
 /// has the threads that write it.
@@ -68,7 +69,8 @@ struct Recorder::Impl {
     const char *last_event = "", *last_detail = "";
     std::uint64_t last_tick = 0;  ///< last written
     double last_time = 0.0;
-    bool is_closed = false;
+    text::FileIdentity file;
+    bool is_closed = false, was_removed = false;
     std::string error;        ///< the first error, once closed
     std::string plain_error;  ///< the reason for plain rows in a complete session
     std::string fold_error;   ///< the reason why the -wal file remains next to a complete session
@@ -78,8 +80,10 @@ struct Recorder::Impl {
     void open_to_write();
     void write_results(const RunSummary& summary, const DrawnSurface& bone_after);
     void write_zones(const RunSummary& summary);
+    void write_verdict(const RunSummary& summary);
     void finalize();
-    void close(const char* state);
+    [[nodiscard]] bool is_removed() const noexcept { return text::identity_of(path) != file; }
+    void close(const char* state, const RunSummary* summary = nullptr);
 
     // recorder_writer.cpp
     void start();
@@ -88,7 +92,8 @@ struct Recorder::Impl {
 private:
     void set(const char* table, std::string_view key, std::string_view value);
     void compress_rest();
-    bool write_state(const char* state);
+    void fold();
+    bool write_state(const char* state, const RunSummary* summary);
 
     void write_until_stopped();
     void close_abandoned();

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "session/recorder_impl.h"
+#include "text/system_reason.h"
 
 namespace kerf::session {
 namespace {
@@ -182,7 +183,8 @@ void Recorder::Impl::start() {
         checkpointer = std::thread(checkpoint);
     } catch (const std::system_error& refused) {
         stop();
-        database.fail(std::string("the system gives no thread (") + refused.code().message() + ")");
+        database.fail(std::string("the system gives no thread (") + refused.code().message() + "). " +
+                      text::thread_advice());
     }
     open.store(this);
 }

@@ -9,20 +9,22 @@
 #include <system_error>
 
 #include "session/recorder.h"
+#include "session/sqlite_reason.h"
+#include "text/regular_file.h"
 #include "text/write_file.h"
 
 namespace kerf::session {
 
 namespace {
 
-std::int64_t pragma(sqlite3* database, const char* sql) {
+std::int64_t pragma(const SessionHandle& database, const char* sql) {
     SessionQuery query(database, sql);
     return query.next() ? query.integer(0) : -1;
 }
 
 /// Returns whether a table's rows are computed when they are read: a view, a virtual table or a computed column. Such
 /// statements come from the author of the file and may never end.
-bool computes(sqlite3* database, const std::string& table) {
+bool computes(const SessionHandle& database, const std::string& table) {
     SessionQuery sorts(database, "PRAGMA main.table_list(" + table + ")");
     while (sorts.next())
         if (sorts.text(2) != "table") return true;
@@ -49,22 +51,35 @@ std::string in_uri(const std::string& path) {
 constexpr int steps_at_once = 1000;
 constexpr std::int64_t min_steps = 1'000'000, steps_per_byte = 16;
 
+constexpr const char *name_another = " Name a session.db that a run has written.",
+                     *cannot_be_opened = ": cannot be opened. Name a session.db that a run has written.";
+
 }  // namespace
 
 // ---- a query -----------------------------------------------------------------------------------------------------
 
-SessionQuery::SessionQuery(sqlite3* database, const std::string& sql) {
-    code_ = sqlite3_prepare_v2(database, sql.c_str(), -1, &statement_, nullptr);
+SessionQuery::SessionQuery(const SessionHandle& session, const std::string& sql) : session_(session) {
+    code_ = sqlite3_prepare_v2(session.database, sql.c_str(), -1, &statement_, nullptr);
+    if (code_ != SQLITE_OK) note_failure();
 }
 SessionQuery::~SessionQuery() { sqlite3_finalize(statement_); }
 
 bool SessionQuery::next() {
     if (code_ != SQLITE_OK) return false;
     code_ = sqlite3_step(statement_);
-    if (code_ != SQLITE_ROW) return false;
+    if (code_ != SQLITE_ROW) {
+        if (code_ != SQLITE_DONE) note_failure();
+        return false;
+    }
     code_ = SQLITE_OK;
     return true;
 }
+
+void SessionQuery::note_failure() {
+    std::string* const first = session_.outside_reason;
+    if (first != nullptr && first->empty()) *first = outside_reason(session_.database, code_);
+}
+
 bool SessionQuery::has_failed() const noexcept { return code_ != SQLITE_DONE && code_ != SQLITE_OK; }
 int SessionQuery::columns() const { return sqlite3_column_count(statement_); }
 int SessionQuery::type(int column) const { return sqlite3_column_type(statement_, column); }
@@ -104,39 +119,74 @@ int SessionFile::is_over(void* self) {
     return left < 0 ? 1 : 0;
 }
 
+std::string refusal_of_side_files(const std::string& path) {
+    for (const char* suffix : {"-wal", "-journal", "-shm"}) {
+        const std::string file = path + suffix;
+        std::error_code error;
+        const std::filesystem::file_type type = std::filesystem::symlink_status(file, error).type();
+        if (type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found) continue;
+        const auto fault = text::fault_of_file(file);
+        return file + ": " +
+               (fault && type != std::filesystem::file_type::symlink ? fault->problem : "this is a link.") +
+               " Move it away: next to a database, SQLite writes regular files.";
+    }
+    return {};
+}
+
+std::string SessionFile::outside_reason() const {
+    return outside_reason_.empty() ? std::string() : path_ + ": cannot be read: " + outside_reason_ + ".";
+}
+
 std::string SessionFile::open(const std::string& path, const std::vector<std::string>& tables, bool is_own) {
-    const std::string cannot = path + ": cannot be opened. Name a session.db that a run has written.";
+    path_ = path;
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return cannot;
+    if (!std::filesystem::exists(path, error)) return path + cannot_be_opened;
+    if (const auto fault = text::fault_of_file(path)) return path + ": " + fault->problem + name_another;
+    if (std::string refusal = refusal_of_side_files(path); !refusal.empty()) return refusal;
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     if (!is_own && text::is_being_written(folder.empty() ? "." : folder.string()))
         return path + ": a run is writing it. Wait until that has ended.";
+    if (!open_database()) return outside_reason_.empty() ? path + cannot_be_opened : outside_reason();
+    std::string refusal = refusal_of_contents(tables);
+    return outside_reason_.empty() ? refusal : outside_reason();
+}
 
-    // A finished session is one file. It is opened as immutable: without locks, so without files next to it. The -wal
-    // file of a killed run is part of its session. With it, SQLite keeps in memory the data that it would otherwise
-    // write to the folder.
-    const std::uint64_t of_wal = size_of(path + "-wal");
-    bytes_ = size_of(path) + of_wal;
-    const int code = of_wal == 0 ? sqlite3_open_v2(("file:" + in_uri(path) + "?immutable=1").c_str(), &database_,
+/// A finished session is one file. It is opened as immutable: without locks, so without files next to it. The -wal file
+/// of a killed run is part of its session. With it, SQLite keeps in memory the data that it would otherwise write to
+/// the folder.
+bool SessionFile::open_database() {
+    const std::uint64_t of_wal = size_of(path_ + "-wal");
+    bytes_ = size_of(path_) + of_wal;
+    const int code = of_wal == 0 ? sqlite3_open_v2(("file:" + in_uri(path_) + "?immutable=1").c_str(), &database_,
                                                    SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr)
-                                 : sqlite3_open_v2(path.c_str(), &database_, SQLITE_OPEN_READONLY, "unix-none");
-    if (code != SQLITE_OK) return cannot;
+                                 : sqlite3_open_v2(path_.c_str(), &database_, SQLITE_OPEN_READONLY, "unix-none");
+    if (code != SQLITE_OK) {
+        outside_reason_ = session::outside_reason(database_, code);
+        return false;
+    }
     sqlite3_db_config(database_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+    sqlite3_exec(database_, "PRAGMA temp_store=MEMORY", nullptr, nullptr, nullptr);  // reading needs no other disk
     if (of_wal > 0) sqlite3_exec(database_, "PRAGMA locking_mode=EXCLUSIVE", nullptr, nullptr, nullptr);
     steps_left_ = min_steps + steps_per_byte * static_cast<std::int64_t>(bytes_);
     sqlite3_progress_handler(database_, steps_at_once, &SessionFile::is_over, this);
+    return true;
+}
 
-    if (pragma(database_, "PRAGMA application_id") != session_application_id)
-        return path + ": is not a Kerf session, or a damaged one. Name a session.db that a run has written.";
-    if (const auto version = pragma(database_, "PRAGMA user_version");
+std::string SessionFile::refusal_of_contents(const std::vector<std::string>& tables) {
+    if (pragma(handle(), "PRAGMA application_id") != session_application_id)
+        return path_ + ": is not a Kerf session, or a damaged one." + name_another;
+    if (const auto version = pragma(handle(), "PRAGMA user_version");
         version < oldest_readable_schema_version || version > session_schema_version)
-        return path + ": has session schema " + std::to_string(version) + ", need " +
+        return path_ + ": has session schema " + std::to_string(version) + ", need " +
                std::to_string(oldest_readable_schema_version) + " to " + std::to_string(session_schema_version) +
                ". Record it anew with this Kerf, or take the one that wrote it.";
     for (const std::string& table : tables)
-        if (computes(database_, table))
-            return path + ": computes its table `" + table +
-                   "`, as no run does. Name a session.db that a run has written.";
+        if (computes(handle(), table))
+            return path_ + ": computes its table `" + table + "`, as no run does." + name_another;
+    SessionQuery query(handle(), "SELECT value FROM session WHERE key = 'state'");
+    const std::string state = query.next() ? query.text(0) : std::string();
+    if (state != "running" && state != "finished" && state != "incomplete")
+        return path_ + ": its table `session` has no valid state, so the file is damaged." + name_another;
     return {};
 }
 

@@ -12,10 +12,20 @@ struct sqlite3_stmt;
 
 namespace kerf::session {
 
+/// A connection, and the first reason outside of its file why a query failed. A connection alone notes none.
+struct SessionHandle {
+    // Implicit: most callers have a connection alone.
+    SessionHandle(sqlite3* connection, std::string* first_reason = nullptr)
+        : database(connection), outside_reason(first_reason) {}
+
+    sqlite3* database;
+    std::string* outside_reason;  ///< may be null
+};
+
 /// One SELECT, read row by row. After a failure there are no more rows.
 class SessionQuery {
 public:
-    SessionQuery(sqlite3* database, const std::string& sql);
+    SessionQuery(const SessionHandle& session, const std::string& sql);
     ~SessionQuery();
     SessionQuery(const SessionQuery&) = delete;
     SessionQuery& operator=(const SessionQuery&) = delete;
@@ -33,9 +43,16 @@ public:
     [[nodiscard]] std::string_view bytes_view(int column) const;  ///< valid until the next row
 
 private:
+    void note_failure();
+
+    SessionHandle session_;
     sqlite3_stmt* statement_ = nullptr;
     int code_ = 0;
 };
+
+/// Returns why SQLite's files next to a database may not be opened, for people: one of them is not a regular file. A
+/// FIFO would wait for a writer for ever. Empty if all are regular or missing. Never throws.   [any]
+[[nodiscard]] std::string refusal_of_side_files(const std::string& path);
 
 /// An untrusted session file, opened for reading. Nothing is written to it or to its folder, which may be read-only.
 /// Rows in the -wal file of a killed run are read, too. A query whose work is out of proportion to the file's size is
@@ -53,14 +70,20 @@ public:
     [[nodiscard]] std::string open(const std::string& path, const std::vector<std::string>& tables,
                                    bool is_own = false);
 
-    [[nodiscard]] sqlite3* handle() const noexcept { return database_; }
+    [[nodiscard]] SessionHandle handle() noexcept { return {database_, &outside_reason_}; }
+    /// Returns why the file cannot be read now, for people, if the reason is not in its contents: a full disk, a limit,
+    /// a lock. Empty if no query failed for such a reason: then a failure is damage.
+    [[nodiscard]] std::string outside_reason() const;
     [[nodiscard]] std::uint64_t bytes() const noexcept {
         return bytes_;
     }  ///< including the -wal file; no sound session contains more text
 
 private:
     static int is_over(void* self);
+    [[nodiscard]] bool open_database();
+    [[nodiscard]] std::string refusal_of_contents(const std::vector<std::string>& tables);
 
+    std::string path_, outside_reason_;
     sqlite3* database_ = nullptr;
     std::uint64_t bytes_ = 0;
     std::int64_t steps_left_ = 0;

@@ -5,10 +5,18 @@
 
 #include <utility>
 
+#include "session/sqlite_reason.h"
+
 namespace kerf::session {
 
 bool SqliteDatabase::check(int code) {
     if (code == SQLITE_OK || code == SQLITE_DONE || code == SQLITE_ROW) return error_.empty();
+    if (!error_.empty()) return false;
+    if (code == SQLITE_NOMEM) {
+        error_ = "out of memory";  // short enough to need no heap
+        return false;
+    }
+    error_ = outside_reason(handle_, code);
     if (error_.empty()) error_ = handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
     return false;
 }
@@ -17,12 +25,16 @@ bool SqliteDatabase::open(const std::string& path) {
     const bool is_open = check(sqlite3_open_v2(
         path.c_str(), &handle_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr));
     if (is_open) sqlite3_busy_timeout(handle_, 2000 /* ms */);
-    return is_open;
+    return is_open && run("PRAGMA temp_store=MEMORY");  // a run needs no disk but that of its folder
 }
 
 void SqliteDatabase::close() noexcept {
     sqlite3_close(handle_);
     handle_ = nullptr;
+}
+
+void SqliteDatabase::keep_files_on_close() noexcept {
+    if (handle_ != nullptr) sqlite3_db_config(handle_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
 }
 
 std::string SqliteDatabase::recover() {

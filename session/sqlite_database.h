@@ -22,6 +22,8 @@ public:
 
     bool open(const std::string& path);
     void close() noexcept;
+    /// Makes `close` leave the -wal file as it is, without merging or removing it.
+    void keep_files_on_close() noexcept;
     bool run(const std::string& sql);
     /// Runs a statement that may fail without harm: its error is not kept.
     bool try_run(const std::string& sql);

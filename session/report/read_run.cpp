@@ -50,7 +50,7 @@ public:
         read_surface();
         complete();
         if (error_.empty()) check_rows();
-        error = error_;
+        error = file_.outside_reason().empty() ? error_ : file_.outside_reason();
         return error.empty() ? std::optional(std::move(run_)) : std::nullopt;
     }
 
@@ -82,9 +82,10 @@ private:
         return static_cast<int>(std::clamp(integer, -most, most));
     }
 
+    /// Reads the rows in the order in which the run wrote them: sorting would need memory or a temporary file.
     template <class Take>
-    void each(const char* table, const std::string& columns, const char* order, Take take) {
-        SessionQuery query(file_.handle(), "SELECT " + columns + " FROM " + table + " ORDER BY " + order);
+    void each(const char* table, const std::string& columns, Take take) {
+        SessionQuery query(file_.handle(), "SELECT " + columns + " FROM " + table + " ORDER BY rowid");
         while (error_.empty() && query.next()) take(query);
         if (query.has_failed()) fail(std::string("its table `") + table + "` cannot be read");
     }
@@ -123,7 +124,7 @@ private:
 
 void Reading::read_keys() {
     constexpr std::string_view version = "version.";
-    each("session", "key, value", "rowid", [&](const SessionQuery& row) {
+    each("session", "key, value", [&](const SessionQuery& row) {
         std::string name = text(row, 0), value = text(row, 1);
         if (name.compare(0, version.size(), version) == 0)
             run_.summary.versions.emplace_back(name.substr(version.size()), value);
@@ -150,14 +151,14 @@ void Reading::read_keys() {
 }
 
 void Reading::read_lists() {
-    each("tissues", "id", "position", [&](const SessionQuery& row) { run_.summary.tissues.push_back(text(row, 0)); });
-    each("signals", "id, help, display_unit, per_unit", "position", [&](const SessionQuery& row) {
+    each("tissues", "id", [&](const SessionQuery& row) { run_.summary.tissues.push_back(text(row, 0)); });
+    each("signals", "id, help, display_unit, per_unit", [&](const SessionQuery& row) {
         run_.summary.signals.push_back({text(row, 0), text(row, 1), text(row, 2), number(row, 3, "signals")});
     });
     if (run_.summary.signals.size() > max_signal_columns)
         fail("has more than " + std::to_string(max_signal_columns) + " signals");
     if (observer_ != nullptr && error_.empty()) observer_->on_begin(run_);
-    each("events", "tick, time, id, detail", "rowid", [&](const SessionQuery& row) {
+    each("events", "tick, time, id, detail", [&](const SessionQuery& row) {
         last_event_ = {static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2),
                        text(row, 3)};
         run_.drawn.add(last_event_);
@@ -179,11 +180,11 @@ void Reading::read_result() {
     summary.hash = std::strtoull(key("hash").c_str(), nullptr, 16);
     for (const Verdict verdict : {Verdict::pass, Verdict::fail, Verdict::incomplete, Verdict::invalid})
         if (key("result.verdict") == to_text(verdict)) summary.verdict = verdict;
-    each("reasons", "reason", "position", [&](const SessionQuery& row) { summary.reasons.push_back(text(row, 0)); });
-    each("removed", "tissue, volume", "position", [&](const SessionQuery& row) {
+    each("reasons", "reason", [&](const SessionQuery& row) { summary.reasons.push_back(text(row, 0)); });
+    each("removed", "tissue, volume", [&](const SessionQuery& row) {
         summary.removed_by_tissue.emplace_back(text(row, 0), number(row, 1, "removed"));
     });
-    each("steps", "id, title, done, start, steps.\"end\", broken_limits", "position", [&](const SessionQuery& row) {
+    each("steps", "id, title, done, start, steps.\"end\", broken_limits", [&](const SessionQuery& row) {
         StepRow step{
             text(row, 0), text(row, 1), row.integer(2) != 0, number(row, 3, "steps"), number(row, 4, "steps"), {}};
         const std::string limits = text(row, 5);
@@ -196,7 +197,7 @@ void Reading::read_result() {
     });
     each("metrics",
          "id, revision, scope, occurrence, occurrences, value, display_unit, per_unit, uncertainty, status, help",
-         "rowid", [&](const SessionQuery& row) {
+         [&](const SessionQuery& row) {
              MetricRow metric;
              metric.id = text(row, 0);
              metric.revision = small(row.integer(1));
@@ -272,7 +273,7 @@ void Reading::read_surface() {
     const bool has_zones = version.next() && version.integer(0) >= first_schema_with_zones;
     run_.is_bone_placed = has_zones;
     const std::string centre = has_zones ? ", centre_x, centre_y, centre_z" : "";
-    each("surface", "step, half_x, half_y, half_z, positions, normals, tissues, triangles" + centre, "rowid",
+    each("surface", "step, half_x, half_y, half_z, positions, normals, tissues, triangles" + centre,
          [&](const SessionQuery& row) {
              if (is_there) return fail("has two surfaces");
              is_there = true;
@@ -294,7 +295,7 @@ void Reading::read_surface() {
 /// Reads what only sessions with zones have.
 void Reading::read_zones() {
     each(zones_table, "id, step, half_x, half_y, half_z, positions, normals, triangles, centre_x, centre_y, centre_z",
-         "position", [&](const SessionQuery& row) {
+         [&](const SessionQuery& row) {
              const auto real = [&](int column) { return number(row, column, zones_table); };
              ZoneRow zone{text(row, 0)};
              zone.surface.step = real(1);
@@ -307,7 +308,7 @@ void Reading::read_zones() {
              if (!is_sound(zone.surface)) return fail("its zone has triangles without vertices");
              run_.summary.zones.push_back(std::move(zone));
          });
-    each(approaches_table, "step, zone, clearance, time, at_x, at_y, at_z", "rowid", [&](const SessionQuery& row) {
+    each(approaches_table, "step, zone, clearance, time, at_x, at_y, at_z", [&](const SessionQuery& row) {
         const auto real = [&](int column) { return number(row, column, approaches_table); };
         ApproachRow approach{text(row, 0), text(row, 1), real(2), real(3), {real(4), real(5), real(6)}};
         if (!is_finite(approach.at)) return fail("it has an approach without a point");
@@ -331,6 +332,12 @@ void Reading::complete() {
     if (last_event_.id == plugin_failed_event)
         run_.missing =
             "A plugin ended the run. " + last_event_.detail + ". Nothing was judged and the bone is not drawn.";
+    // A run that ended while it wrote its result left a part of it.
+    summary.steps.clear();
+    summary.metrics.clear();
+    summary.removed_by_tissue.clear();
+    summary.approaches.clear();
+    run_.drawn.set_bone({});
     summary.verdict = Verdict::incomplete;
     summary.reasons = {run_.missing};
     const auto& last = run_.drawn.last();
