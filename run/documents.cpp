@@ -169,13 +169,27 @@ std::vector<std::string> shipped_anatomies(const std::string& shipped) {
     return names;
 }
 
+/// Adds to diagnostics about the anatomy's file that the procedure names it.
+void blame_anatomy_key(const documents::Procedure& procedure, text::Diagnostics& diagnostics, std::size_t first) {
+    const auto document = documents::document_of(procedure);
+    if (const documents::Node* node = document->root.find("anatomy"))
+        text::because_of(documents::Report(*document, diagnostics).because(node->span, "the procedure names it here."),
+                         diagnostics, first);
+}
+
 /// Returns the file of the anatomy. If there is none, reports it and returns an empty text.
 std::string find_anatomy(const DocumentRequest& request, const documents::Procedure& procedure,
                          text::Diagnostics& diagnostics) {
     if (!request.anatomy.empty()) return request.anatomy;
     std::error_code error;
     if (procedure.anatomy_file.empty()) return {};  // reported while the procedure was read
-    if (std::filesystem::exists(procedure.anatomy_file, error)) return procedure.anatomy_file;
+    if (std::filesystem::exists(procedure.anatomy_file, error)) {
+        const std::size_t first = diagnostics.size();
+        if (bone::is_data_file_inside(procedure.anatomy_file, procedure.file, diagnostics))
+            return procedure.anatomy_file;
+        blame_anatomy_key(procedure, diagnostics, first);
+        return {};
+    }
     const std::string file = shipped_or_own(procedure.anatomy_name, request.shipped);
     if (!request.shipped.empty() && file != procedure.anatomy_name) return file;
 
@@ -209,11 +223,7 @@ std::optional<documents::AnatomyDraft> read_the_anatomy(const DocumentRequest& r
     if (file.empty() && !is_made) return std::nullopt;
     const std::size_t first = diagnostics.size();
     auto draft = (is_made ? read_made(*procedure.made) : documents::read_anatomy_draft(file)).take(diagnostics);
-    const auto document = documents::document_of(procedure);
-    const documents::Node* node = document->root.find("anatomy");
-    if (request.anatomy.empty() && node != nullptr)
-        text::because_of(documents::Report(*document, diagnostics).because(node->span, "the procedure names it here."),
-                         diagnostics, first);
+    if (request.anatomy.empty()) blame_anatomy_key(procedure, diagnostics, first);
     return draft;
 }
 

@@ -655,10 +655,10 @@ void Run::note_progress() {
         what = std::to_string(ticks / 1000) + " s, step `" + scene_->procedure.steps[step].id + "`";
         if (const std::string next = next_actions_.words(step); !next.empty()) what += "; the button next: " + next;
     }
-    report_progress(is_replay()                          ? fraction(ticks, request_.replay.size())
-                    : is_led_ || changes_.is_following() ? fraction(step, scene_->procedure.steps.size())
-                                                         : fraction(hand_.leg(), plan_.intent.legs.size()),
-                    what);
+    const double done = is_replay()                          ? fraction(ticks, request_.replay.size())
+                        : is_led_ || changes_.is_following() ? fraction(step, scene_->procedure.steps.size())
+                                                             : fraction(hand_.leg(), plan_.intent.legs.size());
+    report_progress(std::min(done, 0.99), what);  // 1 is for the work after the last tick
 }
 
 /// Sets the sleeve of the running step, on the body that owns its axis.
@@ -672,6 +672,7 @@ RunOutcome Run::finish() {
         make_change(false);
         changes_.drop_tool();
     }
+    if (files_ != nullptr) report_progress(1.0, "measuring the bone");
     simulation_.finish();
     make_last_changes();
     pass_cuts_on();
@@ -683,7 +684,7 @@ RunOutcome Run::finish() {
         finish_exact_surface();
     else if (request_.strategies != nullptr && !request_.strategies->why_not().empty())
         outcome_.summary.exact.emplace().why_not = request_.strategies->why_not();
-    if (files_ != nullptr) report_progress(1.0, "writing the results");
+    if (files_ != nullptr) files_->report_work([this](const std::string& what) { report_progress(1.0, what); });
     for (RunObserver* observer : observers_) {
         const std::string error = observer->on_result(outcome_.summary, simulation_);
         if (!error.empty()) outcome_.error += (outcome_.error.empty() ? "" : "\n      ") + error;

@@ -33,8 +33,8 @@ public:
     virtual void on_cut(const CutRecord& /*cut*/) {}
     /// Receives the row of a tick, after the events of that tick.
     virtual void on_tick(const session::TickRow& /*row*/) {}
-    /// Receives the completed fraction of the run [–] and its present activity. Called every 250 ticks and at the end.
-    /// On a clock it is called by another thread than the one that ticks.
+    /// Receives the completed fraction of the run [–] and its present activity: every 250 ticks, and with the fraction
+    /// 1 for each activity after the last tick. On a clock another thread than the one that ticks calls it.
     virtual void on_progress(double /*fraction*/, const std::string& /*what*/) {}
     /// Receives the exact surface, before the result, if an instrument leaves one. Returns the error as text, empty on
     /// success.

@@ -108,7 +108,7 @@ std::optional<RunEnd> SessionFiles::end() {
 }
 
 std::string SessionFiles::on_exact_surface(const bone::ExactSurface& made) {
-    return made.error.empty() ? write_exact_surfaces(folder_, made) : std::string();
+    return made.error.empty() && lock_.is_at(folder_) ? write_exact_surfaces(folder_, made) : std::string();
 }
 
 std::string SessionFiles::on_result(const session::RunSummary& summary, const Simulation& simulation) {
@@ -116,9 +116,18 @@ std::string SessionFiles::on_result(const session::RunSummary& summary, const Si
     const auto note = [&](const std::string& error) {
         if (!error.empty()) errors += (errors.empty() ? "" : "\n      ") + error;
     };
-    note(recorder_->finish(summary, session::drawn_surface(all_surfaces(simulation, 2))));
+    begin("writing the session");
+    const std::string error = recorder_->finish(summary, session::drawn_surface(all_surfaces(simulation, 2)));
+    if (!lock_.is_at(folder_))
+        return folder_ +
+               " is no longer there: it was removed, renamed, unmounted or replaced during the run. No results are "
+               "written. If it was renamed, keep its session.db and session.db-wal together: they have the recorded "
+               "rows.";
+    note(error);
     note(text::write_file(folder_ + "/summary.json", session::summary_json(summary)));
-    note(write_report(folder_));
+    begin("writing the report");
+    if (!recorder_->is_removed()) note(write_report(folder_));
+    begin("writing the surfaces");
     if (summary.clock) note(text::write_file(folder_ + "/clock.svg", session::clock_svg(summary, *summary.clock)));
     const PresentBone& bone = simulation.present();
     for (const session::PieceRow& piece : summary.pieces) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "run/run_observer.h"
 #include "run/run_procedure.h"
@@ -29,13 +31,20 @@ public:
     [[nodiscard]] std::string on_exact_surface(const bone::ExactSurface& made) override;
     [[nodiscard]] std::string on_result(const session::RunSummary& summary, const Simulation& simulation) override;
 
+    /// Sets a function that gets each activity of `on_result` when it begins.
+    void report_work(std::function<void(const std::string& what)> report) { report_work_ = std::move(report); }
+
 private:
     SessionFiles() = default;
+    void begin(const std::string& what) const {
+        if (report_work_) report_work_(what);
+    }
 
     std::string folder_;
     text::OutputLock lock_;
     text::MadeFolders made_;
     std::unique_ptr<session::Recorder> recorder_;
+    std::function<void(const std::string& what)> report_work_;
 };
 
 }  // namespace kerf::run

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -266,6 +269,62 @@ TEST(Run, CallsItsObserversInOrderAndEndsWhenOneSaysSo) {
     EXPECT_EQ(witness.ticks, 300u);
     EXPECT_EQ(witness.calls, (std::vector<std::string>{"progress", "incomplete"}));
     EXPECT_EQ(outcome.error, "the disk is full");
+}
+
+// The folder of the results is renamed during the run, and another one gets its name.
+TEST(Run, WritesNothingIntoAFolderThatReplacedItsOwn) {
+    const test::TemporaryFolder own;
+    const std::string folder = own / "run", foreign = folder + "/summary.json";
+    struct Replacer final : RunObserver {
+        std::string folder, foreign;
+        std::size_t ticks = 0;
+        std::vector<std::string> work;
+        void on_tick(const session::TickRow&) override {
+            if (++ticks != 300) return;
+            std::filesystem::rename(folder, folder + "-moved");
+            std::filesystem::create_directory(folder);
+            std::ofstream(foreign) << "mine";
+        }
+        void on_progress(double fraction, const std::string& what) override {
+            if (fraction >= 1.0) work.push_back(what);
+        }
+        std::optional<RunEnd> end() override {
+            return ticks == 600 ? std::optional(RunEnd::interrupted) : std::nullopt;
+        }
+    } replacer;
+    replacer.folder = folder;
+    replacer.foreign = foreign;
+    RunRequest request;
+    request.out = folder;
+    request.observers = {&replacer};
+    const RunOutcome outcome = run_procedure(short_scene(), test::plugins(), request);
+
+    EXPECT_TRUE(outcome.error.starts_with(folder + " is no longer there: it was removed, renamed")) << outcome.error;
+    EXPECT_EQ(outcome.error.find("complete"), std::string::npos) << outcome.error;
+    EXPECT_EQ(test::contents_of(foreign), "mine");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+    EXPECT_EQ(replacer.work, (std::vector<std::string>{"measuring the bone", "writing the session"}));
+    std::string error;
+    const auto moved = session::read_session(folder + "-moved/session.db", error);
+    ASSERT_TRUE(moved) << error;
+    EXPECT_EQ(moved->device_from_handle.size(), 600u);
+}
+
+TEST(Run, NamesItsWorkAfterTheLastTick) {
+    const test::TemporaryFolder own;
+    struct Witness final : RunObserver {
+        std::vector<std::string> work;
+        void on_progress(double fraction, const std::string& what) override {
+            if (fraction >= 1.0) work.push_back(what);
+        }
+        std::optional<RunEnd> end() override { return RunEnd::interrupted; }
+    } witness;
+    RunRequest request;
+    request.out = own / "run";
+    request.observers = {&witness};
+    EXPECT_EQ(run_procedure(short_scene(), test::plugins(), request).error, "");
+    EXPECT_EQ(witness.work, (std::vector<std::string>{"measuring the bone", "writing the session", "writing the report",
+                                                      "writing the surfaces"}));
 }
 
 TEST(Run, IsRefusedWithTheReason) {
