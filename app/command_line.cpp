@@ -98,7 +98,7 @@ void add_parameter(CLI::App& app, const Parameter& parameter, Options& options) 
     if (const auto* words = std::get_if<std::vector<std::string>*>(&member)) {
         added = app.add_option(names, **words, help);
         if (parameter.is_option())
-            added->expected(1)->take_all();
+            added->expected(1)->take_all()->allow_extra_args(false);  // a procedure may follow
         else
             added->expected(1, max_values);
     }

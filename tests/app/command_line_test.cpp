@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "app/command_table.h"
+
 namespace kerf::app {
 namespace {
 
@@ -78,6 +80,34 @@ TEST(CommandLine, ChangesAProcedureByVariantAndSettings) {
     }
     EXPECT_FALSE(options_of<ValidateOptions>({"validate", "a.yaml"}).is_with_bone);
     EXPECT_TRUE(options_of<ValidateOptions>({"validate", "a.yaml", "--bone"}).is_with_bone);
+}
+
+TEST(CommandLine, TakesAProcedureBehindAnOptionThatMayBeRepeated) {
+    const auto run = options_of<RunOptions>({"run", "--set", "time_limit=6 s", "p.yaml", "--out", "o"});
+    EXPECT_EQ(run.procedure, "p.yaml");
+    EXPECT_EQ(run.settings, std::vector<std::string>{"time_limit=6 s"});
+    const auto validate = options_of<ValidateOptions>(
+        {"validate", "--patch", "a.yaml", "--patch", "b.yaml", "p.yaml", "q.yaml", "--set", "a=1", "r.yaml"});
+    EXPECT_EQ(validate.procedures, (std::vector<std::string>{"p.yaml", "q.yaml", "r.yaml"}));
+    EXPECT_EQ(validate.patches, (std::vector<std::string>{"a.yaml", "b.yaml"}));
+    const auto rehearse = options_of<RehearseOptions>({"rehearse", "--set", "a=1", "p.yaml", "--anatomy", "a.yaml"});
+    EXPECT_EQ(rehearse.procedures, std::vector<std::string>{"p.yaml"});
+}
+
+TEST(CommandLine, NoRepeatableOptionTakesTheArgument) {
+    int options = 0;
+    for (const Command& command : command_table()) {
+        if (command.arguments.empty() || command.when_missing.empty()) continue;
+        for (const Parameter& option : command.options) {
+            if (option.is_flag() || !command.has_many(option)) continue;
+            ++options;
+            const char* value = option.value.kind == ValueKind::setting ? "a=1" : "a.yaml";
+            const CommandLine line =
+                read({command.name.c_str(), option.name.c_str(), value, "first.yaml", option.name.c_str(), value});
+            EXPECT_EQ(line.answer.find(command.when_missing), std::string::npos) << command.name << " " << option.name;
+        }
+    }
+    EXPECT_GT(options, 5);
 }
 
 TEST(CommandLine, ExplainsOneCodeOrAll) {
