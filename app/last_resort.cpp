@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "app/standard_streams.h"
+#include "text/system_reason.h"
 
 namespace kerf::app {
 
@@ -49,7 +50,9 @@ bool report_current_exception() {
         write_plain(is_thread ? "a thread" : "a request");
         write_plain(": ");
         write_plain(error.what());
-        write_plain(is_thread ? ". End other programs, or raise the limit (`ulimit -u`).\n" : ".\n");
+        write_plain(is_thread ? ". " : "");
+        write_plain(is_thread ? text::thread_advice() : "");
+        write_plain(".\n");
     } catch (...) {
         return false;
     }

@@ -48,6 +48,8 @@ std::optional<DocumentRefusal> read_documents_of(const SessionOptions& options, 
     auto recorded = session::read_session(options.session, error);
     if (!recorded) return DocumentRefusal{.clause = "it cannot be repeated", .error = error};
     result.recorded = std::move(*recorded);
+    if (error = refusal_of_changed(result.recorded, options.session); !error.empty())
+        return DocumentRefusal{.clause = "it was changed after its run", .error = error};
     result.file = !options.procedure.empty() ? options.procedure : shipped_procedure(options, with, result.recorded);
     if (result.file.empty())
         return DocumentRefusal{

@@ -21,6 +21,13 @@ std::string refusal_of_other_text(const std::string& session) {
            "same.";
 }
 
+std::string refusal_of_changed(const session::RecordedInputs& recorded, const std::string& session) {
+    if (recorded.rows != session::RecordCheck::changed) return {};
+    return session +
+           ": was changed after its run wrote it: its rows do not give its checksum. Take an undamaged copy; or replay "
+           "it with `kerf run --replay` to see what its inputs come to.";
+}
+
 std::string repeat(const session::RecordedInputs& recorded, const std::string& session, run::RunRequest& request) {
     request.rehearsal = recorded.rehearsal;
     request.mode = recorded.is_examination ? "exam" : request.is_examination() ? "practice" : request.mode;

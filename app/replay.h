@@ -19,6 +19,10 @@ namespace kerf::app {
 /// Returns the message for a session that was recorded with other documents.   [any] pure.
 [[nodiscard]] std::string refusal_of_other_text(const std::string& session);
 
+/// Returns why a session whose rows do not give its checksum cannot be used, for people; empty if they do, or if it has
+/// none.   [any] pure.
+[[nodiscard]] std::string refusal_of_changed(const session::RecordedInputs& recorded, const std::string& session);
+
 /// Copies the inputs of a session to a request. Returns why a run cannot repeat them, for people; empty if it can.
 /// [any]
 [[nodiscard]] std::string repeat(const session::RecordedInputs& recorded, const std::string& session,

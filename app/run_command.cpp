@@ -206,6 +206,7 @@ std::string read_parent(const RunOptions& options, const documents::Procedure& p
     std::string error;
     const auto recorded = session::read_session(options.parent, error);
     if (!recorded) return error;
+    if (error = refusal_of_changed(*recorded, options.parent); !error.empty()) return error;
     if (error = refusal_of_replay(*recorded, options.parent, procedure); !error.empty()) return error;
     if (recorded->uuid.empty())
         return options.parent + ": has no uuid, so it cannot be continued. The file was changed.";
@@ -376,6 +377,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         options.is_in_window ? run_shown(*scene, request, language_for(options.language),
                                          is_by_mouse(options) ? &mouse : nullptr, interruption, *with.display, run)
                              : run(request);
+    shown_run.end_work();
     return print_outcome(outcome, request.out, recorded);
 }
 

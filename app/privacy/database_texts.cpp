@@ -15,6 +15,7 @@
 #include "app/privacy/text_search.h"
 #include "session/packed_column.h"
 #include "session/recorder.h"
+#include "session/sqlite_reason.h"
 
 namespace kerf::app::privacy {
 namespace {
@@ -51,9 +52,14 @@ bool is_packed_column(sqlite3_stmt* row, session::ColumnUnpacker& unpacker, std:
 
 }  // namespace
 
-std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyReport& report) {
+std::string texts_of_database(const std::string& file, std::string& fault, PrivacyReport& report) {
     sqlite3* raw = nullptr;
-    is_whole = sqlite3_open_v2(file.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK;
+    const auto check = [&](int code) {
+        if (code == SQLITE_OK || code == SQLITE_DONE || !fault.empty()) return;
+        fault = session::outside_reason(raw, code);
+        if (fault.empty()) fault = "it is damaged";
+    };
+    check(sqlite3_open_v2(file.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr));
     const std::unique_ptr<sqlite3, int (*)(sqlite3*)> database(raw, &sqlite3_close);
     std::string all;
     const auto each_row = [&](const std::string& sql, const auto& take) {
@@ -61,7 +67,7 @@ std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyRe
         int code = sqlite3_prepare_v2(raw, sql.c_str(), -1, &statement, nullptr);
         while (code == SQLITE_OK || code == SQLITE_ROW)
             if (code = sqlite3_step(statement); code == SQLITE_ROW) take(statement);
-        is_whole = is_whole && code == SQLITE_DONE;
+        check(code);
         sqlite3_finalize(statement);
     };
     ByteSearch among_bytes(report, ", among bytes");
@@ -74,11 +80,11 @@ std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyRe
                                 : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(row, column)));
     };
     bool is_session = false;
-    if (is_whole)
+    if (fault.empty())
         each_row("PRAGMA application_id", [&](sqlite3_stmt* row) {
             is_session = sqlite3_column_int64(row, 0) == session::session_application_id;
         });
-    if (is_whole)
+    if (fault.empty())
         each_row("SELECT name, sql FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE %'",
                  [&](sqlite3_stmt* row) {
                      tables.push_back(text_of(row, 0));

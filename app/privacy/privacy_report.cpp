@@ -15,6 +15,8 @@
 #include "bone/image/dicom_elements.h"
 #include "bone/image/dicom_identity.h"
 #include "bone/image/packed_bytes.h"
+#include "session/session_file.h"
+#include "text/regular_file.h"
 
 namespace kerf::app {
 namespace {
@@ -114,8 +116,8 @@ void search_voxels_behind(const std::string& file, const std::string& header, st
 PrivacyReport privacy_report(const std::string& file) {
     PrivacyReport report;
     std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) {
-        report.error = file + ": there is no such file. Name single files; of a series, name its slices.";
+    if (const auto fault = text::fault_of_file(file)) {
+        report.error = file + ": " + fault->problem + " Name single files; of a series, name its slices.";
         return report;
     }
     if (bone::read_dicom_elements(file).is_dicom) {
@@ -129,10 +131,11 @@ PrivacyReport privacy_report(const std::string& file) {
     char first[16] = {};
     if (std::ifstream(file, std::ios::binary).read(first, sizeof first) &&
         std::string_view(first, 15) == "SQLite format 3") {
-        bool is_whole = true;
-        search_text_and_utf16(texts_of_database(file, is_whole, report), report);
-        report.unseen.push_back(is_whole ? "Deleted rows of the database were not checked."
-                                         : "The database is damaged. It was not checked to its end.");
+        if (report.error = session::refusal_of_side_files(file); !report.error.empty()) return report;
+        std::string fault;
+        search_text_and_utf16(texts_of_database(file, fault, report), report);
+        report.unseen.push_back(fault.empty() ? "Deleted rows of the database were not checked."
+                                              : "The database was not checked to its end: " + fault + ".");
         return report;
     }
     const bool is_nrrd = ends_in(file, ".nrrd") || ends_in(file, ".nhdr"), is_stl = ends_in(file, ".stl"),
