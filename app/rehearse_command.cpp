@@ -18,6 +18,7 @@
 #include "app/shown_run.h"
 #include "app/standard_streams.h"
 #include "documents/made/read_request.h"
+#include "documents/patch.h"
 #include "run/cheats.h"
 #include "run/run_procedure.h"
 #include "text/codes.h"
@@ -246,7 +247,7 @@ ExitCode seeds_file(const std::string& file, const Seeds& seeds, const RehearseO
     print("    seed  verdict   score  bone\n");
     for (std::uint32_t seed = seeds.first; seed <= seeds.last; ++seed) {
         RehearseOptions of_seed = options;
-        of_seed.settings.push_back("anatomy.seed=" + std::to_string(seed));
+        documents::override_setting(of_seed.settings, "anatomy.seed", std::to_string(seed));
         text::Diagnostics diagnostics;
         const auto scene = make_scene(file, of_seed, with).take(diagnostics);
         const std::string head = formatted("%8u  ", seed);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/standard_streams.h"
+#include "documents/patch.h"
 #include "run/run.h"
 #include "run/scene.h"
 #include "run/view/run_view.h"
@@ -18,7 +19,7 @@ namespace {
 std::optional<run::Documents> coarse_documents(const run::DocumentRequest& request, double spacing,
                                                const PluginRegistry& plugins, text::Diagnostics& diagnostics) {
     run::DocumentRequest coarse = request;
-    coarse.changes.settings.push_back(formatted("accuracy.spacing=%.4g mm", 2e3 * spacing));
+    documents::override_setting(coarse.changes.settings, "accuracy.spacing", formatted("%.4g mm", 2e3 * spacing));
     text::Diagnostics ignored;
     if (auto documents = run::check_documents(coarse, plugins).take(ignored)) return documents;
     return run::check_documents(request, plugins).take(diagnostics);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "documents/patched_paths.h"
 #include "documents/shapes/shapes.h"
 #include "documents/yaml/read_map.h"
 #include "text/codes.h"
@@ -72,6 +73,14 @@ std::vector<std::string> missing_keys(const Node& map, const ValueShape* shape) 
 
 const ValueShape whole_procedure{.kind = ValueShape::Kind::map, .shape = &shapes::procedure};
 
+/// As shown in a message.
+std::string shown_value(const Node& node) {
+    if (node.is_removal) return "`~`";
+    if (node.kind == Node::Kind::scalar) return "`" + text::excerpt(node.text, 40) + "`";
+    return node.kind == Node::Kind::map ? "a map" : "a list";
+}
+
+/// Applies one patch, or all `--set`, which are one patch together.
 class Patcher {
 public:
     Patcher(Document& document, Report& report) : document_(document), report_(report) {}
@@ -113,9 +122,55 @@ private:
         if (found == target.children.end())
             add(target, shape, change, path);
         else if (end == path.size())
-            change_to(target, shape_within(shape, path), found, change);
+            change_to(target, shape_within(shape, path), found, change, std::string(path));
         else
-            apply(*found, shape_within(shape, path.substr(0, end)), change, path.substr(end + 1));
+            within(std::string(path.substr(0, end)),
+                   [&] { apply(*found, shape_within(shape, path.substr(0, end)), change, path.substr(end + 1)); });
+    }
+
+    /// Runs `rest` with `name` at the end of the path.
+    template <class Rest>
+    void within(std::string name, Rest&& rest) {
+        path_.push_back(std::move(name));
+        rest();
+        path_.pop_back();
+    }
+
+    /// Records that the patch sets the value under `name`, or each of its parts. Returns false if it was set before.
+    bool record(std::string name, const Node& change) {
+        bool is_first = true;
+        within(std::move(name), [&] { is_first = record_all(change); });
+        return is_first;
+    }
+
+    bool record_all(const Node& change) {
+        bool is_first = true;
+        if (change.kind == Node::Kind::map) {
+            for (const Node& child : change.children)
+                if (!record(child.key, child)) is_first = false;
+        } else if (has_ids(change)) {
+            for (const Node& item : change.children)
+                if (!record(item.find("id")->text, item)) is_first = false;
+        } else {
+            is_first = record_one(change);
+        }
+        return is_first;
+    }
+
+    bool record_one(const Node& change) {
+        const TextSpan span = change.key.empty() ? change.span : change.key_span;
+        const auto* before = paths_.record(path_, {.span = span, .value = shown_value(change), .path = {}});
+        if (before == nullptr) return true;
+        const std::string here = text::excerpt(path_text(path_)), there = text::excerpt(path_text(before->path));
+        const std::string value = shown_value(change);
+        const std::string both = here != there ? "`" + there + "` = " + before->value + " and `" + here + "` = " + value
+                                 : before->value == value ? value + " twice"
+                                                          : before->value + " and " + value;
+        report_.error(
+            text::Code::patched_twice, span,
+            "The patch sets `" + here + "` twice: got " + both + ", expected one value. Remove one of the two.", {},
+            report_.because(before->span, "it is set here first."));
+        return false;
     }
 
     void refuse_way_in(const Node& target, const Node& change) {
@@ -190,19 +245,24 @@ private:
             added.key_span.begin += static_cast<std::size_t>(path.data() - change.key.data());
             added.key_span.size = name.size();
         }
+        if (dot == std::string_view::npos && !record(name, added)) return;
         target.children.push_back(std::move(added));
         if (dot != std::string_view::npos)
-            apply(target.children.back(), shape_within(shape, name), change, path.substr(dot + 1));
+            within(name,
+                   [&] { apply(target.children.back(), shape_within(shape, name), change, path.substr(dot + 1)); });
     }
 
-    /// `shape`: of what was found.
-    void change_to(Node& parent, const ValueShape* shape, std::vector<Node>::iterator found, const Node& change) {
-        if (change.is_removal) {
-            parent.children.erase(found);
-        } else if (change.kind == Node::Kind::map && (found->kind == Node::Kind::map || has_ids(*found))) {
-            apply_all(*found, shape, change);
+    /// `shape` and `name`: of what was found.
+    void change_to(Node& parent, const ValueShape* shape, std::vector<Node>::iterator found, const Node& change,
+                   std::string name) {
+        if (change.kind == Node::Kind::map && (found->kind == Node::Kind::map || has_ids(*found))) {
+            within(std::move(name), [&] { apply_all(*found, shape, change); });
         } else if (change.kind == Node::Kind::list && has_ids(change) && has_ids(*found)) {
-            merge_items(*found, shape, change);
+            within(std::move(name), [&] { merge_items(*found, shape, change); });
+        } else if (!record(std::move(name), change)) {
+            return;  // which of the two is meant is open
+        } else if (change.is_removal) {
+            parent.children.erase(found);
         } else {
             document_.note_replaced(change.span, found->span);
             Node now = change;
@@ -219,10 +279,13 @@ private:
             const auto same = find_within(list, id);
             const ValueShape* of_item = shape_within(shape, id);
             if (same != list.children.end())
-                apply_all(*same, of_item, item);
+                within(id, [&] {
+                    for (const Node& change_of_item : item.children)
+                        if (change_of_item.key != "id") apply(*same, of_item, change_of_item, change_of_item.key);
+                });
             else if (const auto missing = missing_keys(item, of_item); !missing.empty())
                 refuse_name(list, item, {}, id, missing);
-            else
+            else if (record(id, item))
                 list.children.push_back(item);
             ++changes_;
         }
@@ -231,7 +294,32 @@ private:
     Document& document_;
     Report& report_;
     int changes_ = 0;
+    NodePath path_;  ///< from the root to the target
+    PatchedPaths paths_;
 };
+
+/// Applies one `--set`.
+void apply_setting(Document& document, const std::string& setting, Patcher& patcher, text::Diagnostics& diagnostics,
+                   Report& report) {
+    const std::size_t equals = setting.find('=');
+    const std::string path = setting.substr(0, equals);
+    std::optional<Document> text =
+        parse_document(setting_name, path + ": " + setting.substr(std::min(equals, setting.size() - 1) + 1))
+            .take(diagnostics);
+    if (!text) return;
+    const Node change = document.add_source(std::move(*text));
+    if (!is_kind(change, Node::Kind::map, setting_name, report)) return;
+    for (const Node& value : change.children)
+        if (value.kind == Node::Kind::scalar && value.text.empty() && !value.is_removal && !value.is_quoted)
+            report.error(
+                text::Code::empty_value, value.key_span,
+                "`--set " + text::excerpt(value.key) + "` has no value. Write one behind `=`, or `~` to remove it.");
+        else if (value.key != path)
+            report.error(text::Code::patch_nowhere, value.key_span,
+                         "`--set` changes one value, got several. Write `--set` once for each.");
+        else
+            patcher.apply(document.root, change);
+}
 
 // ---- as YAML
 
@@ -340,26 +428,15 @@ void apply_patch_file(Document& document, const std::string& file, text::Diagnos
     apply_patch(document, document.root, patch, report);
 }
 
-void apply_setting(Document& document, const std::string& setting, text::Diagnostics& diagnostics) {
-    const std::size_t equals = setting.find('=');
-    const std::string path = setting.substr(0, equals);
-    std::optional<Document> text =
-        parse_document(setting_name, path + ": " + setting.substr(std::min(equals, setting.size() - 1) + 1))
-            .take(diagnostics);
-    if (!text) return;
-    const Node change = document.add_source(std::move(*text));
+void apply_settings(Document& document, const std::vector<std::string>& settings, text::Diagnostics& diagnostics) {
     Report report(document, diagnostics);
-    if (!is_kind(change, Node::Kind::map, setting_name, report)) return;
-    for (const Node& value : change.children)
-        if (value.kind == Node::Kind::scalar && value.text.empty() && !value.is_removal && !value.is_quoted)
-            report.error(
-                text::Code::empty_value, value.key_span,
-                "`--set " + text::excerpt(value.key) + "` has no value. Write one behind `=`, or `~` to remove it.");
-        else if (value.key != path)
-            report.error(text::Code::patch_nowhere, value.key_span,
-                         "`--set` changes one value, got several. Write `--set` once for each.");
-        else
-            Patcher(document, report).apply(document.root, change);
+    Patcher patcher(document, report);
+    for (const std::string& setting : settings) apply_setting(document, setting, patcher, diagnostics, report);
+}
+
+void override_setting(std::vector<std::string>& settings, const std::string& path, const std::string& value) {
+    std::erase_if(settings, [&](const std::string& one) { return one.starts_with(path + "="); });
+    settings.push_back(path + "=" + value);
 }
 
 std::string emitted(const Document& document, bool is_annotated) { return Emitter(document, is_annotated).text(); }

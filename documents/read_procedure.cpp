@@ -76,7 +76,7 @@ void apply(const ProcedureChanges& changes, Document& document, text::Diagnostic
         }
     }
     for (const std::string& file : changes.patches) apply_patch_file(document, file, found);
-    for (const std::string& setting : changes.settings) apply_setting(document, setting, found);
+    apply_settings(document, changes.settings, found);
 }
 
 /// Reports implants that are planned along an axis that is not declared.

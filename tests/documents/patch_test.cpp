@@ -190,6 +190,47 @@ TEST(Patch, AnUnknownKeyInItIsShownWhereItStands) {
     expect_refused(text::Code::unknown_key, "«acuracy».spacing: 0.5 mm");
 }
 
+// ---- a value set twice
+
+TEST(Patch, RefusesAValueSetTwice) {
+    const auto refused = [](const char* patch) { expect_refused(text::Code::patched_twice, patch); };
+    refused("{instruments.drill.parameters.diameter: 6 mm, instruments: {drill: {parameters: {«diameter»: 8 mm}}}}");
+    refused("{instruments: {drill: {parameters: {diameter: 8 mm}}}, «instruments.drill.parameters.diameter»: 6 mm}");
+    refused("{budget.tick: 15 us, budget: {«tick»: 20 us}}");
+    refused("{steps.enter.title: Go, steps: [{id: enter, «title»: Begin}]}");
+    refused("{steps: [{id: enter, title: Go}, {id: enter, «title»: Begin}]}");
+}
+TEST(Patch, RefusesEqualValuesToo) {
+    expect_refused(text::Code::patched_twice, "{accuracy.spacing: 1 mm, accuracy: {«spacing»: 1 mm}}");
+}
+TEST(Patch, RefusesAValueAndAPartOfIt) {
+    const auto refused = [](const char* patch) { expect_refused(text::Code::patched_twice, patch); };
+    refused("{steps.deepen: {limits: ~}, steps.deepen.«limits»: [{depth: {at_most: 38 mm}, reason: Deep.}]}");
+    refused("{steps.deepen.title: On, steps: {«deepen»: ~}}");
+    refused("{steps.deepen.limits: ~, steps: [{id: deepen, «limits»: []}]}");
+    refused("{instruments.drill: {drives: {spindle_speed: 900 rpm}}, «instruments.drill.drives»: ~}");
+}
+TEST(Patch, ShowsBothPositionsOfAValueSetTwice) {
+    text::Diagnostics found;
+    EXPECT_FALSE(read(with_patch("{budget.tick: 15 us, budget: {tick: 20 us}}"), found));
+    EXPECT_EQ(to_text(found),
+              "E0214 hole.yaml:20:37: The patch sets `budget.tick` twice: got `15 us` and `20 us`, expected one value. "
+              "Remove one of the two.\n"
+              "          {budget.tick: 15 us, budget: {tick: 20 us}}\n"
+              "                                        ^^^^\n"
+              "  because of hole.yaml:20:15: it is set here first.\n"
+              "          {budget.tick: 15 us, budget: {tick: 20 us}}\n"
+              "                  ^^^^\n");
+}
+TEST(Patch, SetsDifferentPartsOfOneMap) {
+    const Procedure p = patched("{steps.enter.title: Go, steps: [{id: deepen, title: On}], "
+                                "instruments.drill.parameters.diameter: 5 mm, "
+                                "instruments: {drill: {parameters: {point_angle: 90 deg}}}}");
+    EXPECT_EQ(p.steps.at(0).title, "Go");
+    EXPECT_EQ(p.steps.at(1).title, "On");
+    EXPECT_EQ(p.instruments.at(0).tool_parameters.at(0), 5.0_mm);
+}
+
 TEST(Patch, RefusesAVariantThatIsNotThere) {
     text::Diagnostics found;
     EXPECT_FALSE(read(with_patch("time_limit: 30 s"), found, {"othr", {}}));
@@ -226,6 +267,25 @@ TEST(Setting, ShowsItsMistakesInItself) {
         EXPECT_FALSE(read(base, found, {"", {wrong}})) << wrong;
         EXPECT_TRUE(text::has_error(found)) << wrong;
     }
+}
+
+TEST(Setting, RefusesAValueSetTwice) {
+    for (const std::vector<std::string>& settings : std::vector<std::vector<std::string>>{
+             {"time_limit=20 s", "time_limit=30 s"},
+             {"time_limit=20 s", "time_limit=20 s"},
+             {"instruments.drill.parameters={diameter: 5 mm}", "instruments.drill.parameters.diameter=6 mm"},
+             {"steps.enter={title: Go}", "steps=[{id: enter, title: Begin}]"}}) {
+        text::Diagnostics found;
+        EXPECT_FALSE(read(base, found, {"", settings})) << settings.back();
+        ASSERT_EQ(found.size(), 1u) << to_text(found);
+        EXPECT_EQ(found[0].code, "E0214");
+        EXPECT_TRUE(found[0].reason);
+    }
+}
+TEST(Setting, ProgramsOverrideIt) {
+    std::vector<std::string> settings{"time_limit=20 s", "accuracy.spacing=0.5 mm"};
+    override_setting(settings, "time_limit", "10 s");
+    EXPECT_EQ(settings, (std::vector<std::string>{"accuracy.spacing=0.5 mm", "time_limit=10 s"}));
 }
 
 // ---- as text
