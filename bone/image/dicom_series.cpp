@@ -28,6 +28,13 @@ struct ReadError {
 };
 
 std::string millimetres(double metres) { return rounded(metres * 1e3, 2); }
+
+/// Returns a spacing [mm] as the written volume has it: to 0.1 um, at least two decimals.
+std::string spacing_text(double metres) {
+    std::string text = rounded(metres * 1e3, 4);
+    while (text.ends_with('0') && text.size() > text.find('.') + 3) text.pop_back();
+    return text;
+}
 std::string counted(std::size_t n, const char* one, const char* many) {
     return std::to_string(n) + " " + (n == 1 ? one : many);
 }
@@ -237,10 +244,12 @@ void note_shape(DicomSeries& series, const std::string& folder, text::Diagnostic
     const StackShape& shape = series.shape;
     const DicomSlice& first = series.slices.front();
     const std::size_t count = series.slices.size();
+    const double whole = series.stack.height(count - 1);
+    const double apart = shape.is_even() ? whole / static_cast<double>(count - 1) : shape.distance;
     series.notes.push_back("DICOM series: " + counted(count, "slice", "slices") + " of " +
                            std::to_string(first.columns) + " × " + std::to_string(first.rows) + " pixels of " +
                            millimetres(first.between_columns) + " × " + millimetres(first.between_rows) + " mm, " +
-                           millimetres(shape.distance) + " mm apart, sorted along their normal.");
+                           spacing_text(apart) + " mm apart, sorted along their normal.");
     const auto warn = [&](const char* code, const std::string& message) {
         diagnostics.push_back(text::warning_about(folder, code, message));
         series.notes.push_back(message);
@@ -253,7 +262,7 @@ void note_shape(DicomSeries& series, const std::string& folder, text::Diagnostic
         warn("W0672", "The slices are not stacked evenly: got distances of " + millimetres(shape.min_distance) +
                           " to " + millimetres(shape.max_distance) + " mm" +
                           (shape.gaps.empty() ? "" : ", with " + counted(shape.gaps.size(), "gap", "gaps")) +
-                          ". They were resampled every " + millimetres(shape.min_distance) +
+                          ". They were resampled every " + spacing_text(whole / straight_steps(series.stack, shape)) +
                           " mm, by linear interpolation.");
     const bool has_tilt = first.tilt && std::abs(*first.tilt) > 0.5 * degree;
     if (has_tilt && std::abs(std::abs(*first.tilt) - shape.tilt) > 0.5 * degree)

@@ -131,6 +131,12 @@ StackShape shape_of(const SliceStack& stack) {
     return shape;
 }
 
+double straight_steps(const SliceStack& stack, const StackShape& shape) {
+    const std::size_t last = stack.origins.size() - 1;
+    if (shape.is_even()) return static_cast<double>(last);
+    return std::max(1.0, std::ceil(stack.height(last) / shape.min_distance - 1e-3));
+}
+
 VoxelGrid straight_grid(const SliceStack& stack, const StackShape& shape) {
     Offset low, high;
     for (std::size_t n = 0; n < stack.origins.size(); ++n) {
@@ -139,10 +145,8 @@ VoxelGrid straight_grid(const SliceStack& stack, const StackShape& shape) {
         high = {std::max(high.columns, offset.columns), std::max(high.rows, offset.rows)};
     }
     const double whole = stack.height(stack.origins.size() - 1);
-    const std::size_t even = stack.origins.size() - 1;
-    double steps = static_cast<double>(even);
+    const double steps = straight_steps(stack, shape);
     if (shape.is_straight()) low = high = {};
-    if (!shape.is_even()) steps = std::max(1.0, std::ceil(whole / shape.min_distance - 1e-3));
 
     const double columns = stack.columns + std::ceil(high.columns - low.columns - 1e-3);
     const double rows = stack.rows + std::ceil(high.rows - low.rows - 1e-3);

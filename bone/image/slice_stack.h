@@ -48,6 +48,9 @@ struct StackShape {
 /// Returns spacing and alignment. Pre: at least two slices, sorted.   [any] pure.
 [[nodiscard]] StackShape shape_of(const SliceStack& stack);
 
+/// Returns the number of even steps between the first and last slice of the straight grid.   [any] pure.
+[[nodiscard]] double straight_steps(const SliceStack& stack, const StackShape& shape);
+
 /// Returns the grid along the slices' axes and their normal that covers all slices. A straight stack keeps its own
 /// voxels; otherwise slices are at least as fine as the smallest distance. With too many voxels the grid is empty.
 /// [any] pure.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -190,6 +192,26 @@ TEST_F(Dicom, PutsUnevenSlicesWhereTheyBelong) {
     EXPECT_EQ(diagnostics.size(), 1u);
     for (double z = 30.0; z <= 38.4; z += 0.7)
         EXPECT_NEAR(at_mm(*image, 11.0, 21.0, z), linear(11.0, 21.0, z), 0.6 /* stored as whole HU */) << z;
+}
+
+TEST_F(Dicom, ReportsTheSpacingThatItWrites) {
+    // Given positions that are rounded to 0.1 mm, a gap that is filled, and even slices
+    for (const std::vector<double>& heights : std::vector<std::vector<double>>{
+             {0, 0.6, 1.2, 1.8, 2.3, 2.9, 3.5, 4.1, 4.7}, {0, 0.63, 1.26, 2.52, 3.15}, {0, 0.6, 1.2, 1.8, 2.4}}) {
+        for (const auto& file : std::filesystem::directory_iterator(folder.path())) std::filesystem::remove(file);
+        write(Series::of(heights));
+        diagnostics.clear();
+        const auto image = read({.name = "", .may_resample = true});
+        ASSERT_TRUE(image) << to_text(diagnostics);
+        const std::string all = to_text(diagnostics);
+        const std::size_t at = all.find("resampled every ");
+        EXPECT_EQ(at == std::string::npos, heights[1] == 0.6 && heights[2] == 1.2 && heights.size() == 5) << all;
+        if (at == std::string::npos) continue;
+        double named = 0.0;
+        const char* number = all.c_str() + at + std::string_view("resampled every ").size();
+        std::from_chars(number, all.c_str() + all.size(), named);
+        EXPECT_NEAR(named * 1e-3, image->spacing(2), 0.06e-6) << all;
+    }
 }
 
 TEST_F(Dicom, PutsATiltedSeriesStraight) {
