@@ -281,7 +281,7 @@ std::optional<CtBone> made(const documents::Anatomy& written, const Sources& sou
             ++deep;
         }
     bone.mean_value = deep > 0 ? sum / static_cast<double>(deep) : ct.threshold;
-    if (ct.density) bone.density = densities_in_voxels(*part, bone.distance, cortex, *ct.density, notes);
+    if (ct.density) bone.density = densities_in_voxels(*part, bone.distance, cortex, anatomy, notes, diagnostics);
     if (options.with_scan)
         bone.report.scan_value = [kept = std::make_shared<const VoxelImage>(*part)](Vec3 lps) {
             return kept->sample_trilinear(lps, std::numeric_limits<double>::quiet_NaN());

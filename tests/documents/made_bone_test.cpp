@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -125,6 +126,28 @@ TEST(MadeBone, SizesFollowTheHeightOfThePerson) {
     EXPECT_NEAR(of_small.drawn.values["body.height"] + of_tall.drawn.values["body.height"], 2.0 * height.mean, 1e-6);
     EXPECT_DOUBLE_EQ(of_tall.drawn.values["pedicle.transverse_angle"],
                      of_small.drawn.values["pedicle.transverse_angle"]);
+}
+
+TEST(MadeBone, CanBeReadWithEveryDensityThatCanBeSet) {
+    for (const std::string bone :
+         {"vertebra, level: L3", "vertebra, level: T11", "femur, level: proximal", "femur, level: distal", "mandible"})
+        for (const std::string more : {"", ", osteoporosis: true"}) {
+            std::optional<MakeRequest> plain;
+            ASSERT_EQ(problem_with("{make: " + bone + more + "}", &plain), "");
+            for (const Dimension& dimension : make_bone(*plain).population.dimensions) {
+                if (std::string(dimension.unit) != "g/cm3") continue;
+                for (const double density : {dimension.min_set, dimension.max_set}) {
+                    const std::string text = "{make: " + bone + more + ", set: {" + dimension.name + ": " +
+                                             std::to_string(1e-3 * density) + " g/cm3}}";
+                    SCOPED_TRACE(text);
+                    std::optional<MakeRequest> request;
+                    ASSERT_EQ(problem_with(text, &request), "");
+                    text::Diagnostics found;
+                    EXPECT_TRUE(read_anatomy_text("made.yaml", make_bone(*request).text).take(found));
+                    EXPECT_FALSE(text::has_error(found)) << to_text(found);
+                }
+            }
+        }
 }
 
 TEST(MadeBone, DensityFollowsAgeAndOsteoporosis) {

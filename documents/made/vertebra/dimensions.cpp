@@ -53,6 +53,7 @@ struct AtAge {
 constexpr std::array densities{AtAge{25, 0.29, 0.28},   AtAge{45, 0.25, 0.24},  AtAge{55, 0.21, 0.215},
                                AtAge{65, 0.175, 0.195}, AtAge{75, 0.15, 0.175}, AtAge{85, 0.13, 0.155}};
 constexpr double default_age = 45.0;
+constexpr double min_density = 65.0;  // [kg/m³] the middle of the body has 0.78 of it, and a tissue at least 50
 constexpr double osteoporotic = 0.11, max_osteoporotic = 133.0;  // [g/cm³], [kg/m³]: a QCT of 80 mg/cm³ over 0.6
 
 double density_at_age(double age, Sex sex) {
@@ -136,7 +137,7 @@ std::vector<Dimension> dimensions_at(const Level& level, const MakeRequest& requ
         request.is_osteoporotic ? osteoporotic : density_at_age(request.age.value_or(default_age), request.sex);
     Dimension& cancellous = table.density("cancellous.density", "Mean apparent density of the body's cancellous bone.",
                                           density * 1e3, request.is_osteoporotic ? 20.0 : 45.0, Evidence::recalled,
-                                          "QCT by age, over 0.6; Morgan 2003", 60.0);
+                                          "QCT by age, over 0.6; Morgan 2003", min_density);
     cancellous.is_along_spine = true;
     if (request.is_osteoporotic) cancellous.max_drawn = cancellous.max_set = max_osteoporotic;
     return std::move(table.all);

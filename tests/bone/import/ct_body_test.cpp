@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -440,6 +441,51 @@ std::optional<Body> labelled_ball(const VoxelImage& values, text::Diagnostics& d
     one.ct->density = documents::DensityLine{.at_zero = 0.0, .per_unit = 1.0, .floor = 100.0, .source = ""};
     one.tissues[0].thickness = cortex;
     return make_body(one, 0.5_mm).take(diagnostics);
+}
+
+/// Imports a ball of these values with this density line. Returns its densities near the middle and at the rim [kg/m³].
+std::array<double, 2> densities_of(documents::DensityLine line, double middle, double rim,
+                                   text::Diagnostics& diagnostics) {
+    documents::Anatomy one = anatomy();
+    one.ct->density = std::move(line);
+    const VoxelImage image =
+        image_of([&](Vec3 p) { return length(p) < radius ? length(p) < 3.0_mm ? middle : rim : 0.0; });
+    const auto bone = make_ct_bone(one, image, nullptr).take(diagnostics);
+    EXPECT_TRUE(bone && bone->density) << to_text(diagnostics);
+    if (!bone || !bone->density) return {};
+    return {bone->density->sample_trilinear({0, 0, 0}, -1.0), bone->density->sample_trilinear({6.0_mm, 0, 0}, -1.0)};
+}
+
+bool has_warning(const text::Diagnostics& diagnostics, const std::string& words) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const text::Diagnostic& d) {
+        return d.code == "W0675" && d.message.find(words) != std::string::npos;
+    });
+}
+
+TEST(CtBody, LimitsDensityToThatOfBone) {
+    text::Diagnostics diagnostics;
+    const auto [middle, rim] =
+        densities_of({.at_zero = 0.0, .per_unit = 1.0, .floor = 100.0, .source = ""}, 30000.0, 1000.0, diagnostics);
+    EXPECT_EQ(middle, 3000.0);
+    EXPECT_EQ(rim, 1000.0);
+    EXPECT_TRUE(has_warning(diagnostics, "gives up to 30.00 g/cm3, expected at most 3.00 g/cm3"));
+    std::size_t bright_voxels = 0;
+    for (const float value : image_of([](Vec3 p) { return length(p) < 3.0_mm ? 1.0 : 0.0; }).values)
+        bright_voxels += value > 0.0f;
+    const double volume = static_cast<double>(bright_voxels) * spacing * spacing * spacing * 1e9;
+    EXPECT_TRUE(has_warning(diagnostics, "to 3.00 g/cm3 in " + rounded(volume, 0) + " mm3")) << to_text(diagnostics);
+}
+
+TEST(CtBody, DoubtsADensityLineThatDoesNotRise) {
+    text::Diagnostics falling, constant, floor, sound;
+    (void)densities_of({.at_zero = 2000.0, .per_unit = -1.0, .floor = 100.0, .source = ""}, 1500.0, 1000.0, falling);
+    (void)densities_of({.at_zero = 800.0, .per_unit = 0.0, .floor = 100.0, .source = ""}, 1500.0, 1000.0, constant);
+    (void)densities_of({.at_zero = -3000.0, .per_unit = 1.0, .floor = 100.0, .source = ""}, 1500.0, 1000.0, floor);
+    (void)densities_of({.at_zero = 0.0, .per_unit = 1.0, .floor = 100.0, .source = ""}, 1500.0, 1000.0, sound);
+    EXPECT_TRUE(has_warning(falling, "falls as the value rises: got -0.001000 g/cm3"));
+    EXPECT_TRUE(has_warning(constant, "got 0.80 g/cm3 everywhere, as `per_unit` is 0"));
+    EXPECT_TRUE(has_warning(floor, "got 0.10 g/cm3 everywhere, the floor"));
+    EXPECT_FALSE(has_warning(sound, "ensity")) << to_text(sound);
 }
 
 std::string joined(const std::vector<std::string>& notes) {
