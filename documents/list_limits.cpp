@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "text/codes.h"
+
 namespace kerf::documents {
 namespace {
 
