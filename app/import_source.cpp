@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -130,13 +132,58 @@ void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
     if (!for_each_slab(*scan, outcome.diagnostics, progress, [&](const std::vector<float>& some) { writer.add(some); }))
         return;
     outcome.error = writer.finish();
-    if (outcome.error.empty()) add_line(outcome.text, "wrote", request.out);
+    if (!outcome.error.empty()) return;
+    const std::vector<bone::Segment>& structures = scan->segments();
+    add_line(outcome.text, "wrote",
+             request.out + (structures.empty() ? ""
+                                               : ", without the names of its " + std::to_string(structures.size()) +
+                                                     (structures.size() == 1 ? " structure" : " structures")));
+    const auto left_out = std::count_if(structures.begin(), structures.end(),
+                                        [](const bone::Segment& structure) { return structure.layer > 0; });
+    if (left_out > 0)
+        outcome.diagnostics.push_back(text::warning_about(
+            request.out, "W0686",
+            "Only the first layer of voxels was written: " + std::to_string(left_out) + " of " +
+                std::to_string(structures.size()) +
+                " structures lie in others, because they overlap. Name the source itself under `ct.labels`."));
 }
 
 // ---- surfaces -------------------------------------------------------------------------------------------------------
 
+/// Returns what an STL file lacks of its source, as in ", without normals (120), lines (3)"; empty if it lacks nothing.
+std::string without_ignored(const std::map<std::string, std::size_t>& ignored) {
+    std::string text;
+    for (const auto& [what, count] : ignored)
+        text += (text.empty() ? ", without " : ", ") + what + " (" + std::to_string(count) + ")";
+    return text;
+}
+
+/// Returns a length [m] with two digits or more, rounded up.
+std::string rounded_up(double length) {
+    double unit = 1e-2;  // [mm]
+    int digits = 2;
+    for (; digits < 9 && 1e3 * length < 10.0 * unit; ++digits) unit *= 0.1;
+    return bone::rounded(std::ceil(1e3 * length / unit) * unit, digits) + " mm";
+}
+
+std::string rounding_text(const bone::StlLoss& loss) {
+    return loss.displacement > 0.0 ? ", rounded by at most " + rounded_up(loss.displacement) : "";
+}
+
+/// Warns where the written numbers are coarse. A loss below a hundredth of a millimetre needs no warning.
+void warn_of_loss(const bone::StlLoss& loss, std::size_t faces, const ImportRequest& request, ImportOutcome& outcome) {
+    constexpr double visible = 10e-6;  // [m] half of the step that W0657 warns of
+    if (loss.displacement <= visible && loss.flattened == 0) return;
+    outcome.diagnostics.push_back(text::warning_about(
+        request.out, "W0686",
+        "STL rounded the surface: vertices are off by up to " + rounded_up(loss.displacement) + ", and " +
+            std::to_string(loss.flattened) + " of " + std::to_string(faces) +
+            " faces have lost their area. Move the surface to the origin where it was made, or name " +
+            text::excerpt(request.source) + " itself in the anatomy."));
+}
+
 void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
-    const auto surface = bone::read_surface(request.source).take(outcome.diagnostics);
+    auto surface = bone::read_surface(request.source).take(outcome.diagnostics);
     if (!surface) return;
     documents::Anatomy anatomy;
     anatomy.file = request.source;
@@ -145,7 +192,8 @@ void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
     mesh.is_ras = request.frame == "RAS";
     mesh.names_frame = !request.frame.empty();
     const StillWorking sign_of_life("checking the surface");
-    const auto bone = bone::make_mesh_bone(anatomy, *surface, nullptr).take(outcome.diagnostics);
+    const std::string lacking = without_ignored(surface->ignored);
+    const auto bone = bone::make_mesh_bone(anatomy, std::move(*surface), nullptr).take(outcome.diagnostics);
     if (!bone) return;
     bool is_first = true;
     for (const std::string& note : bone->report.notes) {
@@ -158,7 +206,10 @@ void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
     written.vertices = std::move(whole.vertices);
     written.triangles = std::move(whole.triangles);
     outcome.error = text::write_file(request.out, bone::stl_bytes(written));
-    if (outcome.error.empty()) add_line(outcome.text, "wrote", request.out + ", millimetres, LPS");
+    if (!outcome.error.empty()) return;
+    const bone::StlLoss loss = bone::stl_loss(written);
+    add_line(outcome.text, "wrote", request.out + ", millimetres, LPS" + lacking + rounding_text(loss));
+    warn_of_loss(loss, written.triangles.size(), request, outcome);
 }
 
 }  // namespace

@@ -103,6 +103,11 @@ bool make_sound(SurfaceFile& file, const SurfaceFile* other, const documents::An
              "the surface lies so far from the origin that its file's numbers are steps of " +
                  millimetres(found.float_step, 2) + "; bone needs 0.02 mm.",
              "Move it to the origin where it was made, and export it again.");
+    else if (found.float_step > coarse)
+        warn("W0686",
+             "the surface lies so far from the origin that the STL files of a run have steps of " +
+                 millimetres(found.float_step, 2) + "; bone needs 0.02 mm.",
+             "Move it to the origin where it was made, and export it again.");
     const Box region = planned_region(anatomy.axes, found.bounds);
     const auto is_near = [&](const FaceCrossing& one) { return anatomy.axes.empty() || is_within(region, one.at); };
     const auto crosses_solids = [&](const FaceCrossing& one) {

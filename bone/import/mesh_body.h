@@ -19,6 +19,7 @@
 ///     W0656  faces near the axes intersect
 ///     E0659  two solids cross or touch near the axes
 ///     W0657  so far from the origin that the file's numbers are coarse
+///     W0686  so far from the origin that the numbers of written STL files are coarse
 namespace kerf::bone {
 
 /// Closed surfaces, oriented outwards. Metres, LPS.

@@ -65,6 +65,17 @@ private:
     bool is_first_ = true, is_remark_ = false, continues_ = false;
 };
 
+/// Returns the name of the content of a statement, in the plural; null for statements without content.
+const char* ignored_by(std::string_view word) {
+    return word == "vn"                 ? "normals"
+           : word == "vt"               ? "texture coordinates"
+           : word == "g" || word == "o" ? "names of groups"
+           : word == "usemtl"           ? "uses of materials"
+           : word == "l"                ? "lines"
+           : word == "p"                ? "points"
+                                        : nullptr;
+}
+
 }  // namespace
 
 std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error) {
@@ -93,8 +104,10 @@ std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error)
             if (!is_finite(at)) return refuse("E0645", "has a coordinate that is no finite number.");
             // One more number is a weight; three are a colour.
             const std::optional<double> weight = number_in(words.next());
-            if (weight && *weight != 1.0 && words.next().empty())
+            const bool has_colour = weight && !words.next().empty();
+            if (weight && *weight != 1.0 && !has_colour)
                 return refuse("E0643", "gives the vertex a weight other than 1, as of a curved surface.");
+            if (has_colour) ++file.ignored["colours"];
             if (file.mesh.vertices.size() == 3 * max_faces)
                 return refuse("E0642", "is one vertex too many: 150 million at most.");
             file.mesh.vertices.push_back(at);
@@ -118,8 +131,9 @@ std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error)
             add_polygon(file.mesh, corners);
         } else if (word == "surf" || word == "bzp" || word == "bsp" || word == "cdc" || word == "call") {
             return refuse("E0643", "has `" + std::string(word) + "`: curved surfaces and files in files are not read.");
+        } else if (const char* what = ignored_by(word)) {  // no part of the surface
+            ++file.ignored[what];
         }
-        // All other statements (normals, textures, groups, materials, lines) have no surface.
     }
     if (file.mesh.triangles.empty()) {
         error = {"E0647", "the file has no face.", "Export the surface again."};

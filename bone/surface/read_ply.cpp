@@ -18,6 +18,7 @@
 #include "bone/surface/polygon.h"
 #include "bone/surface/read_surface.h"
 #include "bone/surface/text_lines.h"
+#include "text/printable.h"
 
 namespace kerf::bone {
 namespace {
@@ -241,6 +242,7 @@ private:
         if (element.count > header_.data.size() / min_size(element, header_.form)) return refuse_truncated(element);
         const Columns columns(element);
         if (!check_columns(element, columns)) return false;
+        count_ignored(element, columns);
         if (columns.is_vertex) {
             file_.has_floats = element.properties[columns.axes[0]].type == Number::float32;
             file_.mesh.vertices.reserve(element.count);
@@ -268,6 +270,22 @@ private:
         if (columns.is_face && (columns.list == columns.none || !element.properties[columns.list].count_type))
             return refuse(malformed("the faces have no list `vertex_indices`."));
         return true;
+    }
+
+    /// Counts the values that are no part of the surface: for each element the columns that are not used.
+    void count_ignored(const Element& element, const Columns& columns) {
+        if (element.count == 0) return;
+        if (!columns.is_vertex && !columns.is_face) {
+            file_.ignored["rows of `" + text::excerpt(element.name, 40) + "`"] += element.count;
+            return;
+        }
+        for (std::size_t p = 0; p < columns.none; ++p) {
+            const auto& axes = columns.axes;
+            const bool is_used =
+                columns.is_vertex ? std::find(axes.begin(), axes.end(), p) != axes.end() : p == columns.list;
+            if (!is_used)
+                file_.ignored["values `" + text::excerpt(element.properties[p].name, 40) + "`"] += element.count;
+        }
     }
 
     /// Reads row `r` into `row_`, and the corners of a face into `corners_`.

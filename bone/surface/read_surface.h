@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,10 +26,11 @@ namespace kerf::bone {
 /// The contents of a file, in its own unit and frame.
 struct SurfaceFile {
     SurfaceMesh mesh;
-    bool has_floats = false;     ///< coordinates were stored as 32-bit floats, with 24 significant bits
-    std::optional<bool> is_ras;  ///< from the header's `SPACE=`: RAS, otherwise LPS; none: missing
-    std::optional<double> unit;  ///< [m] from the header's `UNITS=`; none: missing
-    bool has_topology = false;   ///< faces refer to common vertices by number; STL repeats vertices
+    bool has_floats = false;                     ///< coordinates were stored as 32-bit floats, with 24 significant bits
+    std::optional<bool> is_ras;                  ///< from the header's `SPACE=`: RAS, otherwise LPS; none: missing
+    std::optional<double> unit;                  ///< [m] from the header's `UNITS=`; none: missing
+    std::map<std::string, std::size_t> ignored;  ///< counts of what a surface does not use, such as "normals"
+    bool has_topology = false;                   ///< faces refer to common vertices by number; STL repeats vertices
 };
 
 struct SurfaceError {

@@ -370,6 +370,7 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
         {656, surface(656, Surface().cube(20, 0, 0, 0).cube(20, 7, 6, 5, true).text)},
         {659, surface(659, Surface().cube(20, 0, 0, 0).cube(20, 7, 6, 5).text)},
         {657, surface(657, far_stl(), "block.stl", "unit: m, frame: LPS")},
+        {686, surface(686, Surface().cube(20, 1'000'000, 0, 0).text)},
         {660, [](const std::string& folder) {
              std::filesystem::create_directory(folder + "/scan");
              write_anatomy(folder, 660, "{image: scan, threshold: 0}");

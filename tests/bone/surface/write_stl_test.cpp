@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -49,6 +50,29 @@ TEST(Stl, LeavesOutTrianglesThatNameNoVertex) {
     mesh.triangles.push_back({0, 1, 7});
     mesh.triangles.push_back({1, 1, 2});
     EXPECT_EQ(stl_bytes(mesh), stl_bytes(one_triangle()));
+}
+
+TEST(Stl, LossIsTheDistanceToWhatIsWritten) {
+    Mesh mesh;
+    mesh.vertices = {{10000.0001, 0, 0}, {10000.0203, 0, -5000.00013}, {10000.0001, 0.0201, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    const auto bytes = stl_bytes(mesh);
+    double largest = 0.0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const auto at = [&](std::size_t axis) { return 1e-3 * float_at(bytes, 84 + 12 + 12 * corner + 4 * axis); };
+        largest = std::max(largest, length(Vec3{at(0), at(1), at(2)} - mesh.vertices[corner]));
+    }
+    EXPECT_NEAR(stl_loss(mesh).displacement, largest, 1e-11);  // rounding of a double at 10 km
+    EXPECT_GT(largest, 1e-4);
+    EXPECT_EQ(stl_loss(mesh).flattened, 0u);
+}
+
+TEST(Stl, CountsFacesThatLoseTheirArea) {
+    Mesh mesh = one_triangle();
+    for (Vec3& vertex : mesh.vertices) vertex.x += 1e5;
+    EXPECT_EQ(stl_loss(mesh).flattened, 1u);
+    EXPECT_EQ(stl_loss(one_triangle()).flattened, 0u);
+    EXPECT_EQ(stl_loss(one_triangle()).displacement, 0.0);
 }
 
 }  // namespace
