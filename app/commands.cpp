@@ -33,6 +33,7 @@
 #include "session/report/report.h"
 #include "text/codes.h"
 #include "text/printable_lines.h"
+#include "text/shell.h"
 #include "text/write_file.h"
 
 namespace kerf::app::commands {
@@ -225,16 +226,17 @@ ExitCode begin_folder(const NewOptions& options, const Environment& /*with*/) {
     if (const std::string error = write_new_folder(kind, options.name, options.out); !error.empty())
         return complain(error, exit_bad_input);
     const std::string folder = options.out.empty() ? options.name : options.out;
+    const auto within = [&](const std::string& path) { return text::shell_path(folder + "/" + path); };
     if (is_procedure) {
-        const std::string file = folder + "/" + options.name + ".yaml";
+        const std::string file = within(options.name + ".yaml");
         print(folder + "\nCheck it:    kerf validate " + file + " --bone\nRehearse it: kerf rehearse " + file +
               " --coverage\nCheat it:    kerf rehearse " + file + " --cheats\nRun it:      kerf run " + file + "\n");
         return exit_pass;
     }
-    print(folder + "\nBuild it: cmake -S " + folder + " -B " + folder +
-          "/build -D CMAKE_PREFIX_PATH=WHERE_KERF_IS && cmake --build " + folder +
-          "/build\nTest it:  ctest --test-dir " + folder + "/build\nCheck it: kerf check " + folder +
-          "/build/lib/kerf/kerf_" + options.name + ".so --level 4\n");
+    const std::string build = within("build");
+    print(folder + "\nBuild it: cmake -S " + text::shell_path(folder) + " -B " + build +
+          " -D CMAKE_PREFIX_PATH=WHERE_KERF_IS && cmake --build " + build + "\nTest it:  ctest --test-dir " + build +
+          "\nCheck it: kerf check " + within("build/lib/kerf/kerf_" + options.name + ".so") + " --level 4\n");
     return exit_pass;
 }
 

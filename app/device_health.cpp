@@ -20,6 +20,7 @@
 #include "run/clock/realtime_thread.h"
 #include "run/device/opened_device.h"
 #include "session/recorder.h"
+#include "text/shell.h"
 
 namespace kerf::app {
 
@@ -55,8 +56,9 @@ bool print_real_time(const Installation& here) {
     for (const std::string& refusal : state.refusals) print("  " + refusal + "\n");
     if (state.refusals.empty()) print("  the haptic thread gets all that it needs\n");
     if (!state.refusals.empty() && !are_limits_installed())
-        print("  the limits of Kerf are not installed. As root, then log in again:\n    cp " + here.system_files() +
-              "/90-kerf.conf /etc/security/limits.d/ && groupadd -f realtime && usermod -aG realtime USER\n");
+        print("  the limits of Kerf are not installed. As root, then log in again:\n    cp " +
+              text::shell_path(here.system_files() + "/90-kerf.conf") +
+              " /etc/security/limits.d/ && groupadd -f realtime && usermod -aG realtime USER\n");
     return state.refusals.empty();
 }
 
@@ -97,7 +99,7 @@ void print_hid(const Installation& here) {
     if (nodes.empty()) print("  no HID device is connected\n");
     if (are_rules_installed()) return;
     print("  the udev rules of Kerf are not installed. As root, then plug the device in again:\n    cp " +
-          here.system_files() + "/" + hid::udev_rules_file +
+          text::shell_path(here.system_files() + "/" + hid::udev_rules_file) +
           " /etc/udev/rules.d/ && udevadm control --reload && udevadm trigger\n");
 }
 

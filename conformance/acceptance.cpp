@@ -12,6 +12,7 @@
 #include "conformance/child_program.h"
 #include "conformance/words.h"
 #include "core/plugin/plain_text.h"
+#include "text/shell.h"
 #include "text/write_file.h"
 
 namespace kerf::conformance {
@@ -53,7 +54,7 @@ AcceptanceOutcome accept(const AcceptanceRequest& request) {
     if (!recorded) return refused(error);
     if (std::any_of(recorded->rows.begin(), recorded->rows.end(), [](const auto& row) { return !row.wrench; }))
         return refused(plain(request.file) + " holds a script without forces. Record them: `kerf check " +
-                       plain(request.plugin) + " --record " + plain(request.file) + "`.");
+                       text::shell_path(request.plugin) + " --record " + text::shell_path(request.file) + "`.");
     AcceptanceFile found = *recorded;
     if (error = found_by(request, request.file, found); !error.empty())
         return refused(plain(request.plugin) + ": " + error, false);

@@ -6,6 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "text/shell.h"
+
 namespace kerf::conformance {
 
 namespace {
@@ -14,24 +16,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* notice = "For training and research; not for diagnosis, planning or deciding treatment";
 
-/// For a shell, in single quotes where it must be.
-std::string quoted_for_shell(const std::string& word) {
-    if (!word.empty() &&
-        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+") ==
-            std::string::npos)
-        return word;
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
-
 /// The line that runs a test again.
 std::string again(const TestResult& result, const std::string& path) {
     std::string pattern = "^";
     for (const char c : result.id) pattern += c == '.' ? std::string("\\.") : std::string(1, c);
-    std::string line = "kerf check " + quoted_for_shell(path) + " --level " + std::to_string(result.level) +
-                       " --only '" + pattern + "$'";
-    for (const std::string& option : result.options) line += " " + quoted_for_shell(option);
+    std::string line = "kerf check " + text::shell_path(path) + " --level " + std::to_string(result.level) +
+                       " --only " + text::shell_quoted(pattern + "$");
+    for (const std::string& option : result.options) line += " " + text::shell_quoted(option);
     return line;
 }
 
