@@ -5,10 +5,15 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <span>
+#include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "app/new_folder_files.h"
+#include "text/printable.h"
 
 namespace kerf::app {
 
@@ -22,8 +27,16 @@ bool is_name(const std::string& name) {
            std::all_of(name.begin(), name.end(), fits);
 }
 
+/// Returns why a plugin cannot have this name; empty if it can.
+std::string taken_by(const std::string& name) {
+    if (std::any_of(std::begin(taken_plugins), std::end(taken_plugins), [&](const char* one) { return name == one; }))
+        return "a plugin of Kerf, whose library kerf_" + name + ".so the new one would replace when it is installed";
+    if (name == "kerf") return "Kerf's own package, which the new one needs";
+    return {};
+}
+
 /// `hand_saw` as `HandSaw`.
-std::string type_name(const std::string& name) {
+std::string camel_case(const std::string& name) {
     std::string type;
     bool is_first = true;
     for (const char c : name) {
@@ -33,16 +46,38 @@ std::string type_name(const std::string& name) {
     return type;
 }
 
+/// Returns the name of a plugin's type. The SDK and the example have types, too, and macros are all in capitals.
+std::string type_name(const std::string& name, const std::string& name_of_example) {
+    std::string type = camel_case(name);
+    if (name == name_of_example) return type;
+    const auto is_taken = [&] {
+        return std::none_of(type.begin(), type.end(), [](char c) { return c >= 'a' && c <= 'z'; }) ||
+               std::any_of(std::begin(taken_words), std::end(taken_words),
+                           [&](const char* one) { return type == one; });
+    };
+    while (is_taken()) type += "Tool";
+    return type;
+}
+
 /// Removes the line that links to the next example.
 std::string without_next(const std::string& text) {
     const std::size_t at = text.rfind("\nNext: ");
     return at == std::string::npos ? text : text.substr(0, at + 1);
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-    return text;
+using Replacements = std::vector<std::pair<std::string, std::string>>;
+
+/// Replaces texts from left to right; of several at one position the first. A new text is not searched again.
+std::string replaced(std::string_view text, const Replacements& replacements) {
+    std::string result;
+    while (!text.empty()) {
+        const auto here = std::find_if(replacements.begin(), replacements.end(),
+                                       [&](const auto& pair) { return text.starts_with(pair.first); });
+        const bool is_found = here != replacements.end();
+        result += is_found ? here->second : std::string(1, text.front());
+        text.remove_prefix(is_found ? here->first.size() : 1);
+    }
+    return result;
 }
 
 /// An example that is a template.
@@ -69,9 +104,14 @@ Example example_of(NewKind kind) {
 std::string write_new_folder(NewKind kind, const std::string& name, const std::string& wanted) {
     namespace fs = std::filesystem;
     const Example example = example_of(kind);
+    const std::string command = kind == NewKind::procedure ? "kerf new procedure " : "kerf new plugin ";
     if (!is_name(name))
-        return "the name is `" + name + "`; it needs a-z, 0-9 and _, a letter first, 40 at most. Write `kerf new " +
-               (kind == NewKind::procedure ? "procedure " : "plugin ") + example.name + "`.";
+        return "the name is `" + text::excerpt(name) +
+               "`; it needs a-z, 0-9 and _, a letter first, 40 at most. Write `" + command + example.name + "`.";
+    if (name == "null")
+        return "the name is `null`, which YAML reads as nothing. Write `" + command + example.name + "`.";
+    if (const std::string owner = kind == NewKind::procedure ? "" : taken_by(name); !owner.empty())
+        return "the name `" + name + "` belongs to " + owner + ". Write `" + command + "my_" + name + "`.";
     const fs::path folder = wanted.empty() ? name : wanted;
     std::error_code error;
     if (fs::exists(fs::symlink_status(folder, error)))
@@ -79,10 +119,12 @@ std::string write_new_folder(NewKind kind, const std::string& name, const std::s
     if (!fs::create_directories(folder, error))
         return "`" + folder.string() + "` cannot be made: " + error.message() + ". Name another folder with `--out`.";
     for (const NewFile& file : example.files) {
-        const fs::path path = folder / replaced(file.name, example.name, name);
-        std::string text = replaced(without_next(file.text), example.folder, name);
-        text = replaced(replaced(text, example.name, name), type_name(example.name), type_name(name));
-        text = replaced(text, "[The Kerf authors]", "[Your name]");
+        const fs::path path = folder / replaced(file.name, {{example.name, name}});
+        const std::string text =
+            replaced(without_next(file.text), {{example.folder, name},
+                                               {example.name, name},
+                                               {camel_case(example.name), type_name(name, example.name)},
+                                               {"[The Kerf authors]", "[Your name]"}});
         fs::create_directories(path.parent_path(), error);
         std::ofstream out(path, std::ios::binary);
         out << text;

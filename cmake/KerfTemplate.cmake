@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -D TOOL=<examples/02_round_burr> -D STRATEGY=<examples/06_groove> -D PROCEDURE=<examples/08_procedure>
-#   -D OUT=<header> -P KerfTemplate.cmake
+#   -D SDK=<core/sdk/include/kerf> -D ROOT=<source tree> -D OUT=<header> -P KerfTemplate.cmake
 #
-# The files of three examples as a C++ header, so that `kerf new` needs nothing but the program.
+# The files of three examples as a C++ header, so that `kerf new` needs nothing but the program. With them the names that
+# a new plugin cannot have: capitalized words of the SDK and the examples for its type, and Kerf's own plugins.
 cmake_minimum_required(VERSION 3.25)
 set(header "// Made from examples by KerfTemplate.cmake.\n#pragma once\n\n")
 string(APPEND header "namespace kerf::app {\n\nstruct NewFile {\n    const char* name;\n    const char* text;\n};\n")
@@ -15,6 +16,27 @@ foreach(kind TOOL STRATEGY PROCEDURE)
     string(APPEND header "{\"${file}\", R\"kerf(${text})kerf\"},\n")
   endforeach()
   string(APPEND header "};\n")
+endforeach()
+file(GLOB headers ${SDK}/*.hpp ${SDK}/*.h ${TOOL}/*.cpp ${STRATEGY}/*.cpp)
+set(words)
+foreach(file IN LISTS headers)
+  file(READ ${file} text)
+  string(REGEX MATCHALL "[A-Z][A-Za-z0-9_]*" found "${text}")
+  list(APPEND words ${found})
+endforeach()
+file(GLOB makers ${ROOT}/plugins/*/CMakeLists.txt ${ROOT}/devices/*/CMakeLists.txt)
+set(plugins)
+foreach(file IN LISTS makers)
+  file(READ ${file} text)
+  string(REGEX MATCHALL "kerf_add_(plugin|device)\\([ \t\r\n]*[a-z0-9_]+" found "${text}")
+  list(APPEND plugins ${found})
+endforeach()
+list(TRANSFORM plugins REPLACE "[^(]*\\([ \t\r\n]*" "")
+foreach(list words plugins)
+  list(SORT ${list})
+  list(REMOVE_DUPLICATES ${list})
+  string(REPLACE ";" "\",\n\"" text "${${list}}")
+  string(APPEND header "inline constexpr const char* taken_${list}[] = {\n\"${text}\"};\n")
 endforeach()
 string(APPEND header "\n}  // namespace kerf::app\n")
 file(WRITE ${OUT} "${header}")
