@@ -9,8 +9,8 @@
 
 namespace kerf::app {
 
-/// `kerf run … --watch`: runs the command, and again whenever a plugin, the procedure or its anatomy has changed, until
-/// Ctrl-C. Each run is a process of its own, so it loads the plugins again.   [main]
+/// `kerf run … --watch`: runs the command, and again whenever a plugin, the procedure, its anatomy or a data file of
+/// them has changed, until Ctrl-C. Each run is a process of its own, so it loads the plugins again.   [main]
 /// @param program     the file of `kerf`
 /// @param arguments   the arguments of the command, without `--watch`
 /// @param plugins     folders
