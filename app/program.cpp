@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <clocale>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -19,6 +20,7 @@
 namespace kerf::app {
 
 int run_program(int argc, char** argv, const std::function<ExitCode(const CommandLine&, const Invocation&)>& run) {
+    std::setlocale(LC_NUMERIC, "C");  // a library may have set another; text/plain_numbers.h
     occupy_closed_streams();
     std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow fails to be written, and the program continues
     install_terminate_handler();

@@ -36,7 +36,8 @@ std::string percent(double fraction) { return std::to_string(static_cast<int>(10
 
 void show_progress(double fraction, const std::string& what) {
     if (is_on_terminal()) {
-        std::fprintf(stderr, "%s%3.0f %%  %s", clear_line, 100.0 * fraction, text::printable(what).c_str());
+        std::fprintf(stderr, "%s%3d %%  %s", clear_line, static_cast<int>(100.0 * fraction),
+                     text::printable(what).c_str());
         if (fraction >= 1.0) std::fputc('\n', stderr);
     } else if (is_line_due()) {
         std::fprintf(stderr, "%s  %s\n", percent(fraction).c_str(), text::printable(what).c_str());

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <mutex>
 
+#include "text/plain_numbers.h"
 #include "text/printable_lines.h"
 
 namespace kerf::app {
@@ -73,6 +74,7 @@ ExitCode complain(const std::string& error, ExitCode code) {
 }
 
 std::string formatted(const char* format, ...) {
+    const text::PlainNumbers point;
     std::va_list values, again;
     va_start(values, format);
     va_copy(again, values);

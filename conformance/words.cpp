@@ -3,9 +3,12 @@
 
 #include <cstdio>
 
+#include "text/plain_numbers.h"
+
 namespace kerf::conformance {
 
 std::string number(double value) {
+    const text::PlainNumbers point;
     char text[40];
     std::snprintf(text, sizeof text, "%.4g", value);
     return text;

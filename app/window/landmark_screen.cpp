@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/window/panel_painter.h"
 #include "app/window/widgets.h"
+#include "app/window/window_text.h"
 
 namespace kerf::window {
 
@@ -18,10 +18,8 @@ constexpr float bottom_height = 34.0f, panel_width = 300.0f;
 constexpr float click_slack = 4.0f;  // [pixel] a longer motion with the button pressed is a drag
 
 std::string millimetres(Vec3 p) {
-    char text[96];
     const auto part = [](double metres) { return std::round(1e5 * metres) * 1e-2 + 0.0; };  // no -0.00
-    std::snprintf(text, sizeof text, "%.2f  %.2f  %.2f mm", part(p.x), part(p.y), part(p.z));
-    return text;
+    return formatted("%.2f  %.2f  %.2f mm", part(p.x), part(p.y), part(p.z));
 }
 
 }  // namespace

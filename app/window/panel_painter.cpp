@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "app/window/window_text.h"
 
 namespace kerf::window {
 
@@ -115,9 +116,9 @@ void paint_plot(ImDrawList& list, const Fonts& fonts, ImVec2 low, ImVec2 high, c
     for (float value = std::ceil(axes.y_low / step) * step; value < axes.y_high; value += step) {
         const float y = at({0, value}).y;
         list.AddLine({low.x, y}, {high.x, y}, theme::line);
-        char text[32];
-        std::snprintf(text, sizeof text, "%g", std::abs(value) < 1e-6f ? 0.0 : static_cast<double>(value));
-        list.AddText(fonts.small, fonts.small->FontSize, {low.x + 4, y - fonts.small->FontSize - 1}, theme::soft, text);
+        const std::string text = formatted("%g", std::abs(value) < 1e-6f ? 0.0 : static_cast<double>(value));
+        list.AddText(fonts.small, fonts.small->FontSize, {low.x + 4, y - fonts.small->FontSize - 1}, theme::soft,
+                     text.c_str());
     }
     for (const float limit : axes.limits) {
         const float y = at({0, limit}).y;

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "core/plugin/number_text.h"
 #include "core/plugin/plain_text.h"
 #include "core/plugin/unit.h"
 #include "kerf/device.h"
@@ -54,11 +54,7 @@ constexpr LayoutField layout_fields[] = {
 
 constexpr std::size_t max_id = 64, max_sentence = 2000;  // [bytes]
 
-std::string number_text(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.10g", value);
-    return text;
-}
+std::string number_text(double value) { return kerf::number_text(value, 10); }
 
 /// Returns a value, given in SI, as text in its display unit; in SI, without a unit, if the display unit is unknown.
 std::string value_text(double value, const char* display_unit) {

@@ -3,21 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/haptics/law/law_fault.h"
+#include "core/plugin/number_text.h"
 
 namespace kerf {
 
 namespace {
 
 std::string time_text(double seconds) {
-    char text[40];
-    if (seconds < 1e-3)
-        std::snprintf(text, sizeof text, "%.3g us", 1e6 * seconds);
-    else
-        std::snprintf(text, sizeof text, "%.3g ms", 1e3 * seconds);
-    return text;
+    return seconds < 1e-3 ? number_text(1e6 * seconds, 3) + " us" : number_text(1e3 * seconds, 3) + " ms";
 }
 
 }  // namespace

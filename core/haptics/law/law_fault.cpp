@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/law/law_fault.h"
 
-#include <cstdio>
-
+#include "core/plugin/number_text.h"
 #include "core/plugin/plain_text.h"
 #include "core/plugin/plugin_call.h"
 
@@ -10,11 +9,7 @@ namespace kerf {
 
 namespace {
 
-std::string number_text(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
+std::string number_text(double value) { return kerf::number_text(value, 6); }
 
 std::string name_of_status(double status) {
     const auto code = static_cast<kerf_status>(status);

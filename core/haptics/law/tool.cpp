@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <iterator>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/plugin/number_text.h"
 #include "core/plugin/plugin_call.h"
 #include "kerf/units.hpp"
 
@@ -100,11 +100,7 @@ std::string why_refused(const kerf_tool_shape& shape) {
 
 constexpr double widest = 0.1;  // [m]
 
-std::string in_mm(double metres) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g mm", 1e3 * metres);
-    return text;
-}
+std::string in_mm(double metres) { return number_text(1e3 * metres, 6) + " mm"; }
 
 std::string point(std::uint32_t i, const char* field, double value, const std::string& expected) {
     return "point " + std::to_string(i) + ": `" + field + "` is " + in_mm(value) + ", expected " + expected + ".";
@@ -115,9 +111,8 @@ std::string point(std::uint32_t i, const char* field, double value, const std::s
 std::string fault_of_bending(const kerf_tool_shape& shape) {
     constexpr double softest = 0.1, steepest = 10.0;  // [m/N], [rad/N]
     const auto out_of = [](const char* field, double value, double maximum, const char* unit) {
-        char text[120];
-        std::snprintf(text, sizeof text, "`%s` is %.6g %s, expected 0 … %g %s.", field, value, unit, maximum, unit);
-        return std::string(text);
+        return std::string("`") + field + "` is " + number_text(value, 6) + " " + unit + ", expected 0 … " +
+               number_text(maximum, 6) + " " + unit + ".";
     };
     if (!(shape.tip_deflection >= 0.0 && shape.tip_deflection <= softest))
         return out_of("tip_deflection", shape.tip_deflection, softest, "m/N");
