@@ -89,16 +89,16 @@ std::string printable(std::string_view text) {
     return result;
 }
 
-std::string excerpt(std::string_view text, std::size_t most) {
+std::string excerpt(std::string_view text, std::size_t max_size) {
     std::string result;
     std::size_t count = 0;
     for_each_character(text, [&](const Character& one, std::string_view bytes) {
-        if (++count <= most) append_printable(result, one, bytes);
+        if (++count <= max_size) append_printable(result, one, bytes);
         return true;
     });
-    if (count <= most) return result;
-    return result + "… (" + std::to_string(count - most) +
-           (count - most == 1 ? " more character)" : " more characters)");
+    if (count <= max_size) return result;
+    return result + "… (" + std::to_string(count - max_size) +
+           (count - max_size == 1 ? " more character)" : " more characters)");
 }
 
 std::string yaml_quoted(std::string_view text) {
