@@ -9,6 +9,7 @@
 #include "documents/solids.h"
 #include "documents/waypoint_nodes.h"
 #include "documents/yaml/document.h"
+#include "run/in_mm.h"
 #include "text/codes.h"
 #include "text/quantity.h"
 
@@ -160,9 +161,11 @@ PlateFit fit_of(const Body& plate, const Pose& world_from_plate, const BoneAroun
 
 namespace {
 
-/// Rounds to 0.1 mm.
-std::string in_tenths(double length) { return text::quantity_text(std::round(length / 0.1e-3) * 0.1e-3, "mm"); }
-std::string in_percent(double fraction_in_bone) { return std::to_string(std::lround(100.0 * fraction_in_bone)) + " %"; }
+std::string in_tenths(double length) { return in_mm(length, 1); }
+std::string in_percent(double fraction, int digits = 0) {
+    const double step = std::pow(10.0, -digits);
+    return text::quantity_text(0.01 * (std::round(100.0 * fraction / step) * step), "%");
+}
 
 bool is_off_bone(const PlateFit& fit) { return fit.gap > max_plate_gap; }
 bool is_in_bone(const PlateFit& fit) {
@@ -170,16 +173,23 @@ bool is_in_bone(const PlateFit& fit) {
 }
 
 std::string gap_text(const PlateFit& fit) {
-    return "its surface is " + in_tenths(fit.gap) + (fit.gap < farthest_gap ? "" : " or more") +
-           " from the nearest bone, must be at most 3 mm";
+    const text::ComparedTexts shown = compared_in_mm(fit.gap, max_plate_gap, 1);
+    return "its surface is " + shown.value + (fit.gap < farthest_gap ? "" : " or more") +
+           " from the nearest bone, must be at most " + shown.bound;
 }
 std::string depth_text(const PlateFit& fit) {
     std::string text;
-    if (fit.fraction_in_bone > max_plate_fraction)
-        text = in_percent(fit.fraction_in_bone) + " of its volume is in bone, must be at most 15 %";
-    if (fit.deepest > max_plate_depth)
-        text += (text.empty() ? "it is " : "; it is ") + in_tenths(fit.deepest) +
-                (fit.deepest < farthest_gap ? "" : " or more") + " deep, must be at most 3 mm";
+    if (fit.fraction_in_bone > max_plate_fraction) {
+        const text::ComparedTexts shown =
+            text::compared(fit.fraction_in_bone, max_plate_fraction, 0, 6,
+                           [](double fraction, int digits) { return in_percent(fraction, digits); });
+        text = shown.value + " of its volume is in bone, must be at most " + shown.bound;
+    }
+    if (fit.deepest > max_plate_depth) {
+        const text::ComparedTexts shown = compared_in_mm(fit.deepest, max_plate_depth, 1);
+        text += (text.empty() ? "it is " : "; it is ") + shown.value + (fit.deepest < farthest_gap ? "" : " or more") +
+                " deep, must be at most " + shown.bound;
+    }
     return text;
 }
 
@@ -273,7 +283,6 @@ void check_screws_of_plates(const documents::Procedure& procedure, const std::ve
     const auto document = documents::document_of(procedure);
     const documents::Node* steps = document->root.find("steps");
     documents::Report report(*document, diagnostics);
-    const auto in_mm = [](double length) { return text::quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); };
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
         const documents::Step& step = procedure.steps[s];
         const ToolOutline& tool = *tools[s];

@@ -10,15 +10,13 @@
 #include "documents/waypoint_nodes.h"
 #include "documents/yaml/document.h"
 #include "documents/yaml/read_map.h"
+#include "run/in_mm.h"
 #include "text/codes.h"
 #include "text/quantity.h"
 
 namespace kerf::run {
 
 namespace {
-
-/// Rounds to 0.01 mm.
-std::string in_mm(double length) { return text::quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); }
 
 /// Reports errors about one step of a procedure.
 class StepReport {
@@ -179,10 +177,12 @@ void check_threads(const documents::Procedure& procedure, const std::vector<cons
                              ", and the hole along `" + step.axis + "` is " + in_mm(2.0 * before.hole) +
                              " wide. Take a wider drill, or a screw with a core of at most " +
                              in_mm(2.0 * before.hole) + ".");
-        if (const double asked = goal_depth(step); tool.is_implant() && asked > seat_of(tool))
+        if (const double asked = goal_depth(step); tool.is_implant() && asked > seat_of(tool)) {
+            const text::ComparedTexts depths = compared_in_mm(asked, seat_of(tool));
             report.error(text::Code::seats_too_soon, "goals",
-                         "The goal is a depth of at least " + in_mm(asked) + ", and the head of `" + step.instrument +
-                             "` seats at " + in_mm(seat_of(tool)) + ". Take a longer one, or ask for no more.");
+                         "The goal is a depth of at least " + depths.value + ", and the head of `" + step.instrument +
+                             "` seats at " + depths.bound + ". Take a longer one, or ask for no more.");
+        }
     }
 }
 
@@ -239,11 +239,12 @@ void check_room(const documents::Step& step, const ToolOutline& tool, const Axis
                 double end, StepReport& report) {
     const double thread = 2.0 * tool.thread_radius;
     const Waist waist = waist_of(frame, body, thread, end - thread, thread);
+    const text::ComparedTexts shown = compared_in_mm(thread, waist.width);
     if (waist.width < thread)
         report.error(text::Code::screw_too_wide, "instrument",
                      "The thread of `" + step.instrument + "` is wider than the bone along `" + step.axis + "`: got " +
-                         in_mm(thread) + ", expected at most " + in_mm(waist.width) + ", the width " +
-                         in_mm(waist.depth) + " deep. Take a thinner screw, or another anatomy.");
+                         shown.value + ", expected at most " + shown.bound + ", the width " + in_mm(waist.depth) +
+                         " deep. Take a thinner screw, or another anatomy.");
 }
 
 }  // namespace

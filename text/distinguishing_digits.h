@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 namespace kerf::text {
 
 /// Returns the smallest number of digits, at least `digits`, that makes the texts of a value and its bound differ:
@@ -13,6 +15,18 @@ template <class TextOf>
     for (int more = digits; more <= most; ++more)
         if (text_of(value, more) != text_of(bound, more)) return more;
     return digits;
+}
+
+/// A value and its bound as a message shows them: with the digits that make them differ.
+struct ComparedTexts {
+    std::string value, bound;
+};
+
+/// Returns the texts of a value and its bound, as distinguishing_digits().   [any]
+template <class TextOf>
+[[nodiscard]] ComparedTexts compared(double value, double bound, int digits, int most, const TextOf& text_of) {
+    const int enough = distinguishing_digits(value, bound, digits, most, text_of);
+    return {text_of(value, enough), text_of(bound, enough)};
 }
 
 }  // namespace kerf::text

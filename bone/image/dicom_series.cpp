@@ -12,6 +12,7 @@
 
 #include "bone/image/acquisitions.h"
 #include "bone/report/import_report.h"
+#include "text/distinguishing_digits.h"
 #include "text/printable.h"
 
 namespace kerf::bone {
@@ -233,11 +234,14 @@ void check_positions(const DicomSeries& series, bool may_resample) {
                                      " mm apart. Export all slices. To fill the gaps by interpolation, write "
                                      "`ct.resample: true` or `--allow-resample`."};
     }
-    if (shape.is_crooked() && !may_resample)
-        throw ReadError{"E0666", "the slices are shifted sideways: got up to " + rounded(shape.crookedness, 1) +
-                                     " voxels from the line through all, expected at most 0.1. Export one volume. If "
+    if (shape.is_crooked() && !may_resample) {
+        const text::ComparedTexts shown = text::compared(shape.crookedness, 0.1, 1, 6, &rounded);
+        throw ReadError{"E0666", "the slices are shifted sideways: got up to " + shown.value +
+                                     " voxels from the line through all, expected at most " + shown.bound +
+                                     ". Export one volume. If "
                                      "the positions are right, write "
                                      "`ct.resample: true` or `--allow-resample`."};
+    }
 }
 
 void note_shape(DicomSeries& series, const std::string& folder, text::Diagnostics& diagnostics) {

@@ -23,6 +23,7 @@
 #include "bone/import/voxel_distance.h"
 #include "documents/read_anatomy.h"
 #include "documents/solids.h"
+#include "text/distinguishing_digits.h"
 #include "text/printable.h"
 
 namespace kerf::bone {
@@ -226,15 +227,17 @@ std::optional<CtBone> made(const documents::Anatomy& written, const Sources& sou
                           "Check that the axes are LPS, and the image is theirs."};
     // Values, mask, distance and densities, with temporary data
     constexpr double bytes_per_voxel = 25.0;
-    if (const double bytes = bytes_per_voxel * static_cast<double>(range.voxels()); bytes > max_bone_memory)
-        throw ImportError{
-            "E0602",
-            {"landmarks", "axes"},
-            "around the planned axes lie " + rounded(static_cast<double>(range.voxels()) * 1e-6, 0) +
-                " million voxels, which take about " + rounded(bytes / max_bone_memory * 4.0, 1) +
-                " GB of memory, must be at most 4 GB. Give axes that go no farther than what is planned, or "
-                "resample the image onto voxels " +
-                rounded(std::cbrt(bytes / max_bone_memory) + 0.05, 1) + " times as long."};
+    if (const double bytes = bytes_per_voxel * static_cast<double>(range.voxels()); bytes > max_bone_memory) {
+        const text::ComparedTexts memory = text::compared(bytes / max_bone_memory * 4.0, 4.0, 0, 6, &rounded);
+        throw ImportError{"E0602",
+                          {"landmarks", "axes"},
+                          "around the planned axes lie " + rounded(static_cast<double>(range.voxels()) * 1e-6, 0) +
+                              " million voxels, which take about " + memory.value + " GB of memory, must be at most " +
+                              memory.bound +
+                              " GB. Give axes that go no farther than what is planned, or "
+                              "resample the image onto voxels " +
+                              rounded(std::cbrt(bytes / max_bone_memory) + 0.05, 1) + " times as long."};
+    }
     const std::optional<VoxelImage> part = sources.read_scan(range);
     if (!part) return std::nullopt;
 

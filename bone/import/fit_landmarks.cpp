@@ -15,12 +15,16 @@
 #include "bone/import/planned_region.h"
 #include "bone/surface/diagnose.h"
 #include "documents/read_anatomy.h"
+#include "text/distinguishing_digits.h"
 
 namespace kerf::bone {
 namespace {
 
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
-std::string percent(double fraction) { return rounded(100.0 * fraction, 0) + " %"; }
+std::string percent(double fraction, int digits = 0) { return rounded(100.0 * fraction, digits) + " %"; }
+text::ComparedTexts compared_percent(double fraction, double bound) {
+    return text::compared(fraction, bound, 0, 6, &percent);
+}
 
 /// Returns a position as YAML, to a hundredth of a millimetre.
 std::string yaml_position(Vec3 at) {
@@ -70,18 +74,19 @@ private:
     /// Checks the residual and the distance from the guess.
     bool is_allowed(const FitRequest& request, double residual, Vec3 found, Vec3 guess, double off, const char* key) {
         if (off > request.within) {
+            const text::ComparedTexts away = text::compared(off, request.within, 1, 6, &millimetres);
             refuse(request, "E0617",
-                   "the fit of `" + request.id + "` leaves its guess: it lies " + millimetres(off) + " from `" + key +
-                       ": " + yaml_position(guess) + "`, must be within " + millimetres(request.within) +
+                   "the fit of `" + request.id + "` leaves its guess: it lies " + away.value + " from `" + key + ": " +
+                       yaml_position(guess) + "`, must be within " + away.bound +
                        ". Check the scan; if the fit is right, move the guess.",
                    std::string(key) + ": " + yaml_position(found));
             return false;
         }
         if (residual > request.residual) {
+            const text::ComparedTexts shown = text::compared(residual, request.residual, 2, 6, &millimetres);
             refuse(request, "E0616",
-                   "the residual of `" + request.id + "` is too large: got " + millimetres(residual, 2) +
-                       ", expected at most " + millimetres(request.residual, 2) +
-                       ". Check the guess and the bone there; if both are right, allow it.",
+                   "the residual of `" + request.id + "` is too large: got " + shown.value + ", expected at most " +
+                       shown.bound + ". Check the guess and the bone there; if both are right, allow it.",
                    "residual: {at_most: " + rounded(std::ceil(residual * 1e4) * 0.1, 1) + " mm}");
             return false;
         }
@@ -92,11 +97,11 @@ private:
     std::optional<FittedSphere> sphere_at(const FitRequest& request, Vec3 guess, double radius) {
         const auto sphere = fit_sphere(bone_, {guess, radius, request.within});
         if (!sphere || sphere->fraction < min_sphere_fraction) {
+            const text::ComparedTexts shown = compared_percent(sphere ? sphere->fraction : 0.0, min_sphere_fraction);
             refuse(request, "E0615",
                    "the bone has no sphere for `" + request.id + "` near `at: " + yaml_position(guess) + "`: got " +
-                       (sphere ? percent(sphere->fraction) : "none") +
-                       " of the directions on one with a radius of about " + millimetres(radius) +
-                       ", expected at least " + percent(min_sphere_fraction) +
+                       (sphere ? shown.value : "none") + " of the directions on one with a radius of about " +
+                       millimetres(radius) + ", expected at least " + shown.bound +
                        ". Check the guess and its radius, and that the bone is complete there.");
             return std::nullopt;
         }
@@ -161,12 +166,13 @@ private:
 
     void fit_as_tube(documents::LandmarkAxis& axis, const FitRequest& request) {
         const auto tube = fit_tube(bone_, {axis.from, axis.to, axis.fit->radius, request.within});
+        const text::ComparedTexts shown = compared_percent(tube ? tube->fraction : 0.0, min_tube_fraction);
         if (!tube || tube->fraction < min_tube_fraction)
             return refuse(request, "E0615",
                           "the bone is no tube between the ends of `" + request.id + "`: got " +
-                              (tube ? percent(tube->fraction) : "none") +
+                              (tube ? shown.value : "none") +
                               " of its sections' points on one with a radius of about " +
-                              millimetres(axis.fit->radius) + ", expected at least " + percent(min_tube_fraction) +
+                              millimetres(axis.fit->radius) + ", expected at least " + shown.bound +
                               ". Check `from`, `to` and the radius: between the ends the bone must be round.");
         if (!is_allowed(request, axis, tube->residual, tube->from, tube->to)) return;
         place(axis, tube->from, tube->to,

@@ -182,11 +182,12 @@ bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>
         fits *= 1.1;
     const Vec3 extent = bounds.high - bounds.low;
     const bool is_memory = needed.bytes > max_bone_memory;
+    const text::ComparedTexts memory = text::compared(needed.bytes / max_bone_memory * 4.0, 4.0, 0, 6, &rounded);
     text::Diagnostic large = text::error_at(
         bone_in(anatomy), "E0602",
         "a bone of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
             rounded(extent.z * 1e3, 0) + " mm at a spacing of " + rounded(spacing * 1e3, 3) + " mm takes about " +
-            (is_memory ? rounded(needed.bytes / max_bone_memory * 4.0, 1) + " GB of memory, must be at most 4 GB."
+            (is_memory ? memory.value + " GB of memory, must be at most " + memory.bound + " GB."
                        : rounded(needed.bricks * 1e-6, 1) + " million bricks of 8³ samples, " +
                              rounded(needed.cuttable * 1e-6, 1) +
                              " million of them bone; must be at most 16 million, and 2.9 million.") +
@@ -506,12 +507,10 @@ void check_axis(const documents::Anatomy& anatomy, const documents::LandmarkAxis
                                                  "of the bone."));
     else if (found.share < min_fraction_in_bone) {
         const double fraction = 100.0 * found.share, need = 100.0 * min_fraction_in_bone;
-        const int digits =
-            text::distinguishing_digits(fraction, need, 0, 6, [](double x, int n) { return rounded(x, n); });
+        const text::ComparedTexts shown = text::compared(fraction, need, 0, 6, &rounded);
         diagnostics.push_back(text::error_at(at(), "E0611",
-                                             "the axis `" + axis.id + "` lies in bone for only " +
-                                                 rounded(fraction, digits) +
-                                                 " % of its length behind the entry, need " + rounded(need, digits) +
+                                             "the axis `" + axis.id + "` lies in bone for only " + shown.value +
+                                                 " % of its length behind the entry, need " + shown.bound +
                                                  " %. Check its points, or the tissues of the anatomy."));
     }
 }
