@@ -33,21 +33,26 @@ std::string shift_text(const bone::BorderShift& shift) {
 
 }  // namespace
 
-std::string anatomy_text(const run::Scene& scene) {
+std::string anatomy_text(const documents::Anatomy& anatomy, const Body& body, const bone::ImportReport& import) {
     std::string text;
     const auto add = [&](const std::string& line) { text += line + "\n"; };
-    for (const std::string& note : scene.import.notes) add(note);
-    for (const documents::LandmarkPoint& point : scene.anatomy.points)
-        add("Point " + point.id + ": " + position_text(scene.body, point.at) + ", known to " +
-            millimetres(point.tolerance) + ".");
-    for (const documents::LandmarkPlane& plane : scene.anatomy.planes)
-        add("Plane " + plane.id + ": its point " + position_text(scene.body, plane.at) + ", known to " +
+    for (const std::string& note : import.notes) add(note);
+    for (const documents::LandmarkPoint& point : anatomy.points)
+        add("Point " + point.id + ": " + position_text(body, point.at) + ", known to " + millimetres(point.tolerance) +
+            ".");
+    for (const documents::LandmarkPlane& plane : anatomy.planes)
+        add("Plane " + plane.id + ": its point " + position_text(body, plane.at) + ", known to " +
             millimetres(plane.tolerance) + ".");
-    for (const documents::Zone& zone : scene.anatomy.zones)
-        add("Zone " + zone.id + ": " + bone::rounded(100.0 * bone::fraction_in_bone(scene.body, zone), 0) +
+    for (const documents::Zone& zone : anatomy.zones)
+        add("Zone " + zone.id + ": " + bone::rounded(100.0 * bone::fraction_in_bone(body, zone), 0) +
             " % of it lies in bone.");
-    for (const bone::BorderShift& shift : scene.import.shifts) add(shift_text(shift));
+    for (const bone::BorderShift& shift : import.shifts) add(shift_text(shift));
     return text;
+}
+
+std::string anatomy_text(const run::LoneAnatomy& alone) {
+    return anatomy_text(alone.anatomy, alone.body, alone.import) + "The bone was sampled at " +
+           millimetres(alone.spacing) + ". To check what a procedure needs of it, write `--for PROCEDURE.yaml`.\n";
 }
 
 }  // namespace kerf::app

@@ -54,7 +54,11 @@ std::string complaint_about(const Value& value, const std::string& word) {
             return word.empty() ? "is empty. Write " + value.expects + "." : std::string();
         case ValueKind::words: {
             const bool is_known = std::find(value.words.begin(), value.words.end(), word) != value.words.end();
-            return is_known ? std::string() : "is `" + word + "`. Write " + documents::listed(value.words) + ".";
+            if (is_known) return {};
+            const std::string meant = documents::closest(word, value.words),
+                              known = documents::listed(value.words, word);
+            return "is `" + word +
+                   (meant.empty() ? "`. Write " + known : "`, expected " + known + ". Write `" + meant + "`") + ".";
         }
         case ValueKind::number:
             return is_number(value, word) ? std::string() : "is `" + word + "`. Write " + numbers_of(value) + ".";
@@ -140,8 +144,8 @@ std::string about_unknown_command(const std::string& word) {
     std::vector<std::string> known;
     for (const Command& command : command_table()) known.push_back(command.name);
     const std::string meant = documents::closest(word, known);
-    return "there is no command " + quoted(word) + ". Write " +
-           (meant.empty() ? documents::listed(known) : quoted("kerf " + meant)) + ".";
+    return "there is no command " + quoted(word) + ". " +
+           (meant.empty() ? documents::write_instead(word, known) : "Write " + quoted("kerf " + meant) + ".");
 }
 
 std::string about_unknown_option(const std::string& word, const Command* command) {
@@ -150,10 +154,9 @@ std::string about_unknown_option(const std::string& word, const Command* command
         for (const Parameter& option : command->options) known.push_back(option.name);
     known.emplace_back("--version");
     const std::string given = word.substr(0, word.find('='));
-    const std::string meant = documents::closest(given, known);
     return "there is no option " + quoted(given) +
-           (command != nullptr ? " of " + quoted("kerf " + command->name) : "") + ". Write " +
-           (meant.empty() ? documents::listed(known) : quoted(meant)) + ".";
+           (command != nullptr ? " of " + quoted("kerf " + command->name) : "") + ". " +
+           documents::write_instead(given, known);
 }
 
 /// An argument that nothing expects.
@@ -224,7 +227,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
         return commands.empty() ? nullptr : find_command(commands.front()->get_name());
     };
 
-    if (argc <= 1) return answer(app.help(), exit_bad_input);
+    if (argc <= 1) return answer(app.help(), exit_pass);
     std::vector<std::string> words(argv + 1, argv + argc);
     if (words.front() == "help") words.front() = "--help";
     std::reverse(words.begin(), words.end());  // as the library takes them

@@ -27,11 +27,13 @@
 #include "documents/read_procedure.h"
 #include "documents/schema.h"
 #include "documents/shapes/shapes.h"
+#include "run/lone_anatomy.h"
 #include "run/run_checks.h"
 #include "session/recorder.h"
 #include "session/report/read_run.h"
 #include "session/report/report.h"
 #include "text/codes.h"
+#include "text/file_kind.h"
 #include "text/printable_lines.h"
 #include "text/shell.h"
 #include "text/write_file.h"
@@ -69,12 +71,17 @@ ExitCode expand(const ExpandOptions& options, const Environment& with) {
 
 ExitCode describe(const DescribeOptions& options, const Environment& with) {
     std::string error;
+    std::error_code ignored;
     if (const std::string text = description_of_bone(options.component, error); !text.empty()) {
         print(text);
         return exit_pass;
     }
     if (!error.empty()) return complain(error, exit_bad_input);
     const auto text = description_of(with.plugins, options.component, error);
+    if (!text && std::filesystem::is_regular_file(options.component, ignored))
+        if (const text::RecognisedFile file = text::recognise(options.component); !file.name.empty())
+            error = "`" + options.component + "` is a file: " +
+                    text::other_kind_text(file, "a plugin or a component, as in `kerf describe kerf.drilling`");
     if (!text) return complain(error, exit_bad_input);
     print(*text);
     return exit_pass;
@@ -127,14 +134,16 @@ ExitCode check_anatomy(const AnatomyOptions& options, const Environment& with) {
     if (has_options_of_make)
         return complain("`kerf anatomy check` takes `--for` and `--format` alone. The other options belong to `make`.",
                         exit_bad_input);
-    if (options.procedure.empty())
-        return complain("for which procedure? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`.",
-                        exit_bad_input);
-    DocumentOptions documents;
-    documents.anatomy = options.anatomy;
     text::Diagnostics diagnostics;
-    const auto scene = make_scene(options.procedure, documents, with, {.with_shifts = true}).take(diagnostics);
-    if (scene) print(anatomy_text(*scene));
+    if (options.procedure.empty()) {
+        const auto alone = run::make_lone_anatomy(options.anatomy, {.with_shifts = true}).take(diagnostics);
+        if (alone) print(anatomy_text(*alone));
+    } else {
+        DocumentOptions documents;
+        documents.anatomy = options.anatomy;
+        const auto scene = make_scene(options.procedure, documents, with, {.with_shifts = true}).take(diagnostics);
+        if (scene) print(anatomy_text(scene->anatomy, scene->body, scene->import));
+    }
     std::vector<Findings> findings{{options.anatomy, diagnostics}};
     print(findings_text(findings, options.format));
     return text::has_error(diagnostics) ? exit_bad_input : exit_pass;

@@ -41,9 +41,15 @@ std::string shown(double value, const std::string& unit) {
     return text::quantity_text(value, unit.empty() || parse_unit(unit) ? unit : "(SI)");
 }
 
-/// Whether `wanted` names a component. The last words of its id name a strategy, as in a procedure.
+/// Whether `wanted` names a component: by its full id or the last part of it.
 bool names(const ComponentInfo& component, const std::string& wanted) {
-    return component.kind == KERF_KIND_REMESHER ? component.matches_id(wanted) : full_id(component) == wanted;
+    return component.kind == KERF_KIND_REMESHER ? component.matches_id(wanted)
+                                                : full_id(component) == wanted || component.id == wanted;
+}
+
+/// Whether `wanted` names a plugin: by its id or the last part of it.
+bool names_plugin(const std::string& id, const std::string& wanted) {
+    return id == wanted || (!wanted.empty() && id.ends_with("." + wanted));
 }
 
 std::string padded(std::string text, std::size_t width) {
@@ -109,7 +115,7 @@ std::optional<std::string> description_of(const PluginRegistry& plugins, const s
         const std::string& id = plugin.id;
         std::string components;
         for (const ComponentInfo& component : plugins.catalog())
-            if (component.plugin == id && (wanted.empty() || wanted == id || names(component, wanted)))
+            if (component.plugin == id && (wanted.empty() || names_plugin(id, wanted) || names(component, wanted)))
                 components += "\n" + about(component);
         if (!components.empty()) text += (text.empty() ? "" : "\n") + about(plugin) + components;
     }
@@ -118,10 +124,9 @@ std::optional<std::string> description_of(const PluginRegistry& plugins, const s
     std::vector<std::string> known;
     for (const PluginText& plugin : plugins.listed()) known.push_back(plugin.id);
     for (const ComponentInfo& component : plugins.catalog()) known.push_back(full_id(component));
-    const std::string meant = documents::closest(wanted, known);
     error =
-        "there is no plugin or component `" + kerf::text::shown(wanted) + "`. Write " +
-        (meant.empty() ? documents::listed(known) : "`" + meant + "`") + "." +
+        "there is no plugin or component `" + kerf::text::shown(wanted) + "`. " +
+        documents::write_instead(wanted, known) +
         (plugins.plugins().empty() ? " No plugin was found: name the folder that holds some in KERF_PLUGIN_PATH." : "");
     return std::nullopt;
 }

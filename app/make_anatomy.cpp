@@ -75,8 +75,9 @@ std::string description_of_bone(const std::string& wanted, std::string& error) {
         return {};
     }
     if (!kind.levels.empty() && !has(kind.levels, request.level)) {
-        error = "the level of `" + text::shown(wanted) + "` is unknown: expected " + documents::listed(kind.levels) +
-                ". Write `kerf describe " + kind.name + "/" + kind.example_level + "`.";
+        error = "the level of `" + text::shown(wanted) + "` is unknown: expected " +
+                documents::listed(kind.levels, request.level) + ". Write `kerf describe " + kind.name + "/" +
+                kind.example_level + "`.";
         return {};
     }
     return wanted + "  (a bone to make)\n  `kerf anatomy make " + request.kind +

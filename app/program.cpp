@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/file_limit.h"
 #include "app/last_resort.h"
 #include "app/plugin_folders.h"
 #include "app/plugin_guard.h"
@@ -26,6 +27,10 @@ int run_program(int argc, char** argv, const std::function<ExitCode(const Comman
     install_terminate_handler();
     if (!is_stack_large_enough()) return exit_fault;
     return close_stdout(run_guarded([&] {
+        if (const text::Diagnostics refusal = check_file_limit(); !refusal.empty()) {
+            print_error(to_text(refusal));
+            return exit_fault;
+        }
         CommandLine line = read_command_line(argc, argv);
         if (line.command == nullptr) {
             line.exit_code == exit_pass ? print(line.answer) : print_error(line.answer);

@@ -74,7 +74,7 @@ std::optional<std::string> full_id_of(const std::string& wanted, const Component
     const std::string closest_one = documents::closest(wanted, known);
     error += known.empty()
                  ? "is not installed: no plugin with strategies is. Install the package `kerf-remesh-cgal`."
-                 : "is unknown: expected " + documents::listed(known) + "." + documents::or_choose(closest_one);
+                 : "is unknown: expected " + documents::listed(known, wanted) + "." + documents::or_choose(closest_one);
     return std::nullopt;
 }
 

@@ -3,7 +3,21 @@
 
 #include <charconv>
 
+#include "documents/yaml/document.h"
+#include "text/printable.h"
+
 namespace kerf::app {
+namespace {
+
+/// Returns the id in the text of a procedure; empty if there is none.
+std::string id_in(const std::string& procedure_text) {
+    const documents::Document document = documents::read_again("", procedure_text);
+    const documents::Node* metadata = document.root.find("metadata");
+    const documents::Node* id = metadata != nullptr ? metadata->find("id") : nullptr;
+    return id != nullptr ? text::printable(id->text) : std::string();
+}
+
+}  // namespace
 
 std::string refusal_of_replay(const session::RecordedInputs& recorded, const std::string& session,
                               const documents::Procedure& procedure) {
@@ -12,13 +26,17 @@ std::string refusal_of_replay(const session::RecordedInputs& recorded, const std
                (recorded.variant.empty()
                     ? "without a variant. Leave out `--variant`."
                     : "with the variant `" + recorded.variant + "`. Write `--variant " + recorded.variant + "`.");
-    return recorded.procedure_text != procedure.text ? refusal_of_other_text(session) : std::string();
+    if (recorded.procedure_text == procedure.text) return {};
+    if (const std::string id = id_in(recorded.procedure_text); !id.empty() && id != procedure.id)
+        return session + ": was recorded with the procedure `" + id + "`, and this is `" + procedure.id + "`. Name `" +
+               id + "`, or another session.";
+    return refusal_of_other_text(session);
 }
 
 std::string refusal_of_other_text(const std::string& session) {
     return session +
            ": was recorded with another text of this procedure or anatomy, or with another scan, so it cannot end the "
-           "same.";
+           "same. Name the files as they were, or record it again.";
 }
 
 std::string refusal_of_changed(const session::RecordedInputs& recorded, const std::string& session) {

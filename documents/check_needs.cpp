@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "documents/consequences.h"
 #include "documents/names.h"
 #include "documents/read_anatomy.h"
 #include "documents/read_measures.h"
@@ -16,6 +17,7 @@
 #include "documents/yaml/read_map.h"
 #include "kerf/units.hpp"
 #include "text/codes.h"
+#include "text/distinguishing_digits.h"
 #include "text/quantity.h"
 
 namespace kerf::documents {
@@ -37,14 +39,29 @@ TextSpan span_of_text(const Node* list, const std::string& text) {
     return {};
 }
 
+/// Returns the one name of the anatomy that the procedure uses without declaring it; empty for none or several.
+std::string the_undeclared(const std::vector<std::string>& present, const std::string& what,
+                           const text::Diagnostics& diagnostics) {
+    std::string found;
+    for (const std::string& name : present) {
+        if (!is_reported_undeclared(diagnostics, what, name)) continue;
+        if (!found.empty()) return {};
+        found = name;
+    }
+    return found;
+}
+
 void check_list(const std::vector<std::string>& needed, const std::vector<std::string>& present, const Node* list,
-                text::Code code, const std::string& what, const Anatomy& anatomy, Report& report) {
+                text::Code code, const std::string& what, const Anatomy& anatomy, Report& report,
+                text::Diagnostics& diagnostics) {
     for (const std::string& name : needed) {
         if (contains(present, name)) continue;
-        const std::string meant = closest(name, present, report);
+        std::string meant = closest(name, present, report);
+        if (meant.empty()) meant = the_undeclared(present, what, diagnostics);
+        if (!meant.empty()) drop_undeclared(diagnostics, what, meant);
         report.error(code, span_of_text(list, name),
                      "The anatomy has no " + what + " " + quoted_id(name) +
-                         (present.empty() ? "." : ": expected " + listed(present) + ".") +
+                         (present.empty() ? "." : ": expected " + listed(present, name) + ".") +
                          or_choose(meant, "Add it there, or choose another anatomy."),
                      meant,
                      report.is_full()
@@ -61,21 +78,26 @@ void check_lies_in(const LandmarkAxis& axis, const LandmarkPlane& plane, TextSpa
     const double angle = std::asin(std::clamp(std::abs(dot(normalized(axis.to - axis.from), plane.normal)), 0.0, 1.0));
     const double off = std::abs(dot(0.5 * (axis.from + axis.to) - plane.at, plane.normal)),
                  max_off = axis.tolerance + plane.tolerance;
-    const auto rounded = [](double value, double step, const char* unit) {
-        return text::quantity_text(std::round(value / step) * step, unit);
+    const auto text_of = [](double value, int digits, double unit, const char* name) {
+        const double step = unit * std::pow(10.0, -digits);
+        return text::quantity_text(std::round(value / step) * step, name);
     };
+    const auto in_deg = [&](double value, int digits) { return text_of(value, digits, 1.0_deg, "deg"); };
+    const auto in_mm = [&](double value, int digits) { return text_of(value, digits, 1.0_mm, "mm"); };
+    const text::ComparedTexts angles = text::compared(angle, max_angle, 1, 6, in_deg),
+                              lengths = text::compared(off, max_off, 1, 6, in_mm);
     const text::Reason here = in_anatomy(anatomy, {"landmarks", "axes", axis.id}, "the axis is here.");
     if (angle > max_angle)
         report.error(text::Code::axis_off_plane, span,
                      "The axis " + quoted_id(axis.id) + " leaves the plane " + quoted_id(plane.id) +
-                         ": got an angle of " + rounded(angle, 0.1_deg, "deg") +
-                         ", expected at most 3 deg, or the blade binds. Turn one of the two.",
+                         ": got an angle of " + angles.value + ", expected at most " + angles.bound +
+                         ", or the blade binds. Turn one of the two.",
                      {}, here);
     else if (off > max_off + 1e-9)
         report.error(text::Code::axis_off_plane, span,
                      "The axis " + quoted_id(axis.id) + " is not in the plane " + quoted_id(plane.id) +
-                         ": got a distance of " + rounded(off, 0.1_mm, "mm") + ", expected at most " +
-                         rounded(max_off, 0.1_mm, "mm") + ", the sum of their tolerances. Move one of the two.",
+                         ": got a distance of " + lengths.value + ", expected at most " + lengths.bound +
+                         ", the sum of their tolerances. Move one of the two.",
                      {}, here);
 }
 
@@ -175,7 +197,7 @@ void check_places(const Procedure& procedure, const Anatomy& anatomy, const std:
                 if (contains(procedure.needs_landmarks, id) && !contains(sort, id))  // else it was refused already
                     report.error(text::Code::other_landmark, span_of(key),
                                  "The landmark `" + id + "` is no " + what + " of the anatomy; its landmarks" +
-                                     " of this sort are " + listed(sort) + ". Name one of them.");
+                                     " of this sort are " + listed(sort, id) + ". Name one of them.");
             };
             if (limit.quantity == "axes_angle") {
                 need("of", limit.landmark, axes, "axis");
@@ -270,7 +292,7 @@ void check_midline(const Procedure& procedure, const Anatomy& anatomy, const Doc
 
 }  // namespace
 
-void check_names(const Procedure& procedure, const Anatomy& anatomy, text::Diagnostics& diagnostics) {
+void check_names(const Procedure& procedure, const Anatomy& anatomy, bool is_sound, text::Diagnostics& diagnostics) {
     const auto document = document_of(procedure);
     Report report(*document, diagnostics);
     const Node* needs = document->root.find("needs");
@@ -278,12 +300,16 @@ void check_names(const Procedure& procedure, const Anatomy& anatomy, text::Diagn
     std::vector<std::string> landmarks = ids_of(anatomy.axes);
     append_ids(anatomy.points, landmarks);
     append_ids(anatomy.planes, landmarks);
-    check_list(procedure.needs_landmarks, landmarks, list("landmarks"), text::Code::missing_landmark, "landmark",
-               anatomy, report);
-    check_list(procedure.needs_zones, ids_of(anatomy.zones), list("zones"), text::Code::missing_zone, "zone", anatomy,
-               report);
-    check_list(procedure.needs_tissues, ids_of(anatomy.tissues), list("tissues"), text::Code::missing_tissue, "tissue",
-               anatomy, report);
+    if (is_sound || !landmarks.empty())
+        check_list(procedure.needs_landmarks, landmarks, list("landmarks"), text::Code::missing_landmark, "landmark",
+                   anatomy, report, diagnostics);
+    // Of an anatomy with errors the zones may be under a key that is refused.
+    if (is_sound || !anatomy.zones.empty())
+        check_list(procedure.needs_zones, ids_of(anatomy.zones), list("zones"), text::Code::missing_zone, "zone",
+                   anatomy, report, diagnostics);
+    if (is_sound || !anatomy.tissues.empty())
+        check_list(procedure.needs_tissues, ids_of(anatomy.tissues), list("tissues"), text::Code::missing_tissue,
+                   "tissue", anatomy, report, diagnostics);
 }
 
 void check_axes_in_planes(const Procedure& procedure, const Anatomy& anatomy, text::Diagnostics& diagnostics) {
@@ -300,7 +326,7 @@ void check_axes_in_planes(const Procedure& procedure, const Anatomy& anatomy, te
 }
 
 void check_needs(const Procedure& procedure, const Anatomy& anatomy, text::Diagnostics& diagnostics) {
-    check_names(procedure, anatomy, diagnostics);
+    check_names(procedure, anatomy, true, diagnostics);
     const auto read = document_of(procedure);
     const Document& document = *read;
     Report report(document, diagnostics);

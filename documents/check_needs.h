@@ -8,7 +8,8 @@
 namespace kerf::documents {
 
 /// Reports the landmarks, zones and tissues that the procedure needs and this anatomy does not have.   [main]
-void check_names(const Procedure& procedure, const Anatomy& anatomy, text::Diagnostics& diagnostics);
+/// @param is_sound   whether the anatomy has no errors: else a list that is empty is not compared
+void check_names(const Procedure& procedure, const Anatomy& anatomy, bool is_sound, text::Diagnostics& diagnostics);
 
 /// Reports all that the procedure needs and this anatomy does not have: names as above, an axis for every step, and the
 /// point `midline` when a rehearsal moves towards it. It skips the check of a fitted axis against its step's plane: the

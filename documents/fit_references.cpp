@@ -43,7 +43,7 @@ void check_head(const Node& root, const LandmarkAxis& neck, const Known& known, 
                  "The head of the neck " + in_ticks(neck.id) + " is unknown: got " + in_ticks(head) +
                      ", expected a point with `fit: {sphere: …}`." +
                      or_choose(meant, known.spheres.empty() ? "Add one under `landmarks.points`."
-                                                            : "Write " + listed(known.spheres) + "."),
+                                                            : "Write " + listed(known.spheres, head) + "."),
                  meant);
 }
 

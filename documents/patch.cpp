@@ -194,8 +194,8 @@ private:
         const std::string rest = path.size() > name.size() ? std::string(path.substr(name.size())) : "";
         const Node* id = change.key.empty() ? change.find("id") : nullptr;  // an item of a list
         report_.error(text::Code::patch_nowhere, id != nullptr ? id->span : change.key_span,
-                      "Nothing is called `" + text::excerpt(name, 40) + "` here: expected " + listed(known) + "." +
-                          (missing.empty() ? "" : " To add it, write " + listed_all(missing) + " as well.") +
+                      "Nothing is called `" + text::excerpt(name, 40) + "` here: expected " + listed(known, name) +
+                          "." + (missing.empty() ? "" : " To add it, write " + listed_all(missing) + " as well.") +
                           or_choose(meant, missing.empty() ? "Write one of these." : ""),
                       meant.empty()   ? ""
                       : id != nullptr ? meant

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "documents/consequences.h"
 #include "documents/names.h"
 #include "documents/yaml/read_map.h"
 #include "text/codes.h"
@@ -37,8 +38,9 @@ void ProcedureContext::refuse_undeclared(text::Code code, const Node& name, cons
     if (needs == nullptr || needs->kind != Node::Kind::map || !is_list || is_written(place, name.text)) return;
     report.error(
         code, name.span,
-        "The " + what + " `" + name.text + "` is not declared: expected one of `needs." + list + "`" +
-            (declared.empty() ? std::string() : ", " + listed(declared)) + "." + or_choose(meant, "Add it there."),
+        undeclared_text(what, name.text) + " expected one of `needs." + list + "`" +
+            (declared.empty() ? std::string() : ", " + listed(declared, name.text)) + "." +
+            or_choose(meant, "Add it there."),
         meant,
         place ? std::optional(report.because(place->key_span, "the procedure lists its needs here.")) : std::nullopt);
 }
@@ -50,7 +52,9 @@ void ProcedureContext::refuse_step(const Node& name) const {
     const Node* steps = document.root.find("steps");
     for (const Node& step : steps != nullptr ? steps->children : std::vector<Node>{})
         if (const Node* id = step.find("id"); id != nullptr && id->text == name.text) return;  // refused there
-    if (known.empty()) return;
+    const bool has_nameless = std::any_of(procedure.steps.begin(), procedure.steps.end(),
+                                          [](const Step& step) { return step.id.empty(); });  // reported there
+    if (known.empty() || (has_nameless && closest(text::straightened(name.text), known).empty())) return;
     refuse_unknown({.code = text::Code::unknown_step,
                     .span = name.span,
                     .subject = "The step " + quoted_id(name.text),

@@ -124,10 +124,11 @@ void add_solids_of(const Node& name, const std::vector<Tissue>& tissues, Zone& z
         zone.is_tissue = true;
         return;
     }
-    report.error(text::Code::unknown_word, name.span,
-                 "No tissue `" + *id + "` has solids; " +
-                     (known.empty() ? "no tissue of this anatomy has any. Give it `solids:`, or write solids here."
-                                    : "known are " + listed(known) + "." + or_choose(closest(*id, known, report))));
+    report.error(
+        text::Code::unknown_word, name.span,
+        "No tissue `" + *id + "` has solids; " +
+            (known.empty() ? "no tissue of this anatomy has any. Give it `solids:`, or write solids here."
+                           : "known are " + listed(known, *id) + "." + or_choose(closest(*id, known, report))));
 }
 
 std::vector<Zone> read_zones(const Node& node, const std::vector<Tissue>& tissues, Report& report) {

@@ -65,7 +65,7 @@ void check_named_hole(const Node& axis, const NamedHole& named, const Node& plac
                             "The axis `" + text::excerpt(axis.text, 60) + "` is unknown: `" + implant.id +
                                 "` has no hole for this screw, " +
                                 (known.empty() ? "and no other. Give it `holes:`."
-                                               : "expected " + listed(known) + "." +
+                                               : "expected " + listed(known, axis.text) + "." +
                                                      or_choose(meant, "Name one of these, or add it under `holes:`.")),
                             meant, reason("holes", "its holes are here."));
     }

@@ -125,8 +125,8 @@ private:
         }
         const std::string closest_one = closest(word, known, report_);
         report_.error(text::Code::unknown_strategy, node.span,
-                      "The strategy `" + text::excerpt(word, 60) + "` is unknown: expected " + listed(known) + "." +
-                          or_choose(closest_one, "Write one of these, or install the plugin that has it."),
+                      "The strategy `" + text::excerpt(word, 60) + "` is unknown: expected " + listed(known, word) +
+                          "." + or_choose(closest_one, "Write one of these, or install the plugin that has it."),
                       closest_one);
         return nullptr;
     }
@@ -174,7 +174,7 @@ private:
         report_.error(
             text::Code::unknown_plugin, node.span,
             "The plugin `" + text::excerpt(id, 40) +
-                "` is unknown: " + (known.empty() ? "no plugin was found." : "expected " + listed(known) + ".") +
+                "` is unknown: " + (known.empty() ? "no plugin was found." : "expected " + listed(known, id) + ".") +
                 or_choose(meant, known.empty() ? "Name the folder that holds it in KERF_PLUGIN_PATH."
                                                : "Write one of these, or name its folder in KERF_PLUGIN_PATH."),
             meant);
@@ -209,8 +209,8 @@ private:
         if (!force.tools.empty() && (tool.plugin != force.plugin || !contains(force.tools, tool.id)))
             return report_.error(text::Code::unknown_force, node.span,
                                  "The force `" + force.id + "` does not take the tool `" + tool.id + "` of " +
-                                     tool.plugin + ": expected " + listed(force.tools) + " of " + force.plugin +
-                                     ". Choose another force.");
+                                     tool.plugin + ": expected " + listed(force.tools, tool.id) + " of " +
+                                     force.plugin + ". Choose another force.");
         for (const NeedInfo& need : force.needs) {
             const bool is_drive = need.kind == KERF_NEED_DRIVE;
             const auto& among = is_drive ? tool.drives : tool.parameters;

@@ -35,7 +35,7 @@ public:
         report_->error(text::Code::unknown_construction, name.span,
                        "The name " + quoted_id(text::excerpt(id, 40)) +
                            " is neither a landmark of `needs.landmarks` nor a construction: " +
-                           (known_.empty() ? "there are none." : "expected " + listed(known_) + ".") +
+                           (known_.empty() ? "there are none." : "expected " + listed(known_, id) + ".") +
                            or_choose(meant, known_.empty() ? "Add it to `needs.landmarks`." : "Write one of these."),
                        meant);
     }
@@ -136,7 +136,7 @@ const Measure* earlier(MapReader& map, const std::string& key, const std::vector
     report.error(text::Code::unknown_measure, node->span,
                  "The name " + quoted_id(text::excerpt(id, 40)) + " is no measure above this one: " +
                      (known.empty() ? "there are none. Write the difference below both of its measures."
-                                    : "expected " + listed(known) + "." + or_choose(meant, "Write one of these.")),
+                                    : "expected " + listed(known, id) + "." + or_choose(meant, "Write one of these.")),
                  meant);
     return nullptr;
 }

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "documents/consequences.h"
 #include "documents/list_limits.h"
 #include "documents/made/read_request.h"
 #include "documents/names.h"
@@ -229,6 +230,7 @@ text::Result<ProcedureDraft> draft_of_text(const std::string& file, std::string 
     draft.procedure.variant = changes.variant;
     if (changes.any()) draft.procedure.text = emitted(*document, false);
     draft.is_sound = !text::has_error(found);
+    merge_repeated(found);
     return {std::move(draft), std::move(found)};
 }
 

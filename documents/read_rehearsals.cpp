@@ -23,6 +23,7 @@ namespace {
 struct LimitNames {
     std::vector<std::string> known;
     std::set<std::string> refused;  ///< of limits that are reported already
+    bool has_unread = false;        ///< a limit has an unknown quantity: that of any other may be meant
 
     [[nodiscard]] bool has(const std::string& name) const { return contains(known, name); }
 };
@@ -43,6 +44,7 @@ LimitNames limit_names(const ProcedureContext& reading) {
                                   (limit.quantity != "signal" || !limit.signal.id.empty()) &&
                                   (limit.quantity != "measure" || is_declared(limit.measure)) &&
                                   (limit.zone.empty() || contains(procedure.needs_zones, limit.zone));
+            if (limit.quantity.empty()) names.has_unread = true;
             if (is_sound && !names.has(limit.name())) names.known.push_back(limit.name());
         }
     for (const Step& step : procedure.steps)
@@ -64,7 +66,7 @@ LimitNames limit_names(const ProcedureContext& reading) {
 }
 
 void refuse_limit(const Node& name, const LimitNames& limits, Report& report) {
-    if (limits.refused.contains(name.text)) return;
+    if (limits.refused.contains(name.text) || (limits.has_unread && shapes::limit.find(name.text) != nullptr)) return;
     refuse_unknown({.code = text::Code::unknown_limit,
                     .span = name.span,
                     .subject = "The limit " + quoted_id(name.text),
@@ -75,14 +77,23 @@ void refuse_limit(const Node& name, const LimitNames& limits, Report& report) {
 }
 
 /// A limit that breaks in a step must be a limit of that step.
-void refuse_other_step(const Node& name, const Step& step, const std::string& limit, Report& report) {
+void refuse_other_step(const Node& name, const Step& step, const std::string& limit, const ProcedureContext& reading) {
+    const auto is_unread = [&](const Limit& l) {
+        return l.quantity.empty() || (!l.zone.empty() && !contains(reading.procedure.needs_zones, l.zone));
+    };
+    if (std::any_of(step.limits.begin(), step.limits.end(), is_unread)) return;  // reported there
     if (std::any_of(step.limits.begin(), step.limits.end(), [&](const Limit& l) { return l.name() == limit; })) return;
     if (std::any_of(step.goals.begin(), step.goals.end(),
                     [&](const Goal& goal) { return can_be_lost(goal) && goal.name() == limit; }))
         return;
-    report.error(text::Code::unknown_limit, name.span,
-                 "The step " + quoted_id(step.id) + " has no limit " + quoted_id(limit) +
-                     ". Name a step that has it, or add the limit.");
+    reading.report.error(text::Code::unknown_limit, name.span,
+                         "The step " + quoted_id(step.id) + " has no limit " + quoted_id(limit) +
+                             ". Name a step that has it, or add the limit.");
+}
+
+bool has_unknown_key(const Node& procedure) {
+    return std::any_of(procedure.children.begin(), procedure.children.end(),
+                       [](const Node& child) { return shapes::procedure.find(child.key) == nullptr; });
 }
 
 /// Reads `expect: pass`, `expect: incomplete`, or `expect: {fail: canal, step: drill}`.
@@ -104,7 +115,7 @@ void read_expectation(const Node& node, const LimitNames& limits, const Procedur
             if (!rehearsal.expect_step.empty() && found == nullptr)
                 reading.refuse_step(*step);
             else if (found != nullptr && limits.has(rehearsal.expect_limit))
-                refuse_other_step(*step, *found, rehearsal.expect_limit, report);
+                refuse_other_step(*step, *found, rehearsal.expect_limit, reading);
         }
         map.finish();
         return;
@@ -112,11 +123,12 @@ void read_expectation(const Node& node, const LimitNames& limits, const Procedur
     const std::optional<std::string> text = read_text(node, "expect", report);
     if (!text) return;
     rehearsal.expect = *text;
-    if (*text != "pass" && *text != "incomplete")
-        report.error(text::Code::unknown_word, node.span,
-                     "expect is unknown: got `" + text::excerpt(*text, 40) +
-                         "`, expected `pass`, `incomplete`, or `{fail: …}` with the limit that breaks. Write one of "
-                         "these.");
+    if (*text == "pass" || *text == "incomplete") return;
+    const std::string meant = closest(text::straightened(*text), {"pass", "incomplete"}, report);
+    report.error(text::Code::unknown_word, node.span,
+                 "expect is unknown: got `" + text::excerpt(*text, 40) +
+                     "`, expected `pass`, `incomplete`, or `{fail: …}` with the limit that breaks." + or_choose(meant),
+                 meant);
 }
 
 /// Reads `insert: plate` or `place: plate`.
@@ -264,6 +276,7 @@ private:
         const Node* paths = reading_.document.root.find("paths");
         if (contains(names_, id)) return true;
         if (id.empty() || (paths != nullptr && place_ == nullptr)) return false;
+        if (paths == nullptr && has_unknown_key(reading_.document.root)) return false;  // most likely meant as `paths`
         std::optional<text::Reason> reason;
         if (place_ != nullptr) reason = report_.because(place_->key_span, "the paths are here.");
         refuse_unknown({.code = text::Code::unknown_path,

@@ -18,10 +18,24 @@ namespace {
 
 constexpr std::size_t max_scored = 100;
 
-const KnownMetric* find_metric(const Node& name, const std::vector<KnownMetric>& known, Report& report) {
+/// Returns whether the step of a metric cannot be read well enough to know its metrics. That is reported there.
+bool is_of_unread_step(const std::string& metric, const Procedure& procedure) {
+    std::vector<std::string> ids;
+    for (const Step& step : procedure.steps) {
+        if (metric.starts_with(step.id + ".") && !step.id.empty())
+            return find_id(procedure.instruments, step.instrument) == nullptr;
+        if (step.id.empty() || contains(ids, step.id)) return true;
+        ids.push_back(step.id);
+    }
+    return false;
+}
+
+const KnownMetric* find_metric(const Node& name, const std::vector<KnownMetric>& known,
+                               const ProcedureContext& reading) {
     const auto found =
         std::find_if(known.begin(), known.end(), [&](const KnownMetric& one) { return one.id == name.text; });
     if (found != known.end()) return &*found;
+    if (is_of_unread_step(name.text, reading.procedure)) return nullptr;
     std::vector<std::string> ids;
     for (const KnownMetric& one : known) ids.push_back(one.id);
     refuse_unknown({.code = text::Code::unknown_metric,
@@ -30,7 +44,7 @@ const KnownMetric* find_metric(const Node& name, const std::vector<KnownMetric>&
                     .word = text::straightened(name.text),
                     .known = ids,
                     .if_none = "the procedure has no steps."},
-                   report);
+                   reading.report);
     return nullptr;
 }
 
@@ -44,7 +58,7 @@ ScoredMetric read_scored(const Node& item, const std::vector<KnownMetric>& known
     const Node* name = map.find("metric");
     const KnownMetric* metric = nullptr;
     if (name != nullptr && !read_text(*name, "scoring.metric", report).value_or("").empty())
-        metric = find_metric(*name, known, report);
+        metric = find_metric(*name, known, reading);
     const auto value = [&](const char* key) -> std::optional<double> {
         const Node* node = map.find(key);
         if (node == nullptr || metric == nullptr) return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "documents/read_steps.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -39,20 +40,29 @@ std::string read_axis(const Node& node, const ProcedureContext& reading) {
     return axis;
 }
 
+/// Returns whether the force of an instrument is known; an unknown one is reported there.
+bool has_law(const Instrument& instrument, const ComponentCatalog& catalog) {
+    return std::any_of(catalog.begin(), catalog.end(), [&](const ComponentInfo& component) {
+        return component.kind == KERF_KIND_FORCE && component.plugin == instrument.force_plugin &&
+               component.id == instrument.force;
+    });
+}
+
 /// `allow:` names events that the step's instrument reports as damage.
-std::vector<std::string> read_allowed(const Node& node, const Instrument& instrument, Report& report) {
+std::vector<std::string> read_allowed(const Node& node, const Instrument& instrument, const ProcedureContext& reading) {
+    Report& report = reading.report;
     const std::vector<std::string> known = ids_of(instrument.damages);
     std::vector<std::string> allowed;
     for (const Node& item : read_list(node, "allow", report)) {
         const std::string id = read_id(item, "allow", report).value_or("");
         if (id.empty()) continue;
         allowed.push_back(id);
-        if (contains(known, id)) continue;
+        if (contains(known, id) || !has_law(instrument, reading.catalog)) continue;
         const std::string meant = closest(text::straightened(id), known, report);
         report.error(text::Code::unknown_event, item.span,
                      "The event `" + text::excerpt(id, 60) + "` cannot be allowed: " +
                          (known.empty() ? "nothing that `" + instrument.id + "` reports fails a step. Remove it."
-                                        : "expected " + listed(known) + "." + or_choose(meant)),
+                                        : "expected " + listed(known, id) + "." + or_choose(meant)),
                      meant);
     }
     return allowed;
@@ -94,7 +104,7 @@ Step read_step(const Node& item, const ProcedureContext& reading) {
     refuse_contradictions(step, item, report);
     const Node* allow = map.find("allow");
     if (used != nullptr) {
-        if (allow) step.allowed = read_allowed(*allow, *used, report);
+        if (allow) step.allowed = read_allowed(*allow, *used, reading);
         const Node* written = item.find("instrument");
         add_damage_limits(*used, reading.document.place(written ? written->span : item.span), step);
     }

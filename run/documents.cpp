@@ -2,12 +2,10 @@
 #include "run/documents.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
-#include "bone/import/data_file.h"
 #include "bone/import/markups.h"
 #include "documents/check_needs.h"
 #include "documents/made/make_bone.h"
@@ -15,6 +13,7 @@
 #include "documents/yaml/document.h"
 #include "documents/yaml/read_map.h"
 #include "run/bone_memory.h"
+#include "run/data_files.h"
 #include "run/plate.h"
 #include "run/run_checks.h"
 #include "run/shipped.h"
@@ -25,56 +24,6 @@
 namespace kerf::run {
 
 namespace {
-
-void check_data_file(const documents::Node& node, const std::string& document, documents::Report& report) {
-    std::error_code ignored;
-    if (node.kind != documents::Node::Kind::scalar ||
-        std::filesystem::exists(bone::found_data_file(node.text, document), ignored))
-        return;
-    const char* data = std::getenv("KERF_DATA");
-    const std::string first = node.text.substr(0, node.text.find('/'));
-    report.error(
-        text::Code::no_data_file, node.span,
-        data != nullptr && *data != '\0'
-            ? "The file or folder does not exist: searched in the document's folder and in `" + text::printable(data) +
-                  "`, which KERF_DATA names. Check its name, and that KERF_DATA names the folder that "
-                  "holds `" +
-                  text::excerpt(first) + "`."
-            : "The file or folder does not exist: searched in the document's folder; KERF_DATA is not set. Check its "
-              "name, or name the folder that holds `" +
-                  text::excerpt(first) + "`, as in `export KERF_DATA=/home/me/data`.");
-}
-
-/// Checks that every file of the anatomy exists. Import checks the contents.
-void check_data_files(const documents::Anatomy& anatomy, text::Diagnostics& diagnostics) {
-    const documents::Document document = documents::read_again(anatomy.file, anatomy.text);
-    documents::Report report(document, diagnostics);
-    const auto check = [&](const documents::Node* map, const char* key) {
-        if (const documents::Node* node = map != nullptr ? map->find(key) : nullptr)
-            check_data_file(*node, anatomy.file, report);
-    };
-    const documents::Node* ct = document.root.find("ct");
-    check(ct, "image");
-    check(ct != nullptr ? ct->find("labels") : nullptr, "file");
-    const documents::Node* mesh = document.root.find("mesh");
-    check(mesh, "file");
-    check(mesh != nullptr ? mesh->find("canal") : nullptr, "file");
-    const documents::Node* landmarks = document.root.find("landmarks");
-    if (const documents::Node* markups = landmarks != nullptr ? landmarks->find("markups") : nullptr)
-        for (const documents::Node& item : markups->children) check(&item, "file");
-}
-
-/// Checks that every file of a procedure's implants exists.
-void check_implant_files(const documents::Procedure& procedure, text::Diagnostics& diagnostics) {
-    const auto document = documents::document_of(procedure);
-    documents::Report report(*document, diagnostics);
-    for (const documents::Implant& implant : procedure.implants) {
-        const documents::Node* node = &document->root;
-        for (const std::string& key : {std::string("implants"), implant.id, std::string("mesh"), std::string("file")})
-            if (node != nullptr) node = node->find(key);
-        if (node != nullptr) check_data_file(*node, procedure.file, report);
-    }
-}
 
 const documents::Instrument* find_instrument(const documents::Procedure& procedure, const std::string& id) {
     const auto found = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
@@ -199,12 +148,13 @@ std::string find_anatomy(const DocumentRequest& request, const documents::Proced
         request.shipped.empty() ? std::vector<std::string>{} : shipped_anatomies(request.shipped);
     const std::string meant = documents::closest(procedure.anatomy_name, known);
     documents::Report(*document, diagnostics)
-        .error(
-            text::Code::file_unreadable, node != nullptr ? node->span : documents::TextSpan{},
-            "The anatomy does not exist: searched in the procedure's folder" +
-                (known.empty() ? std::string(".") : " and among the shipped ones, " + documents::listed(known) + ".") +
-                documents::or_choose(meant, "Check its name, or name another with `--anatomy`."),
-            meant);
+        .error(text::Code::file_unreadable, node != nullptr ? node->span : documents::TextSpan{},
+               "The anatomy does not exist: searched in the procedure's folder" +
+                   (known.empty()
+                        ? std::string(".")
+                        : " and among the shipped ones, " + documents::listed(known, procedure.anatomy_name) + ".") +
+                   documents::or_choose(meant, "Check its name, or name another with `--anatomy`."),
+               meant);
     return {};
 }
 
@@ -227,6 +177,33 @@ std::optional<documents::AnatomyDraft> read_the_anatomy(const DocumentRequest& r
     return draft;
 }
 
+/// Returns the first text in backticks of a message; empty if there is none.
+std::string quoted_in(const std::string& message) {
+    const std::size_t begin = message.find('`'), end = message.find('`', begin + 1);
+    return end == std::string::npos ? std::string() : message.substr(begin, end + 1 - begin);
+}
+
+/// Returns whether an error of a variant follows from one of its base: the same name is unknown in both, a whole
+/// section of the base is under an unknown key, or a step has no id to which a path could lead.
+bool follows_from_base(const text::Diagnostic& d, const text::Diagnostics& base) {
+    const bool is_path = d.code == text::code_text(text::Code::patch_nowhere) ||
+                         d.code == text::code_text(text::Code::nothing_to_remove) ||
+                         d.code == text::code_text(text::Code::wrong_shape);
+    if (!is_path && !d.code.starts_with("E03")) return false;
+    const std::string name = quoted_in(d.message);
+    return std::any_of(base.begin(), base.end(), [&](const text::Diagnostic& of_base) {
+        const bool is_section = of_base.code == text::code_text(text::Code::unknown_key) && of_base.place.column == 1 &&
+                                of_base.write.empty();
+        const bool is_id = is_path &&
+                           (of_base.code == text::code_text(text::Code::missing_key) ||
+                            of_base.code == text::code_text(text::Code::malformed_word)) &&
+                           of_base.message.starts_with("step");
+        const bool is_same_name =
+            !is_path && of_base.code == d.code && !name.empty() && of_base.message.find(name) != std::string::npos;
+        return is_section || is_id || is_same_name;
+    });
+}
+
 }  // namespace
 
 text::Result<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins) {
@@ -240,7 +217,7 @@ text::Result<Documents> check_documents(const DocumentRequest& request, const Pl
     const std::size_t first = diagnostics.size();
     auto anatomy = read_the_anatomy(request, documents.procedure, diagnostics);
     if (anatomy && !anatomy->is_sound && anatomy->anatomy.markups.empty())
-        documents::check_names(documents.procedure, anatomy->anatomy, diagnostics);
+        documents::check_names(documents.procedure, anatomy->anatomy, false, diagnostics);
     if (anatomy && anatomy->is_sound) {
         documents.anatomy = std::move(anatomy->anatomy);
         const auto has_new_error = [&] {
@@ -280,7 +257,7 @@ text::Diagnostics check_variants(const DocumentRequest& request, const text::Dia
         const auto of_variant = check_documents(changed, plugins);
         for (text::Diagnostic d : of_variant.diagnostics()) {
             if (d.level == text::Diagnostic::Level::warning) continue;  // reported for the base, or harmless
-            if (is_known(d)) continue;
+            if (is_known(d) || follows_from_base(d, base)) continue;
             d.message = "In the variant `" + variant.id + "`: " + d.message;
             found.push_back(std::move(d));
         }

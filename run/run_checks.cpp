@@ -13,6 +13,7 @@
 #include "documents/waypoint_nodes.h"
 #include "documents/yaml/document.h"
 #include "documents/yaml/read_map.h"
+#include "run/in_mm.h"
 #include "run/span_in.h"
 #include "text/codes.h"
 #include "text/quantity.h"
@@ -35,8 +36,8 @@ void check_device(const documents::Procedure& procedure, const documents::Docume
     const documents::Node* device = haptics != nullptr ? haptics->find("device") : nullptr;
     const std::string meant = documents::closest(procedure.device, ids);
     report.error(text::Code::unknown_device, device != nullptr ? device->span : documents::TextSpan{},
-                 "The device is unknown: got `" + procedure.device + "`, expected " + documents::listed(ids) + "." +
-                     documents::or_choose(meant),
+                 "The device is unknown: got `" + procedure.device + "`, expected " +
+                     documents::listed(ids, procedure.device) + "." + documents::or_choose(meant),
                  meant);
 }
 
@@ -47,9 +48,6 @@ documents::TextSpan span_of_instrument(const documents::Document& document, cons
     const documents::Node* value = instrument != nullptr ? instrument->find(key) : nullptr;
     return value != nullptr ? value->span : instrument != nullptr ? instrument->span : documents::TextSpan{};
 }
-
-/// Rounds to 0.01 mm.
-std::string in_mm(double length) { return text::quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); }
 
 /// Returns the diameter of the narrowest cylindrical part of the hole [m]; without one, the largest diameter.
 double narrowest_bore(const ToolSolid& turning) {
@@ -198,9 +196,10 @@ void check_guide(const documents::Procedure& procedure, const documents::Instrum
         for (const documents::Goal& goal : step.goals) {
             const double asked = goal.quantity == "depth" ? goal.bound.at_least.value_or(0.0) : 0.0;
             if (step.instrument != instrument.id || asked <= reach) continue;
+            const text::ComparedTexts depths = compared_in_mm(reach, asked);
             return report.warning(text::Code::short_of_sleeve, here,
                                   "The tool of " + in_mm(length) + " is too short for its sleeve in step `" + step.id +
-                                      "`: got a depth of " + in_mm(reach) + ", expected at least " + in_mm(asked) +
+                                      "`: got a depth of " + depths.value + ", expected at least " + depths.bound +
                                       ". Write a shorter `length:`, or take a longer tool.");
         }
 }
@@ -306,13 +305,13 @@ void check_blade_fits(const documents::Procedure& procedure, const std::string& 
                  width = 2.0 * cutting.largest_radius();
     const bool is_thick = cutting.thickness() >= least;
     if (!is_thick && width < most) return;
+    const text::ComparedTexts shown = compared_in_mm(is_thick ? cutting.thickness() : width, is_thick ? least : most);
     const auto document = documents::document_of(procedure);
     documents::Report(*document, diagnostics)
         .error(text::Code::blade_beyond_region, span_of_instrument(*document, instrument, "tool"),
                std::string("The blade is too ") + (is_thick ? "thick" : "wide") +
-                   " for the region in which bone can be cut: got " + in_mm(is_thick ? cutting.thickness() : width) +
-                   ", expected less than " + in_mm(is_thick ? least : most) + " of " + in_mm(size.x) + " × " +
-                   in_mm(size.y) + " × " + in_mm(size.z) +
+                   " for the region in which bone can be cut: got " + shown.value + ", expected less than " +
+                   shown.bound + " of " + in_mm(size.x) + " × " + in_mm(size.y) + " × " + in_mm(size.z) +
                    ". Take a smaller blade, or plan the axis so that the region is larger.");
 }
 
@@ -348,13 +347,14 @@ void check_waypoints_in_region(const documents::Procedure& procedure, const std:
             const double beyond = reach_beyond(body, *cutting[waypoint.step], frames[waypoint.step].pose_at(waypoint));
             if (beyond < body.grid().spacing) continue;
             const Vec3 size = body.region.high - body.region.low;
+            const text::ComparedTexts shown = compared_in_mm(beyond, body.grid().spacing);
             const documents::Node* where = documents::waypoint_node(*document, r, w);
             report.warning(
                 text::Code::waypoint_beyond_region, where != nullptr ? where->span : documents::TextSpan{},
                 "Here `" + procedure.steps[waypoint.step].instrument +
-                    "` leaves the region in which bone can be cut: got " + in_mm(beyond) +
-                    " beyond it, expected less than " + in_mm(body.grid().spacing) + ". Beyond its " + in_mm(size.x) +
-                    " × " + in_mm(size.y) + " × " + in_mm(size.z) +
+                    "` leaves the region in which bone can be cut: got " + shown.value +
+                    " beyond it, expected less than " + shown.bound + ". Beyond its " + in_mm(size.x) + " × " +
+                    in_mm(size.y) + " × " + in_mm(size.z) +
                     " around the planned axes, bone acts as a wall that stops the hand. Stay within, or give "
                     "the anatomy an axis that leads as far.");
         }

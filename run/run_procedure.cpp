@@ -13,7 +13,7 @@ std::string refusal_of_rehearsal(const documents::Procedure& procedure, const st
         known.push_back(r.id);
     }
     return known.empty() ? "the procedure has no rehearsal, and there is no device. Add one under `rehearsals:`."
-                         : "there is no rehearsal `" + id + "`. Write " + documents::listed(known) + ".";
+                         : "there is no rehearsal `" + id + "`. " + documents::write_instead(id, known);
 }
 
 const documents::Rehearsal& rehearsal_of(const documents::Procedure& procedure, const std::string& id) {

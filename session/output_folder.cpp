@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/output_folder.h"
 
+#include <linux/magic.h>
+#include <sys/vfs.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -92,9 +95,21 @@ std::string refusal_of_contents(const std::string& folder) {
     return error ? folder + " could not be read: " + error.message() : std::string();
 }
 
+/// Returns whether a path leads into /proc or /sys.
+bool is_of_the_system(const std::string& folder) {
+    std::error_code ignored;
+    fs::path there = fs::absolute(folder, ignored);
+    while (!fs::exists(there, ignored) && there.has_relative_path()) there = there.parent_path();
+    struct statfs of {};
+    return statfs(there.c_str(), &of) == 0 && (of.f_type == PROC_SUPER_MAGIC || of.f_type == SYSFS_MAGIC);
+}
+
 /// Returns why a path leads to no folder that can be made or written, for people; empty if it does.
 std::string refusal_of_path(const std::string& folder, const fs::file_status& status) {
     if (std::string why = refusal_of_length(folder); !why.empty()) return why;
+    if (is_of_the_system(folder))
+        return folder +
+               " belongs to the system, which makes up the files there and keeps none. Give a folder on a disk.";
     return fs::exists(status) && !fs::is_directory(status)
                ? folder + " is a file; results need a folder. Give another one."
                : std::string();

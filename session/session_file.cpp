@@ -10,6 +10,7 @@
 
 #include "session/recorder.h"
 #include "session/sqlite_reason.h"
+#include "text/file_kind.h"
 #include "text/regular_file.h"
 #include "text/write_file.h"
 
@@ -139,6 +140,10 @@ std::string SessionFile::outside_reason() const {
 
 std::string SessionFile::open(const std::string& path, const std::vector<std::string>& tables, bool is_own) {
     path_ = path;
+    if (const text::RecognisedFile found = text::recognise(path); found.kind == text::FileKind::missing)
+        return path + ": cannot be opened: there is no such file." + name_another;
+    else if (found.kind != text::FileKind::session && !found.name.empty())
+        return path + ": is not a Kerf session: " + text::other_kind_text(found, "the session.db of a run");
     std::error_code error;
     if (!std::filesystem::exists(path, error)) return path + cannot_be_opened;
     if (const auto fault = text::fault_of_file(path)) return path + ": " + fault->problem + name_another;

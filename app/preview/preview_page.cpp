@@ -259,7 +259,7 @@ std::string step_views(const run::Scene& scene, std::size_t step) {
 }
 
 std::string notes_section(const run::Scene& scene) {
-    std::string items, text = anatomy_text(scene);
+    std::string items, text = anatomy_text(scene.anatomy, scene.body, scene.import);
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = text.find('\n', at);
         items += "<li>" + session::html_escaped(text.substr(at, end - at)) + "</li>";

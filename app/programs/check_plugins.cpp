@@ -14,6 +14,7 @@
 #include "conformance/check.h"
 #include "conformance/report.h"
 #include "session/recorder.h"
+#include "text/file_kind.h"
 #include "text/write_file.h"
 
 namespace kerf::app {
@@ -41,6 +42,10 @@ std::string refusal_of(const CheckOptions& options) {
     std::error_code ignored;
     for (const std::string& file : files)
         if (!fs::exists(file, ignored)) return "`" + file + "` does not exist. Check its name and its folder.";
+    for (const std::string& file : options.plugins)
+        if (const text::RecognisedFile found = text::recognise(file);
+            !found.name.empty() && found.kind != text::FileKind::shared_library)
+            return "`" + file + "` is of another kind: " + text::other_kind_text(found, "a plugin");
     if (options.level < 5 && (!options.procedures.empty() || !options.twin.empty()))
         return "`--procedure` and `--twin` belong to level 5. Add `--level 5`.";
     return {};

@@ -74,7 +74,7 @@ Command anatomy_command() {
                            .member = in<T>(&T::anatomy)}},
             .options = {{.name = "--for",
                          .value = yaml("PROCEDURE"),
-                         .help = "check: procedure that the anatomy is for; needed",
+                         .help = "check: also what this procedure needs of the anatomy",
                          .member = in<T>(&T::procedure)},
                         format_of<T>({"text", "json", "github"}, "check: text (default), json or github"),
                         {.name = "--level",
@@ -104,7 +104,7 @@ Command anatomy_command() {
                          .member = in<T>(&T::seed)},
                         out_of<T>(file("a file, as in `--out bone.yaml`", ".yaml"),
                                   "make: write the anatomy to this file", "standard output")},
-            .when_missing = "what? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`, or `kerf anatomy "
+            .when_missing = "what? Write `kerf anatomy check ANATOMY.yaml`, or `kerf anatomy "
                             "make vertebra --level L3`.",
             .examples = {{"kerf anatomy check my-bone.yaml --for pedicle-screw.yaml",
                           "checks your anatomy with a shipped procedure"},

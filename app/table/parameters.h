@@ -56,7 +56,7 @@ template <class T>
 Parameter procedures_of() {
     return {.name = "PROCEDURE",
             .value = yaml(),
-            .help = "YAML files of procedures",
+            .help = "YAML files of procedures, one or more",
             .is_required = true,
             .member = in<T>(&T::procedures)};
 }

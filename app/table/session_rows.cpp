@@ -118,7 +118,7 @@ std::vector<Command> session_commands() {
                     .summary = "List personal data in files: names, numbers, dates, paths",
                     .arguments = {{.name = "FILE",
                                    .value = file("the name of a file"),
-                                   .help = "DICOM, an image, or a file of Kerf",
+                                   .help = "DICOM, images or files of Kerf, one or more",
                                    .is_required = true,
                                    .member = in<PrivacyOptions>(&PrivacyOptions::files)}},
                     .options = {flag("--show", "Print the values, not only their first letters",

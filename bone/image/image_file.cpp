@@ -8,6 +8,7 @@
 #include "bone/image/header_checks.h"
 #include "bone/image/header_fields.h"
 #include "bone/image/packed_bytes.h"
+#include "text/file_kind.h"
 
 namespace kerf::bone {
 namespace {
@@ -73,6 +74,14 @@ bool ends_in(const std::string& name, std::string_view ending) {
     return name.size() > ending.size() && name.ends_with(ending);
 }
 
+/// Returns why a file is neither a scan nor a surface.
+std::string unknown_format(const std::string& file) {
+    const text::RecognisedFile found = text::recognise(file);
+    const bool is_other = !found.name.empty() && found.kind != text::FileKind::scan;
+    return is_other ? "the file is of another kind: " + text::other_kind_text(found, "a scan or a surface")
+                    : "the file's ending names no format that can be read.";
+}
+
 ImageFile checked(const std::string& file) {
     (void)header::size_of_file(file);
     const std::string name = header::lower(file);
@@ -86,7 +95,7 @@ ImageFile checked(const std::string& file) {
     else if (ends_in(name, ".mha") || ends_in(name, ".mhd"))
         image = header::read_meta(file);
     else
-        refuse("E0621", "the file's ending names no format that can be read.",
+        refuse("E0621", unknown_format(file),
                "Use NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd); for a surface STL, OBJ or "
                "PLY.");
     check_bytes(image, file);

@@ -60,14 +60,17 @@ void check_level(const MakeRequest& request, const Node& node, Report& report) {
         report.error(text::Code::unknown_key, node.span,
                      "`level` does not belong to a " + kind.name + ": leave it out.");
     if (levels.empty() || std::find(levels.begin(), levels.end(), request.level) != levels.end()) return;
-    if (request.level.empty())
+    if (request.level.empty()) {
         report.error(text::Code::missing_key, node.span,
                      "`make: " + kind.name + "` has no `level:`: it is " + kind.a_level + ", one of " + listed(levels) +
                          ". Write `level: " + kind.example_level + "`.");
-    else
+    } else {
+        const std::string meant = closest(request.level, levels, report);
         report.error(text::Code::unknown_word, node.span,
                      "`level` is not one of a " + kind.name + ": got " + text::excerpt(request.level) + ", expected " +
-                         listed(levels) + ".");
+                         listed(levels, request.level) + "." + or_choose(meant),
+                     meant);
+    }
 }
 
 }  // namespace

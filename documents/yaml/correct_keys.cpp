@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "documents/yaml/read_map.h"
@@ -13,22 +14,73 @@ namespace {
 
 void correct(Node& node, const ValueShape& shape, Report& report);
 
+bool is_like(const Node& node, const ValueShape& shape) {
+    using Kind = ValueShape::Kind;
+    switch (node.kind) {
+        case Node::Kind::map:
+            return shape.kind == Kind::map || shape.kind == Kind::named || shape.kind == Kind::parameters;
+        case Node::Kind::list:
+            return shape.kind == Kind::list;
+        case Node::Kind::scalar:
+            break;
+    }
+    return shape.item.empty() && shape.kind != Kind::map;
+}
+
+/// Returns the key that is required and missing in a map with one unknown key: that one is meant as it. Empty if
+/// several keys may be meant, or none.
+std::string the_missing_key(const Node& map, const Shape& shape, const std::vector<std::string>& absent) {
+    const Node* unknown = nullptr;
+    for (const Node& child : map.children) {
+        if (shape.find(child.key) != nullptr) continue;
+        if (unknown != nullptr) return {};
+        unknown = &child;
+    }
+    if (unknown == nullptr) return {};
+    std::string missing;
+    for (const std::string& name : absent) {
+        const KeyShape& key = *shape.find(name);
+        if (key.presence != Presence::required) continue;
+        if (!missing.empty() || !is_like(*unknown, key.value)) return {};
+        missing = name;
+    }
+    return missing;
+}
+
+/// Returns the key that a key from a patch or a setting was meant to change; empty if none is near.
+std::string changed_key(const Node& child, const std::vector<std::string>& present, const Report& report) {
+    const bool is_added = child.key_span.source != 0;
+    return is_added ? closest(text::straightened(child.key), present, report) : std::string();
+}
+
 void correct_map(Node& map, const Shape& shape, Report& report) {
     if (map.kind != Node::Kind::map) return;
-    std::vector<std::string> absent;
-    for (const KeyShape& key : shape.keys)
-        if (map.find(key.name) == nullptr) absent.push_back(key.name);
+    std::vector<std::string> absent, present;
+    for (const KeyShape& key : shape.keys) (map.find(key.name) == nullptr ? absent : present).push_back(key.name);
+    const std::string renamed = the_missing_key(map, shape, absent);
+    std::vector<const Node*> dropped;
     for (Node& child : map.children) {
-        if (report.is_full()) return;
-        if (shape.find(child.key) == nullptr) {
-            const std::string meant = closest(text::straightened(child.key), absent, report);
-            if (meant.empty()) continue;
-            refuse_key(child, shape, meant, report);
-            child.key = meant;
-            absent.erase(std::find(absent.begin(), absent.end(), meant));
+        if (shape.find(child.key) == nullptr && !report.is_full()) {
+            std::string meant = closest(text::straightened(child.key), absent, report);
+            if (meant.empty()) meant = renamed;
+            if (const std::string changed = meant.empty() ? changed_key(child, present, report) : "";
+                !changed.empty()) {
+                refuse_key(child, map, shape, changed, report);
+                dropped.push_back(&child);
+                continue;
+            }
+            if (!meant.empty()) {
+                refuse_key(child, map, shape, meant, report);
+                child.key = meant;
+                absent.erase(std::find(absent.begin(), absent.end(), meant));
+            }
         }
-        correct(child, shape.find(child.key)->value, report);
+        if (const KeyShape* key = shape.find(child.key); key != nullptr && !report.is_full())
+            correct(child, key->value, report);
     }
+    std::erase_if(map.children, [&](const Node& child) {
+        return std::find(dropped.begin(), dropped.end(), &child) != dropped.end();
+    });
 }
 
 void correct(Node& node, const ValueShape& shape, Report& report) {

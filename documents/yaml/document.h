@@ -76,6 +76,7 @@ public:
                std::optional<text::Reason> reason = {});
     void warning(text::Code code, TextSpan span, std::string message, std::string write = {});
     text::Reason because(TextSpan span, std::string message) const;  ///< a reason in this document
+    const std::string& file() const noexcept { return document_.file(); }
     bool has_error() const noexcept { return errors_ > 0; }
     int errors() const noexcept { return errors_; }
     bool is_full() const noexcept { return shown_ > max_shown; }

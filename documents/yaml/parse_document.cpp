@@ -19,6 +19,7 @@
 #include "documents/yaml/document.h"
 #include "documents/yaml/explain_syntax.h"
 #include "text/codes.h"
+#include "text/file_kind.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 #include "text/quantity.h"
@@ -327,9 +328,35 @@ private:
     bool is_tilde_ = false;  ///< the scalar being added is `~`
 };
 
+/// Returns whether a file of this kind is certainly no document. A JSON file may be one: JSON is YAML.
+bool is_no_document(text::FileKind kind) {
+    using enum text::FileKind;
+    switch (kind) {
+        case session:
+        case scan:
+        case surface:
+        case page:
+        case markdown:
+        case picture:
+        case pdf:
+        case archive:
+        case table:
+        case shared_library:
+        case database:
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace
 
 text::Result<std::string> read_text_file(const std::string& file) {
+    const text::RecognisedFile found = text::recognise(file);
+    if (is_no_document(found.kind))
+        return text::Diagnostics{
+            text::error_about(file, text::code_text(text::Code::other_file),
+                              "The file is of another kind: " + text::other_kind_text(found, "a document in YAML"))};
     std::error_code failure;
     const auto refused = [&](const std::string& message) {
         return text::Diagnostics{text::error_about(file, text::code_text(text::Code::file_unreadable), message)};
@@ -337,7 +364,8 @@ text::Result<std::string> read_text_file(const std::string& file) {
     if (!std::filesystem::exists(file, failure) && !failure)
         return refused("The file does not exist. Check its name and its folder.");
     if (std::filesystem::is_directory(file, failure))
-        return refused("The path is a folder, expected a file. Name a YAML file in it.");
+        return refused("The path is " + found.name + ", expected a file. " +
+                       (found.kind == text::FileKind::run_folder ? found.advice : "Name a YAML file in it."));
     if (const auto fault = text::fault_of_file(file)) {
         std::string problem = fault->problem;
         problem.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(problem.front())));

@@ -13,6 +13,7 @@
 #include "kerf/assert.hpp"
 #include "kerf/units.hpp"
 #include "text/codes.h"
+#include "text/file_kind.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 
@@ -94,24 +95,34 @@ bool is_language(std::string_view text) {
     return has_language && (dash == text.size() || (text.size() == dash + 3 && are(text.substr(dash + 1), 'A', 'Z')));
 }
 
+/// Returns the words with which text::recognise() names a kind of document; empty for an unknown one.
+std::string kind_in_words(std::string_view kind) {
+    return kind == "Procedure" ? "a procedure"
+           : kind == "Anatomy" ? "an anatomy"
+           : kind == "Station" ? "a station"
+                               : "";
+}
+
 std::string got(std::string_view text) { return "got `" + text::excerpt(text, 40) + "`"; }
 
 }  // namespace
 
-void refuse_key(const Node& child, const Shape& shape, const std::string& meant, Report& report) {
+void refuse_key(const Node& child, const Node& map, const Shape& shape, const std::string& meant, Report& report) {
     std::vector<std::string> known, choices;
+    bool is_chosen = false;
     for (const KeyShape& key : shape.keys) {
         known.push_back(key.name);
         if (key.presence == Presence::one_of) choices.push_back(key.name);
+        is_chosen = is_chosen || (key.presence == Presence::one_of && map.find(key.name) != nullptr);
     }
     // Where one of several keys is needed, an unknown one is most likely meant as one of them.
-    const bool is_choice = meant.empty() && !choices.empty();
-    report.error(
-        text::Code::unknown_key, child.key_span,
-        "The key `" + text::excerpt(child.key, 40) + "` is unknown" +
-            (known.empty() ? "; no key is allowed here." : ": expected " + listed(is_choice ? choices : known) + ".") +
-            named_look_alike(child.key) + or_choose(meant, is_choice ? "Write one of these." : "Remove it."),
-        meant.empty() ? "" : meant + ":");
+    const bool is_choice = meant.empty() && !choices.empty() && !is_chosen;
+    report.error(text::Code::unknown_key, child.key_span,
+                 "The key `" + text::excerpt(child.key, 40) + "` is unknown" +
+                     (known.empty() ? "; no key is allowed here."
+                                    : ": expected " + listed(is_choice ? choices : known, child.key) + ".") +
+                     named_look_alike(child.key) + or_choose(meant, is_choice ? "Write one of these." : "Remove it."),
+                 meant.empty() ? "" : meant + ":");
 }
 
 bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report& report) {
@@ -281,9 +292,10 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
         if (const auto text = read_text(*node, "kind", report); text && *text != kind) {
             // Only a slip of the pen is mended here; another document needs another file.
             const std::string meant = closest(*text, {kind}, report);
+            const text::RecognisedFile other = text::recognise(report.file());
             report.error(text::Code::wrong_kind, node->span,
                          "The document is of another kind: " + got(*text) + ", expected `" + kind + "`." +
-                             or_choose(meant, "Name another file."),
+                             or_choose(meant, other.name == kind_in_words(*text) ? other.advice : "Name another file."),
                          meant);
             is_right = false;
         }
@@ -351,7 +363,7 @@ std::string MapReader::word(const std::string& key) {
     if (word.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
     const std::string meant = closest(text::straightened(word), words, report_);
     report_.error(text::Code::unknown_word, found->span,
-                  name_of(key) + " is unknown: " + got(word) + ", expected " + listed(words) + "." +
+                  name_of(key) + " is unknown: " + got(word) + ", expected " + listed(words, word) + "." +
                       named_look_alike(word) + or_choose(meant),
                   meant);
     return {};
@@ -444,7 +456,7 @@ void MapReader::finish() {
                     ("read `" + key.name + "`, or remove it from the shape `" + shape_.id + "` in documents").c_str());
     if (!is_map_) return;
     for (const Node& child : node_.children)
-        if (shape_.find(child.key) == nullptr) refuse_key(child, shape_, "", report_);
+        if (shape_.find(child.key) == nullptr) refuse_key(child, node_, shape_, "", report_);
 }
 
 }  // namespace kerf::documents

@@ -14,15 +14,24 @@
 /// Reading one map of a document, and its values. A function that returns no value has reported the reason.
 namespace kerf::documents {
 
-/// The candidate nearest to `word`; empty if none is near, or if the report is full and shows no more.
+/// The candidate nearest to `word`; empty if none is near, or if the report is full and shows no more. The last parts
+/// of a name with dots or slashes count as the name.
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report);
 std::string closest(std::string_view word, const std::vector<std::string>& candidates);  // [any]
 
 /// Returns the advice behind a list of candidates; nothing if `meant` is suggested.   [any]
 std::string or_choose(const std::string& meant, const std::string& advice = "Write one of these.");
 
-/// Returns "`a`, `b` or `c`"; of many words the first ones and the number of others.   [any]
-std::string listed(const std::vector<std::string>& words);
+/// Returns "`a`, `b` or `c`"; of many words the first ones and the number of others. With `like`, the word that was
+/// written instead, these are the words most like it.   [any]
+std::string listed(const std::vector<std::string>& words, std::string_view like = {});
+
+/// Returns "Write `a`.", the known name nearest to `word`; "Write `a`, `b` or `c`." if none is
+/// near.   [any]
+std::string write_instead(std::string_view word, const std::vector<std::string>& known);
+
+/// Returns the words, those that resemble `like` first, the others in their order.   [any]
+std::vector<std::string> nearest_first(std::vector<std::string> words, std::string_view like);
 
 /// A name that must be one of a few, and is not.
 struct UnknownName {
@@ -42,7 +51,7 @@ void refuse_unknown(UnknownName name, Report& report);
 
 /// Reports a key that its map does not have.
 /// @param meant   the key to write; empty: none is close
-void refuse_key(const Node& child, const Shape& shape, const std::string& meant, Report& report);
+void refuse_key(const Node& child, const Node& map, const Shape& shape, const std::string& meant, Report& report);
 
 std::optional<std::string> read_text(const Node& node, const std::string& name, Report& report);
 /// Letters, digits, `.`, `_` and `-`, a letter or digit first.

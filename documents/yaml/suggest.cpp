@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t longest_word = 48;  // longer ones are no slip of the finger
 constexpr std::size_t max_candidates = 200;
+constexpr std::size_t max_listed = 8;  // more words are counted, not shown
 
 /// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -27,6 +28,33 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
         std::swap(last, row);
     }
     return last[b.size()];
+}
+
+std::string lower(std::string_view text) {
+    std::string low(text);
+    for (char& c : low)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return low;
+}
+
+struct NameDistance {
+    std::size_t distance = 0;
+    std::size_t length = 0;  ///< of the part of the name that was compared
+};
+
+/// Returns the edit distance from a word to a name, or to the end of the name behind a `.` or `/` if that is smaller:
+/// `drilling` means `kerf.drilling`. Capital letters count as small ones.
+NameDistance distance_to_name(std::string_view word, std::string_view name) {
+    const std::string low_word = lower(word), low_name = lower(name);
+    const std::string_view whole = low_name;
+    NameDistance best{edit_distance(low_word, whole), whole.size()};
+    for (std::size_t at = whole.find_first_of("./"); at != std::string_view::npos;
+         at = whole.find_first_of("./", at + 1)) {
+        const std::string_view end = whole.substr(at + 1);
+        if (const std::size_t distance = edit_distance(low_word, end); distance < best.distance)
+            best = {distance, end.size()};
+    }
+    return best;
 }
 
 /// Whether two names differ by the side of the patient alone: the one is not meant by the other.
@@ -57,8 +85,8 @@ std::string closest(std::string_view word, const std::vector<std::string>& candi
     for (std::size_t i = 0; i < std::min(candidates.size(), max_candidates); ++i) {
         const std::string& candidate = candidates[i];
         if (candidate.size() > longest_word || is_other_side(word, candidate)) continue;
-        const std::size_t distance = edit_distance(word, candidate);
-        if (distance < best_distance && distance < std::max(word.size(), candidate.size())) {
+        const auto [distance, length] = distance_to_name(word, candidate);
+        if (distance < best_distance && distance < std::max(word.size(), length)) {
             best = candidate;
             best_distance = distance;
         }
@@ -66,30 +94,53 @@ std::string closest(std::string_view word, const std::vector<std::string>& candi
     return best;
 }
 
+std::vector<std::string> nearest_first(std::vector<std::string> words, std::string_view like) {
+    if (like.size() > longest_word || words.size() > max_candidates) return words;
+    const std::string wanted = lower(like);
+    const auto rank = [&](const std::string& word) -> std::size_t {
+        if (wanted.size() > 2 && lower(word).find(wanted) != std::string::npos) return 0;
+        const auto [distance, length] = distance_to_name(like, word.substr(0, longest_word));
+        return 2 * distance <= std::max(like.size(), length) ? distance
+                                                             : longest_word;  // else they have little in common
+    };
+    std::vector<std::pair<std::size_t, std::string>> ranked;
+    ranked.reserve(words.size());
+    for (std::string& word : words) ranked.emplace_back(rank(word), std::move(word));
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = std::move(ranked[i].second);
+    return words;
+}
+
 std::string or_choose(const std::string& meant, const std::string& advice) {
     return meant.empty() ? " " + advice : std::string();
 }
 
-std::string listed(const std::vector<std::string>& words) {
-    constexpr std::size_t most = 8;
+std::string write_instead(std::string_view word, const std::vector<std::string>& known) {
+    if (known.empty()) return "There is none.";
+    const std::string meant = closest(word, known);
+    return "Write " + (meant.empty() ? listed(known, word) : "`" + meant + "`") + ".";
+}
+
+std::string listed(const std::vector<std::string>& words, std::string_view like) {
+    if (words.size() > max_listed && !like.empty()) return listed(nearest_first(words, like));
     std::string text;
-    const std::size_t shown = std::min(words.size(), most);
+    const std::size_t shown = std::min(words.size(), max_listed);
     for (std::size_t i = 0; i < shown; ++i) {
         if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
         text += "`" + words[i] + "`";
     }
-    return words.size() > most ? text + " or " + std::to_string(words.size() - most) + " more" : text;
+    return words.size() > max_listed ? text + " or " + std::to_string(words.size() - max_listed) + " more" : text;
 }
 
 void refuse_unknown(UnknownName name, Report& report) {
     std::string meant = closest(name.word, name.known, report);
     if (name.is_key && !meant.empty()) meant += ':';
-    report.error(
-        name.code, name.span,
-        name.subject + " is unknown: " +
-            (name.known.empty() ? name.if_none
-                                : "expected " + listed(name.known) + name.of + "." + or_choose(meant, name.advice)),
-        meant, std::move(name.reason));
+    report.error(name.code, name.span,
+                 name.subject + " is unknown: " +
+                     (name.known.empty() ? name.if_none
+                                         : "expected " + listed(name.known, name.word) + name.of + "." +
+                                               or_choose(meant, name.advice)),
+                 meant, std::move(name.reason));
 }
 
 }  // namespace kerf::documents

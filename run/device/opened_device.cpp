@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "documents/yaml/read_map.h"
 #include "kerf/device_buttons.hpp"
 #include "text/printable.h"
 #include "text/source.h"
@@ -19,10 +20,10 @@ std::string text_in(const char (&text)[size]) {
     return text::shown(std::string(text, std::find(text, text + size, '\0')));
 }
 
-std::string drivers_of(const PluginRegistry& plugins) {
-    std::string names;
+std::vector<std::string> drivers_of(const PluginRegistry& plugins) {
+    std::vector<std::string> names;
     for (const ComponentInfo& component : plugins.catalog())
-        if (component.kind == KERF_KIND_DEVICE) names += (names.empty() ? "`" : ", `") + component.id + "`";
+        if (component.kind == KERF_KIND_DEVICE) names.push_back(component.id);
     return names;
 }
 
@@ -44,9 +45,10 @@ std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, 
             return component.kind == KERF_KIND_DEVICE && component.matches_id(driver_id);
         });
     if (found == plugins.catalog().end()) {
-        const std::string known = drivers_of(plugins);
+        const std::vector<std::string> known = drivers_of(plugins);
         error = "there is no driver `" + text::excerpt(driver_id, 40) + "`" +
-                (known.empty() ? ": no plugin has a device." : "; there are " + known + ". `kerf devices` lists them.");
+                (known.empty() ? ": no plugin has a device."
+                               : ". " + documents::write_instead(driver_id, known) + " `kerf devices` lists all.");
         return nullptr;
     }
     const std::vector<double> values = defaults_of(*found);

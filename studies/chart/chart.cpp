@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "documents/yaml/read_map.h"
 #include "studies/chart/drill/standing.h"
 #include "studies/chart/powered/powered_measure.h"
 #include "studies/drawing/svg.h"
@@ -141,15 +142,15 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
     std::vector<PoweredScene> powered =
         request.is_quick && !is_one ? std::vector<PoweredScene>{} : all_powered_scenes();
     if (is_one) {
-        std::string known;
+        std::vector<std::string> known;
         const auto keep_the_one = [&](auto& from) {
-            for (const auto& scene : from) known += (known.empty() ? "" : ", ") + scene.id;
+            for (const auto& scene : from) known.push_back(scene.id);
             std::erase_if(from, [&](const auto& scene) { return scene.id != request.scene; });
         };
         keep_the_one(scenes);
         keep_the_one(powered);
         if (scenes.empty() && powered.empty())
-            error = "there is no scene `" + request.scene + "`. Write one of " + known + ".";
+            error = "there is no scene `" + request.scene + "`. " + documents::write_instead(request.scene, known);
     }
     for (const PoweredScene& scene : powered)
         if (error.empty()) error = why_no_exact_law(plugins, scene);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/haptics/loop/work_force.h"
+#include "documents/yaml/read_map.h"
 
 namespace kerf::stability {
 
@@ -20,6 +21,13 @@ std::vector<double> defaults(const std::vector<ParameterInfo>& infos) {
     std::vector<double> values;
     for (const ParameterInfo& info : infos) values.push_back(info.def);
     return values;
+}
+
+std::vector<std::string> plugins_with_tools(const PluginRegistry& plugins) {
+    std::vector<std::string> ids;
+    for (const ComponentInfo& info : plugins.catalog())
+        if (info.kind == KERF_KIND_TOOL && (ids.empty() || ids.back() != info.plugin)) ids.push_back(info.plugin);
+    return ids;
 }
 
 }  // namespace
@@ -43,8 +51,8 @@ std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std:
     }
     if (setup.tool == nullptr || setup.force == nullptr) {
         error = "there is no plugin `" + plugin + "` with a tool and " +
-                (force.empty() ? "a force" : "the force `" + force + "`") +
-                ". `kerf list` names those that were found.";
+                (force.empty() ? "a force" : "the force `" + force + "`") + ". " +
+                documents::write_instead(plugin, plugins_with_tools(plugins));
         return std::nullopt;
     }
     error = bind_law(setup);

@@ -222,7 +222,7 @@ TEST(CommandLine, ReportsMistakesWithACorrection) {
              {{"schema", "bone"}, "`KIND` is `bone`. Write `procedure`, `anatomy` or `station`."},
              {{"check", "a.so", "--level", "6"}, "`--level` is `6`. Write 1, 2, 3, 4 or 5."},
              {{"completion"}, "for which shell? Write `kerf completion bash`."},
-             {{"completion", "csh"}, "`SHELL` is `csh`. Write `bash`, `zsh` or `fish`."},
+             {{"completion", "csh"}, "`SHELL` is `csh`, expected `bash`, `zsh` or `fish`. Write `zsh`."},
              {{"privacy"}, "which file? Write `kerf privacy FILE`."},
              {{"new"}, "what? Write `kerf new plugin NAME` or `kerf new procedure NAME`."},
              {{"new", "plugin", "x", "--strateggy"},

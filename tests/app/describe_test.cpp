@@ -54,6 +54,14 @@ TEST(Describe, SuggestsTheClosestName) {
     EXPECT_EQ(error, "there is no plugin or component `kerf.driling`. Write `kerf.drilling`.");
 }
 
+TEST(Describe, FindsTheLastPartOfAName) {
+    EXPECT_EQ(description("drilling"), description("kerf.drilling"));
+    EXPECT_EQ(description("twist_drill"), description("kerf.drilling/twist_drill"));
+    std::string error;
+    EXPECT_FALSE(description_of(test::plugins(), "twist_dril", error));
+    EXPECT_EQ(error, "there is no plugin or component `twist_dril`. Write `kerf.drilling/twist_drill`.");
+}
+
 TEST(Describe, PrintsCoreWithoutPlugins) {
     std::string error;
     const auto text = description_of(PluginRegistry(), "", error);

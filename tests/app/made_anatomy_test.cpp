@@ -55,7 +55,6 @@ TEST(MadeAnatomy, RefusesWrongOptions) {
     refused("anatomy make vertebra --level L3 --set pedicle.width=60mm", "set.pedicle.width is out of range");
     refused("anatomy make vertebra --level L3 --seed 1.5", "whole number");
     refused("anatomy make vertebra --level L3 --set pedicle.width=6mm --set pedicle.width=7mm", "pedicle.width");
-    refused("anatomy check " KERF_SOURCE_DIR "/procedures/anatomy/vertebra-l3.yaml", "for which procedure?");
     refused("rehearse " + pedicle_screw + " --seeds 1..2", "`--seeds` needs a bone to make");
     for (const char* seeds : {"3..1", "1..", "x", "1..100000", "-1"})
         refused("rehearse " + pedicle_screw + " --seeds " + seeds, "expected FIRST..LAST");

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/file_limit.h"
 #include "bone/image/read_image.h"
 #include "bone/import/make_body.h"
 #include "documents/read_procedure.h"
@@ -260,6 +261,11 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
         {101, [](const std::string&) {}},
         {102, [](const std::string& folder) { write(folder + "/E0102.yaml", std::string((1u << 20) + 1, '#')); }},
         {103, [](const std::string& folder) { write(folder + "/E0103.yaml", "title: Knochenh\xF6hle\n"); }},
+        {113, [](const std::string& folder) {
+             std::string head(100, '\0');
+             head.replace(0, 15, "SQLite format 3").replace(68, 4, "KERF");
+             write(folder + "/E0113.yaml", head);
+         }},
         {505, [](const std::string& folder) {
              std::string anatomy = contents_of(folder + "/block.yaml"), procedure = contents_of(folder + "/hole.yaml");
              anatomy.replace(anatomy.find("midline"), 7, "middle");
@@ -457,6 +463,7 @@ const std::map<int, std::function<text::Diagnostics()>>& direct_causes() {
              std::filesystem::current_path(before);
              return found;
          }},
+        {720, [] { return app::refusal_of_file_limit(3, 6); }},
         {718,
          [] {
              text::Diagnostics found;

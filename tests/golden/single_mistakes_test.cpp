@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// One mistake in a shipped procedure gives one error: no second one follows from it.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include "run/documents.h"
+#include "tests/support/drill_rig.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+struct Mistake {
+    const char *right, *wrong;  ///< the first `right` is replaced
+    const char* code;           ///< of the one error
+    const char* write;          ///< that it suggests
+    const char* file = "pedicle-screw.yaml";
+};
+
+text::Diagnostics found_in(const Mistake& mistake) {
+    const test::TemporaryFolder folder;
+    std::filesystem::copy(KERF_SOURCE_DIR "/procedures", folder.path(),
+                          std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
+    std::string text = test::contents_of(folder / mistake.file);
+    const std::size_t at = text.find(mistake.right);
+    if (at == std::string::npos) throw std::runtime_error(std::string("no ") + mistake.right);
+    text.replace(at, std::string(mistake.right).size(), mistake.wrong);
+    std::ofstream(folder / mistake.file, std::ios::binary) << text;
+
+    const run::DocumentRequest request{.procedure = folder / "pedicle-screw.yaml"};
+    text::Diagnostics found;
+    (void)run::check_documents(request, test::plugins()).take(found);
+    for (text::Diagnostic& d : run::check_variants(request, found, test::plugins())) found.push_back(std::move(d));
+    return found;
+}
+
+class SingleMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(SingleMistake, GivesOneError) {
+    const text::Diagnostics found = found_in(GetParam());
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    EXPECT_EQ(found.front().code, GetParam().code) << to_text(found);
+    EXPECT_EQ(found.front().write, GetParam().write) << to_text(found);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, SingleMistake,
+    testing::Values(Mistake{"landmarks: [right_pedicle,", "landmarks: [rigth_pedicle,", "E0501", "right_pedicle"},
+                    Mistake{"landmarks: [right_pedicle,", "landmarks: [femur_axis,", "E0501", "right_pedicle"},
+                    Mistake{"landmarks: [right_pedicle, ", "landmarks: [", "E0308", ""},
+                    Mistake{"zones: [canal]", "zones: [cannal]", "E0502", "canal"},
+                    Mistake{"  zones: [canal]\n", "", "E0307", ""},
+                    Mistake{"clearance: {zone: canal", "clearance: {zone: cord", "E0307", ""},
+                    Mistake{"plugin: kerf.drilling", "plugin: acme.laser", "E0301", ""},
+                    Mistake{"    plugin: kerf.drilling\n", "", "E0204", ""},
+                    Mistake{"force: drill_cutting", "force: drill_cuting", "E0303", "drill_cutting"},
+                    Mistake{"- id: opening\n", "- id: openning\n", "E0312", "openning"},
+                    Mistake{"  - id: opening\n    title", "  - title", "E0204", ""},
+                    Mistake{"- id: pilot-hole", "- id: pilot hole", "E0209", "pilot-hole"},
+                    Mistake{"- {torque: {at_most", "- {moment: {at_most", "E0203", ""},
+                    Mistake{"  straight:\n", "  strait:\n", "E0315", "strait"}));
+
+INSTANTIATE_TEST_SUITE_P(Keys, SingleMistake,
+                         testing::Values(Mistake{"\nsteps:", "\nstages:", "E0203", "steps:"},
+                                         Mistake{"\ninstruments:", "\ntools:", "E0203", "instruments:"},
+                                         Mistake{"\nneeds:", "\nwants:", "E0203", "needs:"},
+                                         Mistake{"\nanatomy:", "\nbone:", "E0203", "anatomy:"},
+                                         Mistake{"\nmetadata:", "\nheader:", "E0203", "metadata:"},
+                                         Mistake{"\npaths:", "\nmotions:", "E0203", ""},
+                                         Mistake{"\nrehearsals:", "\ntrials:", "E0203", ""},
+                                         Mistake{"\nzones:", "\nregions:", "E0203", "", "anatomy/vertebra-l3.yaml"}));
+
+TEST(SingleMistakes, ListTheLinesOfTheSameName) {
+    const text::Diagnostics found = found_in({"  straight:\n", "  strait:\n", "", ""});
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    EXPECT_NE(found.front().message.find(" The same in lines 217 and 275."), std::string::npos) << to_text(found);
+}
+
+}  // namespace
+}  // namespace kerf
