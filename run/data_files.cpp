@@ -9,6 +9,7 @@
 #include "bone/import/data_file.h"
 #include "documents/read_procedure.h"
 #include "documents/yaml/document.h"
+#include "text/codes.h"
 #include "text/printable.h"
 
 namespace kerf::run {
