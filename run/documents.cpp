@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bone/import/data_file.h"
 #include "bone/import/markups.h"
 #include "documents/check_needs.h"
 #include "documents/made/make_bone.h"
