@@ -24,6 +24,10 @@ bool is_like(const Node& node, const ValueShape& shape) {
         case Node::Kind::scalar:
             break;
     }
+    const bool is_number = shape.kind == Kind::quantity || shape.kind == Kind::vector ||
+                           shape.kind == Kind::of_signal || shape.kind == Kind::of_measure ||
+                           shape.kind == Kind::of_metric;
+    if (is_number && node.text.find_first_of("0123456789") == std::string::npos) return false;
     return shape.item.empty() && shape.kind != Kind::map;
 }
 

@@ -72,6 +72,11 @@ bool is_other_side(std::string_view one, std::string_view other) {
     return is_swapped(one, other) || is_swapped(other, one) || ends_swapped(one, other) || ends_swapped(other, one);
 }
 
+/// Returns the name of an option: its dashes resemble nothing.
+std::string_view without_dashes(std::string_view word) {
+    return word.substr(std::min(word.find_first_not_of('-'), word.size()));
+}
+
 }  // namespace
 
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report) {
@@ -96,10 +101,11 @@ std::string closest(std::string_view word, const std::vector<std::string>& candi
 
 std::vector<std::string> nearest_first(std::vector<std::string> words, std::string_view like) {
     if (like.size() > longest_word || words.size() > max_candidates) return words;
+    like = without_dashes(like);
     const std::string wanted = lower(like);
     const auto rank = [&](const std::string& word) -> std::size_t {
         if (wanted.size() > 2 && lower(word).find(wanted) != std::string::npos) return 0;
-        const auto [distance, length] = distance_to_name(like, word.substr(0, longest_word));
+        const auto [distance, length] = distance_to_name(like, without_dashes(word).substr(0, longest_word));
         return 2 * distance <= std::max(like.size(), length) ? distance
                                                              : longest_word;  // else they have little in common
     };

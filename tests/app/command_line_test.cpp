@@ -199,8 +199,7 @@ struct Wrong {
 
 TEST(CommandLine, ReportsMistakesWithACorrection) {
     for (const auto& [words, says] : {
-             Wrong{{}, "Usage: kerf"},
-             {{"--"}, "nothing to do. Write `kerf run PROCEDURE.yaml`"},
+             Wrong{{"--"}, "nothing to do. Write `kerf run PROCEDURE.yaml`"},
              {{"fly"}, "there is no command `fly`. Write `run`, `window`, `validate`"},
              {{"valdate", "p.yaml"}, "there is no command `valdate`. Write `kerf validate`."},
              {{"run"}, "which procedure? Write `kerf run PROCEDURE.yaml`."},

@@ -127,7 +127,7 @@ TEST(ExitCode, OfPreviewNeedsAScene) {
 }
 
 TEST(ExitCode, OfWhatOnlyPrintsIsZeroOrTwo) {
-    for (const char* good : {"list", "describe", "describe kerf.drilling", "describe kerf.sawing/oscillating_blade",
+    for (const char* good : {"", "list", "describe", "describe kerf.drilling", "describe kerf.sawing/oscillating_blade",
                              "explain", "explain E0412", "schema", "schema anatomy"}) {
         const Ended printed = kerf(good);
         EXPECT_EQ(printed.exit_code, 0) << good << printed.err;
@@ -136,7 +136,7 @@ TEST(ExitCode, OfWhatOnlyPrintsIsZeroOrTwo) {
     }
     EXPECT_EQ(kerf("expand " + pedicle_screw).exit_code, 0);
     for (const char* bad :
-         {"describe kerf.drilling/nothing", "explain E9999", "expand /nowhere.yaml", "schema bone", "", "fly"}) {
+         {"describe kerf.drilling/nothing", "explain E9999", "expand /nowhere.yaml", "schema bone", "fly"}) {
         const Ended refused = kerf(bad);
         EXPECT_EQ(refused.exit_code, 2) << bad;
         EXPECT_NE(refused.err, "") << bad;

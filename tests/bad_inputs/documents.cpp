@@ -200,11 +200,13 @@ std::vector<Input> document_inputs() {
                   return text;
               }()),
          "E0112 E0203 E0204", "more"},
-        {"document, bytes", Way::document, "p.yaml",
+        {"document, a library", Way::document, "p.yaml",
          file("p.yaml", std::string("\x7f"
                                     "ELF\x02\x01\x01\0\0\0\xff\xfe",
                                     12)),
-         "E0103", "UTF-8"},
+         "E0113", "got a shared library"},
+        {"document, bytes", Way::document, "p.yaml", file("p.yaml", std::string("\x01\x02\0\0\xff\xfe", 6)), "E0103",
+         "UTF-8"},
         {"document, UTF-16", Way::document, "anatomy.yaml", file("anatomy.yaml", in_utf16(anatomy)), "E0103", "UTF-8"},
         {"document, aliases that grow a billion times", Way::document, "p.yaml",
          file("p.yaml", "a: &a [x, x]\nb: &b [*a, *a, *a]\nc: &c [*b, *b, *b]\nd: [*c, *c, *c]\n"), "E0109 E0203 E0204",
@@ -244,7 +246,7 @@ std::vector<Input> document_inputs() {
              changed(bone_of_phantom, "ct: {image: a.jpg, threshold: 0}")(folder);
              write_file_of(folder + "/a.jpg", "\xff\xd8\xff");
          },
-         "E0621", "no format"},
+         "E0621", "got a picture"},
         {"document, a head in a block", Way::document, "anatomy.yaml",
          changed("midline: {at: 9 0 0 mm, ", "midline: {at: 9 0 0 mm, fit: {sphere: {radius: 6 mm}}, "), "E0615",
          "expected at least 40 %"},

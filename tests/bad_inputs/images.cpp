@@ -613,7 +613,7 @@ std::vector<Input> meta_inputs() {
         {"MetaImage, a pattern of files", Way::scan, "in/a.mhd", meta_pair("a%d.raw 1 16 1"), "E0622",
          "beside the header"},
         {"a picture", Way::scan, "a.png", file("a.png", [] { return std::string("\x89PNG\r\n\x1a\n", 8); }), "E0621",
-         "no format"},
+         "got a picture"},
         {"a name without an ending", Way::scan, "scan", file("scan", [] { return std::string(1000, 'x'); }), "E0621",
          "no format"},
         {"no file at all", Way::scan, "a.nii.gz", [](const std::string&) {}, "E0620", "no such file"},

@@ -23,8 +23,8 @@ TEST(Suggestion, IgnoresCapitalLetters) { EXPECT_EQ(closest("SPACING", {"force",
 TEST(Suggestion, NeverSwapsTheSide) { EXPECT_EQ(closest("left_pedicle", {"right_pedicle"}), ""); }
 
 TEST(Suggestion, ListsWordsThatResembleItFirst) {
-    const Words known{"volume", "force", "spacing", "space_left"};
-    EXPECT_EQ(nearest_first(known, "spacin"), (Words{"spacing", "space_left", "volume", "force"}));
+    const Words known{"volume", "force", "spacer", "spacing"};
+    EXPECT_EQ(nearest_first(known, "spacin"), (Words{"spacing", "spacer", "volume", "force"}));
     EXPECT_EQ(nearest_first(known, "xyzzy"), known);
 }
 

@@ -472,7 +472,7 @@ void write_sessions() {
         "device_from_handle_qx, device_from_handle_qy, device_from_handle_qz";
     const std::string keys =
         "CREATE TABLE events(tick INTEGER, time REAL, id TEXT, detail TEXT); CREATE TABLE session(key TEXT, value "
-        "TEXT); INSERT INTO session VALUES('procedure_text','kind: Procedure'),"
+        "TEXT); INSERT INTO session VALUES('state','running'),('procedure_text','kind: Procedure'),"
         "('condition.variant','left'),('anatomy_hash','0123456789abcdef'),('hash','0123456789abcdef');";
     const std::string ticks = keys + "CREATE TABLE ticks(tick INTEGER, " + poses + ");";
     const auto rows = [](int count) {
@@ -498,10 +498,10 @@ void write_sessions() {
     write(
         "session", "bad-block-twice",
         recorded_session("INSERT INTO blocks SELECT table_name, 1, rows, column_name, differences, data FROM blocks;"));
-    write(
-        "session", "good-without-result",
-        recorded_session("DELETE FROM session WHERE key LIKE 'result.%' OR key = 'record_checksum'; UPDATE session SET "
-                         "value = 'running' WHERE key = 'state'; DELETE FROM surface;"));
+    write("session", "good-without-result",
+          recorded_session("DELETE FROM session WHERE key LIKE 'result.%' OR key IN ('record_checksum', 'hash', "
+                           "'summary'); UPDATE session SET "
+                           "value = 'running' WHERE key = 'state'; DELETE FROM surface;"));
     write("session", "bad-endless-pages", endless(database(ticks + rows(2))));
     write("session", "bad-gap", database(ticks + rows(5) + "DELETE FROM ticks WHERE tick=2"));
     write("session", "bad-no-tables", database("CREATE TABLE x(y)"));

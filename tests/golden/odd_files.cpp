@@ -27,7 +27,7 @@ namespace {
 
 void write(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
-/// The block's document with `ct` in place of its phantom.
+/// The block's document with `ct` instead of its phantom.
 void write_anatomy(const std::string& folder, int code, const std::string& ct,
                    const std::string& midline = "9 0 0 mm") {
     std::string text = contents_of(folder + "/block.yaml");
@@ -80,8 +80,8 @@ struct Scan {
     }
 };
 
-/// Labels of the scan's grid, of its lowest `slices`: 1 in the block, and what a voxel at an edge of the grid has.
-void write_labels(const std::string& file, int slices, char corner) {
+/// Labels of the scan's grid, of its lowest `slices`: 1 in the block, and the value of one voxel above it.
+void write_labels(const std::string& file, int slices, char island) {
     std::string header = "NRRD0005\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 24 24 " +
                          std::to_string(slices) +
                          "\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\nspace origin: (-12,-12,-16)\n\n";
@@ -89,15 +89,15 @@ void write_labels(const std::string& file, int slices, char corner) {
         for (int j = -12; j < 12; ++j)
             for (int i = -12; i < 12; ++i) {
                 const bool is_block = std::max({std::abs(i), std::abs(j), std::abs(k)}) <= 10;
-                header += is_block ? '\1' : i == 11 && j == 11 && k == 0 ? corner : '\0';
+                header += is_block ? '\1' : i == 0 && j == 0 && k == 13 ? island : '\0';
             }
     write(file, header);
 }
 
-std::function<void(const std::string&)> labels_with(int code, int slices, char corner) {
+std::function<void(const std::string&)> labels_with(int code, int slices, char island) {
     return [=](const std::string& folder) {
         Scan().write_to(folder + "/scan.mha");
-        write_labels(folder + "/labels.nrrd", slices, corner);
+        write_labels(folder + "/labels.nrrd", slices, island);
         write_anatomy(folder, code, "{image: scan.mha, threshold: 0, labels: {file: labels.nrrd, keep: [1]}}");
     };
 }

@@ -683,7 +683,7 @@ TEST(CtBody, MoreVoxelsThanMemoryMayHoldAreRefusedBeforeOneIsRead) {
     EXPECT_FALSE(make_ct_bone(large).take(diagnostics));
     ASSERT_FALSE(diagnostics.empty());
     EXPECT_EQ(diagnostics.back().code, "E0602") << to_text(diagnostics);
-    EXPECT_NE(diagnostics.back().message.find("GB of memory, must be at most 4 GB"), std::string::npos)
+    EXPECT_NE(diagnostics.back().message.find("GB of memory, must be at most 4.0 GB"), std::string::npos)
         << to_text(diagnostics);
 }
 

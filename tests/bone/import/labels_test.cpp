@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bone/import/label_fit.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "bone/image/scan.h"
 #include "bone/import/ct_body.h"
+#include "bone/import/label_fit.h"
 #include "documents/read_anatomy.h"
 #include "kerf/units.hpp"
 
