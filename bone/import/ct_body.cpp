@@ -205,6 +205,18 @@ Box region_to_read(const documents::Anatomy& anatomy, const Box& available) {
             joined(available.high, joined(planned.high, fits.high, larger), smaller)};
 }
 
+/// Marks the kept labels, and compares them with the scan. Returns false if a layer cannot be read.
+bool select_labels(BoneMask& mask, const documents::Anatomy& anatomy, const Sources& sources,
+                   std::vector<std::string>& notes, text::Diagnostics& diagnostics) {
+    if (!mark_labels(mask, *anatomy.ct, *sources.labels)) return false;
+    if (const VoxelGrid& labels = sources.labels->grid; !on_one_grid(labels, sources.scan))
+        notes.push_back("The labels lie on another grid than the image (voxels of " + millimetres(labels.spacing(0)) +
+                        " × " + millimetres(labels.spacing(1)) + " × " + millimetres(labels.spacing(2)) +
+                        " mm): each voxel got the nearest one.");
+    check_label_fit(mask, anatomy, *sources.labels, notes, diagnostics);
+    return true;
+}
+
 std::optional<CtBone> made(const documents::Anatomy& written, const Sources& sources, text::Diagnostics& diagnostics,
                            const ImportOptions& options) {
     documents::Anatomy anatomy = written;
@@ -250,14 +262,7 @@ std::optional<CtBone> made(const documents::Anatomy& written, const Sources& sou
     doubt_values(anatomy, *part, notes, diagnostics);
 
     BoneMask blank(*part);
-    if (sources.labels) {
-        if (!mark_labels(blank, ct, *sources.labels)) return std::nullopt;
-        if (const VoxelGrid& labels = sources.labels->grid; !on_one_grid(labels, scan))
-            notes.push_back("The labels lie on another grid than the image (voxels of " +
-                            millimetres(labels.spacing(0)) + " × " + millimetres(labels.spacing(1)) + " × " +
-                            millimetres(labels.spacing(2)) + " mm): each voxel got the nearest one.");
-        check_label_fit(blank, anatomy, *sources.labels, notes, diagnostics);
-    }
+    if (sources.labels && !select_labels(blank, anatomy, sources, notes, diagnostics)) return std::nullopt;
     const BoneMask mask = mask_at(ct.threshold, blank, anatomy, notes);
     if (sources.labels) check_label_pieces(mask, anatomy, diagnostics);
     bone.voxels = mask.count();

@@ -70,7 +70,7 @@ TEST_F(OtherFile, IsRefusedAsAScanAPluginOrAComponent) {
     expect_refused("import", "session.db", "got a session of Kerf, expected a scan or a surface. ");
     expect_refused("check", "README.md", "got a text in Markdown, expected a plugin. ");
     expect_refused("describe", "session.db", "got a session of Kerf, expected a plugin or a component");
-    expect_refused("privacy", "", ": is a folder. Name single files");
+    expect_refused("privacy", "", ": this is a folder. Name single files");
 }
 
 TEST(OtherDocument, IsNamedWithTheCommandThatTakesIt) {
@@ -105,7 +105,7 @@ TEST(OpenFiles, SufficeAtASmallLimit) {
     const Ended listed = test::shell("ulimit -S -n 6; " KERF_BUILD_DIR "/bin/kerf list");
     EXPECT_EQ(listed.exit_code, 0) << listed.err;  // the program raises a soft limit
     const test::TemporaryFolder folder;
-    const Ended ran = test::shell("ulimit -n 36; " KERF_BUILD_DIR "/bin/kerf run " + pedicle_screw +
+    const Ended ran = test::shell("ulimit -n 64; " KERF_BUILD_DIR "/bin/kerf run " + pedicle_screw +
                                   " --set 'time_limit=1 s' --out " + (folder / "out"));
     EXPECT_EQ(ran.exit_code, 1) << ran.out << ran.err;
     EXPECT_TRUE(std::filesystem::exists(folder / "out/report.html"));
