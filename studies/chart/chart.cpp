@@ -149,8 +149,14 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
         };
         keep_the_one(scenes);
         keep_the_one(powered);
-        if (scenes.empty() && powered.empty())
-            error = "there is no scene `" + request.scene + "`. " + documents::write_instead(request.scene, known);
+        if (scenes.empty() && powered.empty()) {
+            // No other command lists the scenes, so all are listed.
+            const std::string meant = documents::closest(request.scene, known);
+            std::string all;
+            for (const std::string& id : known) all += (all.empty() ? "" : ", ") + id;
+            error = "there is no scene `" + request.scene + "`. Write " +
+                    (meant.empty() ? "one of " + all : "`" + meant + "`") + ".";
+        }
     }
     for (const PoweredScene& scene : powered)
         if (error.empty()) error = why_no_exact_law(plugins, scene);

@@ -5,6 +5,7 @@
 #include <clocale>
 #include <cstdio>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "app/standard_streams.h"
@@ -13,6 +14,15 @@
 
 namespace kerf::app {
 namespace {
+
+/// Returns a text without the lines about how long a plugin took: they differ with the load of the machine.
+std::string without_times(const std::string& text) {
+    std::istringstream lines(text);
+    std::string rest;
+    for (std::string line; std::getline(lines, line);)
+        if (line.find("longer than its budget") == std::string::npos) rest += line + "\n";
+    return rest;
+}
 
 /// A locale with a decimal comma, made in a folder of its own.
 struct CommaLocale : testing::Test {
@@ -33,7 +43,7 @@ struct CommaLocale : testing::Test {
         const test::Ended comma = test::kerf(arguments, environment);
         EXPECT_EQ(comma.exit_code, plain.exit_code);
         EXPECT_EQ(comma.out, plain.out);
-        EXPECT_EQ(comma.err, plain.err);
+        EXPECT_EQ(without_times(comma.err), without_times(plain.err));
         EXPECT_NE(plain.out.size() + plain.err.size(), 0u);
         if (!file.empty()) {
             EXPECT_EQ(test::contents_of(file), written);
