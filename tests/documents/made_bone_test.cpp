@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/plugin/number_text.h"
 #include "documents/made/make_bone.h"
 #include "documents/made/normal.h"
 #include "documents/made/vertebra/dimensions.h"
@@ -138,7 +139,7 @@ TEST(MadeBone, CanBeReadWithEveryDensityThatCanBeSet) {
                 if (std::string(dimension.unit) != "g/cm3") continue;
                 for (const double density : {dimension.min_set, dimension.max_set}) {
                     const std::string text = "{make: " + bone + more + ", set: {" + dimension.name + ": " +
-                                             std::to_string(1e-3 * density) + " g/cm3}}";
+                                             number_text(1e-3 * density, 12) + " g/cm3}}";
                     SCOPED_TRACE(text);
                     std::optional<MakeRequest> request;
                     ASSERT_EQ(problem_with(text, &request), "");

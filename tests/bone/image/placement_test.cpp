@@ -15,6 +15,7 @@
 #include "kerf/math.hpp"
 #include "kerf/units.hpp"
 #include "tests/support/temporary_folder.h"
+#include "text/plain_numbers.h"
 
 namespace kerf::bone {
 namespace {
@@ -128,6 +129,7 @@ TEST_F(Placement, OfNiftiFollowsTheSenseOfTheThirdAxis) {
 
 /// An NRRD header with its numbers in this many millimetres.
 std::string nrrd(const std::string& space, const std::string& units, double mm) {
+    const text::PlainNumbers plain;
     char line[400];
     std::string directions;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -159,19 +161,26 @@ TEST_F(Placement, OfNrrdFollowsItsSpace) {
     expect_placed("las.nrrd", nrrd("LAS", "", 1.0), {1, -1, 1});
 }
 
+/// A MetaImage header with its numbers in this unit.
+std::string meta_image(const Unit& unit) {
+    const text::PlainNumbers plain;
+    char text[800];
+    const std::array<Vec3, 3> d{rotate(askew, axes[0]), rotate(askew, axes[1]), rotate(askew, axes[2])};
+    const double mm = unit.mm;
+    std::snprintf(text, sizeof text,
+                  "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+                  "TransformMatrix = %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g\n"
+                  "Offset = %.12g %.12g %.12g\nDistanceUnits = %s\nElementSpacing = %.12g %.12g %.12g\n"
+                  "DimSize = 4 3 2\nElementType = MET_SHORT\nElementDataFile = LOCAL\n",
+                  d[0].x, d[0].y, d[0].z, d[1].x, d[1].y, d[1].z, d[2].x, d[2].y, d[2].z, first.x / mm, first.y / mm,
+                  first.z / mm, unit.name.c_str(), spacing[0] / mm, spacing[1] / mm, spacing[2] / mm);
+    return text;
+}
+
 TEST_F(Placement, OfMetaImageIsTheSameInEachUnit) {
-    for (const auto& [name, mm] : units) {
-        SCOPED_TRACE(name);
-        char text[800];
-        const std::array<Vec3, 3> d{rotate(askew, axes[0]), rotate(askew, axes[1]), rotate(askew, axes[2])};
-        std::snprintf(text, sizeof text,
-                      "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
-                      "TransformMatrix = %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g\n"
-                      "Offset = %.12g %.12g %.12g\nDistanceUnits = %s\nElementSpacing = %.12g %.12g %.12g\n"
-                      "DimSize = 4 3 2\nElementType = MET_SHORT\nElementDataFile = LOCAL\n",
-                      d[0].x, d[0].y, d[0].z, d[1].x, d[1].y, d[1].z, d[2].x, d[2].y, d[2].z, first.x / mm,
-                      first.y / mm, first.z / mm, name.c_str(), spacing[0] / mm, spacing[1] / mm, spacing[2] / mm);
-        expect_placed("a.mha", text, {1, 1, 1});
+    for (const Unit& unit : units) {
+        SCOPED_TRACE(unit.name);
+        expect_placed("a.mha", meta_image(unit), {1, 1, 1});
     }
 }
 
