@@ -71,7 +71,7 @@ std::vector<TissueRegion> read_regions(const Node& node, bool has_shell, const s
 std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, const std::vector<PhantomPart>& parts,
                                  Report& report) {
     std::vector<Tissue> tissues;
-    UniqueIds ids;
+    UniqueIds ids("tissue");
     const std::vector<Node>& items = read_list(node, "tissues", report);
     if (items.size() > KERF_MAX_TISSUES)
         report.error(text::Code::out_of_range, items[KERF_MAX_TISSUES].span,
@@ -133,7 +133,7 @@ void add_solids_of(const Node& name, const std::vector<Tissue>& tissues, Zone& z
 
 std::vector<Zone> read_zones(const Node& node, const std::vector<Tissue>& tissues, Report& report) {
     std::vector<Zone> zones;
-    UniqueIds ids;
+    UniqueIds ids("zone");
     for (const Node& item : read_named(&node, "zones", ids, report)) {
         Zone zone;
         zone.id = item.key;

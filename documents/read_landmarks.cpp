@@ -44,7 +44,7 @@ const std::vector<Node>& read_named(const Node* node, const std::string& name, U
 
 void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
     MapReader map(node, shapes::landmarks, "landmarks", report);
-    UniqueIds ids;  // a step names a landmark of any sort
+    UniqueIds ids("landmark");  // a step names a landmark of any sort
     for (const Node& item : read_named(map.find("points"), "landmarks.points", ids, report)) {
         LandmarkPoint& point = anatomy.points.emplace_back(LandmarkPoint{.id = item.key});
         read_map(item, shapes::point, item.key, point, report);

@@ -190,7 +190,7 @@ private:
     }
 
     void read_steps() {
-        UniqueIds ids;
+        UniqueIds ids("step");
         if (const Node* steps = map_.find("steps"))
             for (const Node& item : read_list(*steps, "steps", report_)) {
                 procedure_.steps.push_back(read_step(item, reading_));
@@ -219,7 +219,12 @@ text::Result<ProcedureDraft> draft_of_text(const std::string& file, std::string 
         if (kind == nullptr || kind->text == "Procedure") correct_keys(document->root, shapes::procedure, report);
     };
     correct();
+    const auto problems_before = static_cast<std::ptrdiff_t>(found.size());
     if (document->root.kind == Node::Kind::map) apply(changes, *document, found);
+    if (!changes.variant.empty() && text::has_error({found.begin() + problems_before, found.end()})) {
+        merge_repeated(found);  // half of a variant was applied: what else is wrong follows from that
+        return found;
+    }
     if (changes.any()) correct();
     Report report(*document, found);
     MapReader map(document->root, shapes::procedure, "", report);
@@ -230,6 +235,7 @@ text::Result<ProcedureDraft> draft_of_text(const std::string& file, std::string 
     draft.procedure.variant = changes.variant;
     if (changes.any()) draft.procedure.text = emitted(*document, false);
     draft.is_sound = !text::has_error(found);
+    drop_lost_names(found);
     merge_repeated(found);
     return {std::move(draft), std::move(found)};
 }

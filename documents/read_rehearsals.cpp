@@ -317,7 +317,7 @@ std::vector<Rehearsal> read_rehearsals(const Node* paths, const Node* rehearsals
     if (paths != nullptr) reader.read_paths(*paths);
     if (rehearsals == nullptr) return read;
     const LimitNames limits = limit_names(reading);
-    UniqueIds ids;
+    UniqueIds ids("rehearsal");
     for (const Node& item : read_list(*rehearsals, "rehearsals", reading.report)) {
         read.push_back(read_rehearsal(item, limits, reading, reader));
         ids.add_own(read.back().id, item, reading.report);

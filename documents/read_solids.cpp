@@ -273,7 +273,7 @@ std::vector<Solid> read_solids(const Node& node, const std::string& name, Report
 
 std::vector<PhantomPart> read_parts(const Node& node, const std::string& where, Report& report) {
     std::vector<PhantomPart> parts;
-    UniqueIds ids;
+    UniqueIds ids("part");
     for (const Node& item : read_list(node, where, report)) {
         MapReader map(item, shapes::part, item_name(item, "part"), report);
         PhantomPart part;

@@ -199,8 +199,8 @@ bool follows_from_base(const text::Diagnostic& d, const text::Diagnostics& base)
                            (of_base.code == text::code_text(text::Code::missing_key) ||
                             of_base.code == text::code_text(text::Code::malformed_word)) &&
                            of_base.message.starts_with("step");
-        const bool is_same_name =
-            !is_path && of_base.code == d.code && !name.empty() && of_base.message.find(name) != std::string::npos;
+        const bool is_same_name = of_base.code.starts_with("E03") && (is_path || of_base.code == d.code) &&
+                                  !name.empty() && of_base.message.find(name) != std::string::npos;
         return is_section || is_id || is_same_name;
     });
 }

@@ -251,7 +251,7 @@ const std::vector<Node>& read_list(const Node& node, const std::string& name, Re
 
 std::vector<std::string> read_ids(const Node& node, const std::string& name, Report& report) {
     std::vector<std::string> ids;
-    UniqueIds unique;
+    UniqueIds unique("name");
     for (const Node& item : read_list(node, name, report))
         if (const std::optional<std::string> id = read_id(item, "A name in " + name, report))
             if (unique.add(*id, item.span, report)) ids.push_back(*id);
@@ -268,8 +268,9 @@ bool read_key(const Node& child, const std::string& name, Report& report) {
 bool UniqueIds::add(const std::string& id, TextSpan span, Report& report) {
     const auto [first, is_new] = ids_.try_emplace(id, span);
     if (is_new) return true;
-    report.error(text::Code::duplicate_id, span, "The name `" + id + "` is used twice. Give this one another name.", {},
-                 report.because(first->second, "it is used here first."));
+    report.error(text::Code::duplicate_id, span,
+                 "The " + sort_ + " `" + id + "` is there twice. Give this one another name.", {},
+                 report.because(first->second, "the first one is here."));
     return false;
 }
 

@@ -90,6 +90,8 @@ bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report&
 /// Ids that must differ.
 class UniqueIds {
 public:
+    /// @param sort   of what the ids name, for messages: "step"
+    explicit UniqueIds(std::string sort) : sort_(std::move(sort)) {}
     /// Reports an `id` that is there already, and returns false.
     bool add(const std::string& id, TextSpan span, Report& report);
     /// Adds the id of an item of a list, if it has one.
@@ -98,6 +100,7 @@ public:
     }
 
 private:
+    std::string sort_;
     std::map<std::string, TextSpan> ids_;
 };
 

@@ -74,6 +74,18 @@ INSTANTIATE_TEST_SUITE_P(Keys, SingleMistake,
                                          Mistake{"\nrehearsals:", "\ntrials:", "E0203", ""},
                                          Mistake{"\nzones:", "\nregions:", "E0203", "", "anatomy/vertebra-l3.yaml"}));
 
+INSTANTIATE_TEST_SUITE_P(OfTwoParts, SingleMistake,
+                         testing::Values(Mistake{"  pilot:\n", "  pilott:\n", "E0306", "pilott"},
+                                         Mistake{"- id: opening\n", "- id: pilot-hole\n", "E0208", "opening"},
+                                         Mistake{"instruments.tap.param", "instruments.tpa.param", "E0212",
+                                                 "instruments.tap.parameters.outer_diameter:"},
+                                         Mistake{"rehearsals.medial-breach: ~\n", "rehearsals.medial-breech: ~\n",
+                                                 "E0212", "rehearsals.medial-breach:"},
+                                         Mistake{
+                                             "instruments.opener.plugin: kerf.burring\n      instruments.opener.tool",
+                                             "instruments.openr.plugin: kerf.burring\n      instruments.openr.tool",
+                                             "E0212", "instruments.opener.plugin:"}));
+
 TEST(SingleMistakes, ListTheLinesOfTheSameName) {
     const text::Diagnostics found = found_in({"  straight:\n", "  strait:\n", "", ""});
     ASSERT_EQ(found.size(), 1u) << to_text(found);
