@@ -3,22 +3,37 @@
 
 #include <cstddef>
 
+#include "app/worker.h"
+
 namespace kerf::app {
 
 namespace {
 
 volatile std::sig_atomic_t is_noted = 0;  // a signal handler can only reach globals
 
-void note(int) { is_noted = 1; }
+// Of each signal of Interruption: how many came from the terminal or another process, and how many the parent passed
+// on. A terminal sends each one to parent and child, so the greater number counts.
+volatile std::sig_atomic_t came_directly[NSIG], was_passed_on[NSIG];
+
+void note(int signal, siginfo_t* info, void*) {
+    volatile std::sig_atomic_t& count = is_passed_on(*info) ? was_passed_on[signal] : came_directly[signal];
+    count = count + 1;
+    is_noted = 1;
+    if (count < 2) return;
+    std::signal(signal, SIG_DFL);
+    raise(signal);
+}
 
 }  // namespace
 
 Interruption::Interruption() {
     is_noted = 0;
     struct sigaction action {};
-    action.sa_handler = &note;
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    action.sa_sigaction = &note;
+    action.sa_flags = SA_SIGINFO | SA_RESTART;
     for (std::size_t i = 0; i < signals.size(); ++i) {
+        came_directly[signals[i]] = 0;
+        was_passed_on[signals[i]] = 0;
         is_taken_[i] = sigaction(signals[i], nullptr, &before_[i]) == 0 && before_[i].sa_handler != SIG_IGN;
         if (is_taken_[i]) sigaction(signals[i], &action, nullptr);
     }

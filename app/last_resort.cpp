@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "app/standard_streams.h"
+#include "core/plugin/process_notes.h"
 #include "text/system_reason.h"
 
 namespace kerf::app {
@@ -60,7 +61,10 @@ bool report_current_exception() {
 }
 
 [[noreturn]] void end() {
-    if (std::current_exception() != nullptr && report_current_exception()) _exit(exit_fault);
+    if (std::current_exception() != nullptr && report_current_exception()) {
+        say_last_word(exit_fault);
+        _exit(exit_fault);
+    }
     std::abort();
 }
 

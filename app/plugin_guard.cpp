@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/plugin_guard.h"
 
+#include <pthread.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -26,6 +27,8 @@ namespace {
 constexpr int exit_fault = 3;
 constexpr auto poll_interval = std::chrono::milliseconds(100);
 constexpr int polls_until_hung = 50;  // 5 s, counted in polls: a program that was stopped and continued has not hung
+// A law has a fraction of a millisecond. One that takes over 10 ms a call for 10 s makes a run without an end.
+constexpr int polls_of_window = 100, min_calls_of_window = 1000, max_polls_outside = 5;
 constexpr std::size_t stack_size = 256 << 10;
 
 [[noreturn]] void leave(int status) noexcept {
@@ -85,16 +88,15 @@ const char* name_of_signal(int signal) noexcept {
 
     const ComponentName name = name_of(now.component);
     static FixedText<240> detail;  // into the record: no path
-    detail << (name.plugin != nullptr ? name.plugin->id.c_str() : "a plugin") << ": `" << to_text(now.call) << "` of `"
-           << name.component << "` " << what;
+    detail << (name.is_known() ? name.plugin : "a plugin") << ": `" << to_text(now.call) << "` of `" << name.component
+           << "` " << what;
     if (*words != '\0') detail << ": " << words;
     const session::SavedRecord saved =
         session::Recorder::save_what_is_open(session::plugin_failed_event, detail.c_str());
 
     static FixedText<6000> text;
-    text << "kerf: plugin " << (name.plugin != nullptr ? name.plugin->file.c_str() : "") << " ("
-         << (name.plugin != nullptr ? name.plugin->path.c_str() : "of unknown path") << "): `" << to_text(now.call)
-         << "` of `" << name.component << "` " << what;
+    text << "kerf: plugin " << name.plugin << " (" << (name.is_known() ? name.path : "of unknown path") << "): `"
+         << to_text(now.call) << "` of `" << name.component << "` " << what;
     if (*words != '\0') text << ": " << words;
     text << ". Mend it, or take it out of its folder.";
     text.end_line();
@@ -104,18 +106,41 @@ const char* name_of_signal(int signal) noexcept {
         text.end_line();
     }
     text.print();
+    say_last_word(exit_fault);
     leave(exit_fault);
 }
 
-/// Handles faults of a plugin on this thread; leaves others to the previous handler.
+/// Closes the record of a program that crashed in Kerf's own code, which a plugin may have damaged. The parent names
+/// it.
+void save_after_crash(int signal) noexcept {
+    static std::atomic<bool> is_saving{false};
+    if (is_saving.exchange(true)) return;  // it has crashed again
+    alarm(10);
+    const CallInProgress last = last_call();
+    const ComponentName name = name_of(last.component);
+    static FixedText<240> detail;
+    detail << "It " << name_of_signal(signal) << " outside of its plugins";
+    if (last.call != PluginCall::none)
+        detail << "; the last call was `" << to_text(last.call) << "` of `" << name.component << "`, plugin "
+               << (name.is_known() ? name.plugin : "unknown");
+    static_cast<void>(session::Recorder::save_what_is_open(session::crashed_event, detail.c_str()));
+}
+
+/// Names a plugin that faults on this thread. Other faults end the program as without a guard, with a record.
 void on_signal(int signal) {
     if (is_calling_plugin()) end_by(call_in_progress(), name_of_signal(signal), "");
+    save_after_crash(signal);
     std::signal(signal, SIG_DFL);
     raise(signal);  // delivered when this handler returns
 }
 
 void on_exit() {
     if (is_calling_plugin()) end_by(call_in_progress(), "ended the program (`exit`)", "");
+}
+
+/// A copy of the program would write the same record.
+void on_fork() {
+    if (is_calling_plugin()) end_by(call_in_progress(), "made a copy of the program (`fork`)", "");
 }
 
 void on_throw(const char* words) { end_by(call_in_progress(), "threw an exception", words); }
@@ -140,7 +165,8 @@ void on_terminate() {
 }  // namespace
 
 PluginGuard::PluginGuard() : stack_(std::make_unique<std::byte[]>(stack_size)) {
-    static const bool is_registered = std::atexit(&on_exit) == 0 && std::at_quick_exit(&on_exit) == 0;
+    static const bool is_registered = std::atexit(&on_exit) == 0 && std::at_quick_exit(&on_exit) == 0 &&
+                                      pthread_atfork(&on_fork, nullptr, nullptr) == 0;
     static_cast<void>(is_registered);
     stack_t stack{};
     stack.ss_sp = stack_.get();
@@ -171,23 +197,43 @@ PluginGuard::~PluginGuard() {
     sigaltstack(&none, nullptr);
 }
 
-/// A call that is the same in `polls_until_hung` polls has hung. Only calls into plugins have a number, so loading,
-/// import and Kerf's own work have no time limit.
+namespace {
+
+/// The calls of one thread, in polls.
+class CallWatch {
+public:
+    /// A call that is the same in `polls_until_hung` polls has hung. Only calls into plugins have a number, so loading,
+    /// import and Kerf's own work have no time limit.
+    void check(const CallInProgress& now) {
+        const bool is_law =
+            now.call == PluginCall::begin || now.call == PluginCall::resist || now.call == PluginCall::commit;
+        polls_ = now.call != PluginCall::none && now.count == count_ ? polls_ + 1 : 0;
+        count_ = now.count;
+        if (polls_ >= polls_until_hung) end_by(now, "did not come back within 5 s", "");
+
+        if (is_law) last_of_law_ = now;
+        window_outside_ += !is_law;
+        if (++window_polls_ < polls_of_window) return;
+        if (window_outside_ <= max_polls_outside && now.count - window_begin_ < min_calls_of_window)
+            end_by(last_of_law_, "took over 10 ms a call for 10 s", "");
+        window_polls_ = window_outside_ = 0;
+        window_begin_ = now.count;
+    }
+
+private:
+    std::uint64_t count_ = 0, window_begin_ = 0;
+    int polls_ = 0, window_polls_ = 0, window_outside_ = 0;
+    CallInProgress last_of_law_;
+};
+
+}  // namespace
+
 void PluginGuard::watch() {
-    struct Seen {
-        std::uint64_t count = 0;
-        int polls = 0;
-    };
-    std::array<Seen, max_calling_threads> seen{};
+    std::array<CallWatch, max_calling_threads> threads{};
     std::unique_lock lock(mutex_);
     while (!stop_.wait_for(lock, poll_interval, [&] { return is_stopping_; }))
-        for (std::size_t thread = 0; thread < seen.size(); ++thread) {
-            const CallInProgress now = call_in_progress_of(thread);
-            Seen& last = seen[thread];
-            last.polls = now.call != PluginCall::none && now.count == last.count ? last.polls + 1 : 0;
-            last.count = now.count;
-            if (last.polls >= polls_until_hung) end_by(now, "did not come back within 5 s", "");
-        }
+        for (std::size_t thread = 0; thread < threads.size(); ++thread)
+            threads[thread].check(call_in_progress_of(thread));
 }
 
 }  // namespace kerf::app

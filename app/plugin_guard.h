@@ -14,7 +14,7 @@ namespace kerf::app {
 
 /// While this lives, a plugin that crashes, throws, aborts, exits or does not return from a call within 5 s ends the
 /// program in order: the guard closes the record of the run, names plugin, path and call on stderr, and exits with 3.
-/// Faults of Kerf's own code end the program as without a guard.   [main] one at a time
+/// Faults of Kerf's own code end the program as without a guard, after the record is closed.   [main] one at a time
 class PluginGuard {
 public:
     PluginGuard();

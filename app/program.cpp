@@ -17,6 +17,7 @@
 #include "app/plugin_folders.h"
 #include "app/plugin_guard.h"
 #include "app/standard_streams.h"
+#include "app/worker.h"
 
 namespace kerf::app {
 
@@ -55,12 +56,15 @@ std::vector<std::string> plugin_folders_of(const Installation& here) {
 }
 
 ExitCode with_plugins(const Installation& here, const std::function<ExitCode(const PluginRegistry&)>& run) {
-    PluginRegistry plugins;
-    plugins.scan(plugin_folders_of(here));
-    for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
-    for (const auto& note : plugins.notes()) print_error(note + "\n");
-    const PluginGuard guard;  // after loading, which needs a process of one thread
-    return run(plugins);
+    return run_in_worker([&] {
+        // Never unloaded: what a plugin does then has no say in a result that is written.
+        static PluginRegistry& plugins = *new PluginRegistry;
+        plugins.scan(plugin_folders_of(here));
+        for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
+        for (const auto& note : plugins.notes()) print_error(note + "\n");
+        const PluginGuard guard;  // after loading, which needs a process of one thread
+        return run(plugins);
+    });
 }
 
 ExitCode become_program_of(const std::string& command, const Installation& here, char** argv) {

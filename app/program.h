@@ -32,7 +32,8 @@ template <class T>
     });
 }
 
-/// Loads the plugins and calls `run` while a PluginGuard lives. Prints each plugin that it refused.   [main]
+/// Loads the plugins and calls `run` in a worker (app/worker.h), while a PluginGuard lives. Prints each plugin that it
+/// refused.   [main]
 [[nodiscard]] ExitCode with_plugins(const Installation& here,
                                     const std::function<ExitCode(const PluginRegistry&)>& run);
 

@@ -6,6 +6,7 @@
 #include "bone/surface/write_stl.h"
 #include "core/field/surface/bone_surface.h"
 #include "core/haptics/loop/stated_device.h"
+#include "core/plugin/process_notes.h"
 #include "run/exact/exact_files.h"
 #include "session/clock_picture.h"
 #include "session/envelope.h"
@@ -96,6 +97,7 @@ std::unique_ptr<SessionFiles> SessionFiles::create(const Scene& scene, const Run
     files->recorder_ = std::move(created.recorder);
     if (files->recorder_ == nullptr) return nullptr;
     files->made_.keep();
+    note_record(request.out + "/session.db");
     return files;
 }
 

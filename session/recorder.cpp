@@ -20,6 +20,9 @@
 namespace kerf::session {
 namespace {
 
+/// A process that ends at once loses less than this in lock-step: half a second of the operation.
+constexpr std::uint64_t max_unwritten_ticks = 500;
+
 /// Copies as much as fits, without cutting a UTF-8 character.
 template <std::size_t N>
 void copy_text(char (&to)[N], const std::string& from) noexcept {
@@ -91,7 +94,10 @@ Recorder::Created Recorder::create(const std::string& path, const SessionHeader&
 }
 
 void Recorder::push(const TickRow& row) noexcept {
-    if (!impl_->ticks.push(row)) impl_->lost_ticks.fetch_add(1, std::memory_order_relaxed);
+    if (impl_->ticks.push(row))
+        ++impl_->pushed_ticks;
+    else
+        impl_->lost_ticks.fetch_add(1, std::memory_order_relaxed);
 }
 
 void Recorder::push_cut(const CutRow& cut) noexcept {
@@ -112,9 +118,16 @@ bool Recorder::wait_for_capacity() {
     const auto any_filled = [&](std::size_t parts) {
         return is_filled(impl_->ticks, parts) || is_filled(impl_->cuts, parts) || is_filled(impl_->events, parts);
     };
+    const auto unwritten = [&] { return impl_->pushed_ticks - impl_->written_ticks.load(std::memory_order_acquire); };
+    const auto can_wait = [&] { return !impl_->has_writer_ended.load(std::memory_order_acquire); };
+    if (unwritten() == Impl::batch_rows) {
+        const std::lock_guard lock(impl_->mutex);  // the writer is not between its check and its sleep
+        impl_->wake.notify_all();
+    }
+    while (unwritten() >= max_unwritten_ticks && can_wait())
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
     if (any_filled(2))
-        while (any_filled(4) && !impl_->has_writer_ended.load(std::memory_order_acquire))
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        while (any_filled(4) && can_wait()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return !impl_->is_failed.load(std::memory_order_acquire);
 }
 

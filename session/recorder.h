@@ -35,6 +35,8 @@ inline constexpr const char *lost_event = "device.lost", *back_event = "device.b
 inline constexpr const char* late_change_event = "loop.late_change";
 /// A plugin ended the run; the detail has the plugin, the call and the kind of failure.
 inline constexpr const char* plugin_failed_event = "run.plugin_failed";
+/// The program crashed outside of its plugins; the detail has the signal and the last call of a plugin.
+inline constexpr const char* crashed_event = "run.crashed";
 /// Part of every file that a run writes.
 inline constexpr const char* notice_line =
     "For training and research; not for diagnosis, planning or deciding treatment";
@@ -93,8 +95,8 @@ struct SavedRecord {
 ///
 /// The loop pushes rows into queues of 8192 rows. A thread of the recorder takes them out and commits at least every
 /// 100 ms. After `kill -9` the file still opens and lacks at most the last 0.25 s by the clock. A run in lock-step is
-/// faster than the clock and loses at most half a queue, 4096 ticks. A power cut loses the rows after the last
-/// checkpoint: 5 s by the clock, or 8 MB.
+/// faster than the clock and loses at most 500 ticks, half a second of the operation. A power cut loses the rows after
+/// the last checkpoint: 5 s by the clock, or 8 MB.
 ///
 /// The writer compresses the rows of ticks and cuts in blocks (session/block_writer.h), and `finish` compresses the
 /// rest. If the disk has no space for a block, its rows stay plain.
@@ -122,8 +124,8 @@ public:
     /// Returns the event with its texts cut as by push_event.   [any]
     [[nodiscard]] static EventRow as_kept(EventRow event);
 
-    /// Waits in lock-step until the queues have capacity for the next few thousand rows. Returns at once if they are
-    /// less than half full. Returns false if the file cannot be written any more.   [the pushing thread, may block]
+    /// Waits in lock-step until less than 500 ticks are not written yet and the queues are less than half full. Call it
+    /// after each tick. Returns false if the file cannot be written any more.   [the pushing thread, may block]
     bool wait_for_capacity();
 
     [[nodiscard]] RecorderLosses losses() const noexcept;

@@ -38,6 +38,7 @@ inline SqliteStatement& operator<<(SqliteStatement& row, std::int32_t value) { r
 struct Recorder::Impl {
     static constexpr std::size_t ring_rows = 8192;  ///< 8 s at 1 kHz
     static constexpr std::size_t event_rows = 1024;
+    static constexpr std::size_t batch_rows = 250;  ///< of each kind in one transaction
 
     Impl() : ticks(ring_rows), cuts(ring_rows), events(event_rows) {}
 
@@ -46,6 +47,8 @@ struct Recorder::Impl {
     SpscRing<CutRow> cuts;
     SpscRing<EventSlot> events;
     std::atomic<std::uint64_t> lost_ticks{0}, lost_cuts{0}, lost_events{0};
+    std::uint64_t pushed_ticks = 0;               ///< of the pushing thread
+    std::atomic<std::uint64_t> written_ticks{0};  ///< in the file, or given up after a disk error
 
     // The file. The writer uses it while it runs, the caller before and after.
     std::string path;
@@ -56,7 +59,7 @@ struct Recorder::Impl {
     std::optional<BlockWriter> tick_blocks, cut_blocks;
 
     std::thread writer, checkpointer;
-    std::mutex mutex;  ///< of `wake` alone; the loop never locks it
+    std::mutex mutex;  ///< of `wake` alone; a loop on the clock never locks it
     std::condition_variable wake;
     std::atomic<bool> is_stopping{false};
     std::atomic<bool> is_failed{false};

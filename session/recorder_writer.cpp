@@ -20,7 +20,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr std::size_t batch_rows = 250;
 constexpr auto batch_time = milliseconds(100);  // with the time of a commit, well below the promised 0.25 s
 constexpr auto poll_time = milliseconds(10);
 // Merging the -wal file into the session waits for the disk. It has its own thread, so that a commit never waits. The
@@ -98,6 +97,7 @@ bool Recorder::Impl::write_batch() {
         events.pop();
     }
     commit.run();
+    written_ticks.fetch_add(tick_count, std::memory_order_release);
     if (database.is_good()) {
         tick_blocks->work();
         cut_blocks->work();
@@ -127,7 +127,8 @@ void Recorder::Impl::write_until_stopped() {
             continue;
         }
         std::unique_lock lock(mutex);
-        wake.wait_for(lock, poll_time, [&] { return is_stopping.load(std::memory_order_acquire); });
+        wake.wait_for(lock, poll_time,
+                      [&] { return is_stopping.load(std::memory_order_acquire) || ticks.size() >= batch_rows; });
     }
 }
 

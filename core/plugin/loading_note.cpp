@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/plugin/process_notes.h"
+
 namespace kerf {
 
 namespace {
@@ -33,6 +35,7 @@ void show(const char* what) noexcept {
     write_all(note, static_cast<std::size_t>(note_size));
     write_all(what, std::strlen(what));
     write_all(ending, sizeof ending - 1);
+    say_last_word(exit_fault);
 }
 
 void on_signal(int signal) {

@@ -2,18 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
+#include "core/plugin/process_notes.h"
 #include "kerf/abi.h"
 #include "kerf/device.h"
 #include "kerf/remesh.h"
 
 /// Functions for calls into plugins, so that a crash, an exit or a loop in a call can be attributed to its plugin.
 namespace kerf {
-
-enum class PluginCall : std::uint32_t { none, shape, begin, resist, commit, remesh, find, open, read, write, close };
-[[nodiscard]] const char* to_text(PluginCall call) noexcept;  // [any]
 
 /// Calls a tool's `shape`.   [main]
 [[nodiscard]] kerf_status call_shape(const kerf_component& tool, const double* parameters,
@@ -43,39 +39,9 @@ void call_write(const kerf_component& driver, void* device, const kerf_device_co
 /// Calls a driver's `close`.   [main]
 void call_close(const kerf_component& driver, void* device) noexcept;
 
-/// A call in progress. A run on the clock calls laws on two threads, each with states of its own.
-struct CallInProgress {
-    PluginCall call = PluginCall::none;
-    const kerf_component* component = nullptr;
-    std::uint64_t count = 0;  ///< number of calls of its thread so far, this one included: it identifies the call
-};
-/// Number of threads whose calls are kept apart. More than these take the index of an earlier one.
-inline constexpr std::size_t max_calling_threads = 16;
-/// Returns the call of this thread, else one of another thread, or `none`.   [any] async-signal-safe
-[[nodiscard]] CallInProgress call_in_progress() noexcept;
-/// Returns the call of one of the threads, 0 … `max_calling_threads` − 1, or `none`.   [any]
-[[nodiscard]] CallInProgress call_in_progress_of(std::size_t thread) noexcept;
-/// Returns whether the calling thread is the one inside the plugin.   [any] async-signal-safe
-[[nodiscard]] bool is_calling_plugin() noexcept;
-
 /// Sets the handler of an exception that leaves a plugin's function. The handler gets the exception's text, empty if it
 /// has none, and must not return. Null: std::terminate() is called.   [main]
 using ThrowHandler = void (*)(const char* words);
 void set_throw_handler(ThrowHandler handler) noexcept;
-
-/// The names of a loaded plugin and of its components, for messages. They stay valid after the plugin is unloaded.
-struct PluginName {
-    std::string id, file, path;
-    std::vector<std::string> components;
-};
-void register_components(const kerf_entry& entry, const std::string& path);  // [main]
-void unregister_components(const kerf_entry* entry) noexcept;                // [main] before it is unloaded
-
-/// The plugin and the id of a component. `plugin` is null if no loaded plugin has the component.
-struct ComponentName {
-    const PluginName* plugin = nullptr;
-    const char* component = "";
-};
-[[nodiscard]] ComponentName name_of(const kerf_component* component) noexcept;  // [any] async-signal-safe
 
 }  // namespace kerf

@@ -332,6 +332,8 @@ void Reading::complete() {
     if (last_event_.id == plugin_failed_event)
         run_.missing =
             "A plugin ended the run. " + last_event_.detail + ". Nothing was judged and the bone is not drawn.";
+    if (last_event_.id == crashed_event)
+        run_.missing = "The run crashed. " + last_event_.detail + ". Nothing was judged and the bone is not drawn.";
     // A run that ended while it wrote its result left a part of it.
     summary.steps.clear();
     summary.metrics.clear();

@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plugin with one fault, `kerf_how`, which each library brings along; "nothing_wrong" is sound. A burr of 3 mm whose
-// law is one channel along its shaft. A fault of its law comes at tick 300, when some of a run is recorded.
+// law is one channel along its shaft. A fault of its law comes at tick 1000, when some of a run is recorded.
+#include <fenv.h>
 #include <stdlib.h>
+#include <sys/syscall.h>
+#include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <thread>
+#include <utility>
 
 #include "kerf/abi.h"
 #include "kerf/units.hpp"
@@ -25,9 +33,12 @@ namespace {
 const std::string_view how = kerf_how;
 bool is(std::string_view fault) { return how == fault; }
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-constexpr std::uint64_t fault_tick = 300;
+constexpr std::uint64_t fault_tick = 1000;
 
 volatile int sink = 0;
+bool has_misbehaved = false;
+
+bool is_first() { return !std::exchange(has_misbehaved, true); }
 
 [[gnu::noinline]] int fall(int depth) { return depth < 0 ? sink : fall(depth + 1) + sink; }
 
@@ -48,7 +59,26 @@ void misbehave(std::string_view place) {
         for (;;) sink = sink + 1;
     if (does("sleeps"))
         for (;;) sleep(1000);
+    if (does("leaves_by_a_system_call")) syscall(SYS_exit_group, 0);
+    if (does("becomes_another_program")) execl("/bin/true", "true", nullptr);
+    if (does("kills_itself")) raise(SIGKILL);
+    if (does("stops_itself")) raise(SIGSTOP);
+    if (does("forks") && is_first() && fork() == 0) _exit(0);
+    if (does("copies_itself") && is_first()) syscall(SYS_fork);
+    if (does("leaves_on_a_thread")) std::thread([] { _exit(0); }).join();
+    if (does("crashes_on_a_thread")) std::thread([] { *reinterpret_cast<volatile int*>(sink + 16) = 1; }).join();
+    if (does("leaves_at_exit") && is_first()) std::atexit([] { _exit(0); });
+    if (does("sleeps_at_exit") && is_first()) std::atexit([] { sleep(1000); });
+    if (does("sets_an_alarm")) {
+        const itimerval soon{{0, 1000}, {0, 1000}};
+        setitimer(ITIMER_REAL, &soon, nullptr);
+    }
+    if (does("turns_traps_on")) feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_INEXACT);
+    if (does("drags")) usleep(50000);
 }
+
+/// Writes `size` bytes behind the end of an array.
+void overrun(void* end, std::size_t size) { std::memset(end, 0x5a, size); }
 
 void wait_for(double seconds) {
     timespec start, now;
@@ -115,6 +145,7 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     law->count = 1;
     if (!is_time) return KERF_OK;
     misbehave("resist");
+    if (is("overruns_channels")) overrun(law->channel + KERF_MAX_CHANNELS, 16000);
     if (is("nan_delta")) c.delta = nan_value;
     if (is("nan_wrench")) law->wrench[3] = nan_value;
     if (is("negative_stiffness")) c.k = -5.0;
@@ -138,11 +169,15 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     return KERF_OK;
 }
 
-kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void*, kerf_commit_out* out) {
+kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* state, kerf_commit_out* out) {
     // Not while the host runs the tool up in air, before there is a run.
-    if (in->tick >= fault_tick && advance->channel_count > 0) misbehave("commit");
+    const bool is_time = in->tick >= fault_tick && advance->channel_count > 0;
+    if (is_time) misbehave("commit");
     out->action[0] = {KERF_ACTION_CUT, 0};
     out->action_count = 1;
+    if (is_time && is("overruns_actions")) overrun(out->action + KERF_MAX_ACTIONS, 16000);
+    if (is_time && is("overruns_signals")) overrun(out->signal + KERF_MAX_SIGNALS, 16000);
+    if (is_time && is("overruns_state")) overrun(static_cast<State*>(state) + 1, 16000);
     out->signal[0] = is("nan_signal") ? nan_value : 1.0;
     out->signal[1] = 0.0;
     if (is("unknown_event")) out->action[out->action_count++] = {KERF_ACTION_EVENT, 99};

@@ -47,7 +47,7 @@ rehearsals:
     title: Along the axis
     expect: pass
     hand: {feed: 5 mm/s, approach: 20 mm/s, push: 50 N, reaction: 150 ms}
-    path: [{depth: -3 mm}, {depth: 2 mm}, {depth: -3 mm}]
+    path: [{depth: -20 mm}, {depth: 2 mm}, {depth: -3 mm}]
 )";
     }
     [[nodiscard]] Ended kerf(const std::string& command) const {
@@ -117,6 +117,8 @@ INSTANTIATE_TEST_SUITE_P(
                     InARun{"exits_in_commit", "`commit` of `burring` ended the program (`exit`)"},
                     InARun{"quick_exits_in_resist", "`resist` of `burring` ended the program (`exit`)"},
                     InARun{"leaves_in_resist", "`resist` of `burring` ended the program (`_exit`)"},
+                    InARun{"forks_in_resist", "`resist` of `burring` made a copy of the program (`fork`)"},
+                    InARun{"drags_in_resist", "`resist` of `burring` took over 10 ms a call for 10 s"},
                     InARun{"loops_in_resist", "`resist` of `burring` did not come back within 5 s"},
                     InARun{"sleeps_in_commit", "`commit` of `burring` did not come back within 5 s"}),
     [](const auto& tested) { return std::string(tested.param.how); });
@@ -125,8 +127,65 @@ TEST(PluginGuard, KeepsEveryTickBeforeTheCrash) {
     const Zoo zoo("crashes_in_resist");
     ASSERT_EQ(zoo.run().exit_code, 3);
     EXPECT_FALSE(std::filesystem::exists(zoo.out() + "/session.db-wal")) << "closed to one file";
-    EXPECT_EQ(number_in(zoo.out() + "/session.db", "SELECT count(*) FROM ticks"), 300) << "the fault is in tick 300";
+    EXPECT_EQ(number_in(zoo.out() + "/session.db", "SELECT count(*) FROM ticks"), 1000) << "the fault is in tick 1000";
     EXPECT_EQ(number_in(zoo.out() + "/session.db", "SELECT count(*) FROM events WHERE id='run.plugin_failed'"), 1);
+}
+
+/// Ends of the program that no handler in it sees.
+class EndsSilently : public testing::TestWithParam<InARun> {};
+
+TEST_P(EndsSilently, IsNamedByTheParentWithTheTicks) {
+    const auto& [how, says] = GetParam();
+    const Zoo zoo(how);
+    const Ended run = zoo.run();
+    EXPECT_EQ(run.exit_code, 3) << run.out << run.err;
+    EXPECT_FALSE(has(run.out, "verdict")) << run.out;
+    EXPECT_TRUE(has(run.err, "test.hostile (" + zoo.plugin() + ")")) << run.err;
+    EXPECT_TRUE(has(run.err, says)) << run.err;
+    EXPECT_TRUE(has(run.err, "kept in " + zoo.out() + "/session.db")) << run.err;
+    EXPECT_GE(number_in(zoo.out() + "/session.db", "SELECT count(*) FROM ticks"), 500) << "0.5 s before tick 1000";
+
+    const Ended report = zoo.kerf("report " + zoo.out() + "/session.db");
+    EXPECT_EQ(report.exit_code, 0) << report.err;
+    EXPECT_TRUE(has(contents_of(zoo.out() + "/report.html"), "Nothing was judged") ||
+                has(contents_of(zoo.out() + "/report.html"), "nothing was judged"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    PluginGuard, EndsSilently,
+    testing::Values(
+        InARun{"leaves_by_a_system_call_in_resist", "`resist` of `burring` ended the program with exit code 0"},
+        InARun{"becomes_another_program_in_resist", "`resist` of `burring` ended the program with exit code 0"},
+        InARun{"kills_itself_in_commit", "`commit` of `burring` ended the program by SIGKILL"},
+        InARun{"stops_itself_in_resist", "`resist` of `burring` stopped the program for 5 s"},
+        InARun{"leaves_on_a_thread_in_resist", "`resist` of `burring` ended the program with exit code 0"},
+        InARun{"crashes_on_a_thread_in_resist", "`resist` of `burring` ended the program by SIGSEGV"},
+        InARun{"sets_an_alarm_in_resist", "ended the program by SIGALRM"},
+        InARun{"turns_traps_on_in_resist",
+               "Kerf's own code ended the program by SIGFPE, without a result. The last call was `resist`"},
+        InARun{"overruns_channels", "The last call was `resist` of `burring`"},
+        InARun{"overruns_actions", "The last call was `commit` of `burring`"},
+        InARun{"overruns_signals", "The last call was `commit` of `burring`"},
+        InARun{"overruns_state", "The last call was `commit` of `burring`"}),
+    [](const auto& tested) { return std::string(tested.param.how); });
+
+TEST(PluginGuard, GivesNoExitCodeToWhatAPluginDoesAtTheEnd) {
+    for (const char* how : {"leaves_at_exit_in_resist", "sleeps_at_exit_in_resist", "copies_itself_in_resist"}) {
+        const Zoo zoo(how);
+        const Ended run = zoo.run();
+        EXPECT_EQ(run.exit_code, 0) << how << run.err;
+        EXPECT_TRUE(has(run.out, "verdict: pass")) << how << run.out;
+    }
+}
+
+TEST(PluginGuard, EndsOtherCommandsWithoutAResultLikewise) {
+    const Zoo zoo("leaves_by_a_system_call_in_shape");
+    for (const std::string command : {"validate ", "rehearse ", "run "}) {
+        const Ended ended = zoo.kerf(command + zoo.procedure());
+        EXPECT_EQ(ended.exit_code, 3) << command << ended.out;
+        EXPECT_TRUE(has(ended.err, "`shape` of `burr` ended the program with exit code 0, without a result"))
+            << ended.err;
+    }
 }
 
 TEST(PluginGuard, EndsRehearseAndStabilityLikewise) {

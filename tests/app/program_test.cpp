@@ -183,10 +183,11 @@ TEST(Program, ReportsFromTheSessionAloneByteForByteAndIntoNoOtherFile) {
     EXPECT_TRUE(contents_of(elsewhere / "session.db") == session);
 }
 
-/// A run in a process of its own, held from the moment it has a session until it gets SIGCONT.
+/// A run in a process group of its own, stopped from the moment it has a session until the group gets SIGCONT.
 pid_t begun_and_held(const std::string& out, const std::string& log) {
     const pid_t child = fork();
     if (child == 0) {
+        setpgid(0, 0);
         if (std::freopen(log.c_str(), "w", stdout) == nullptr ||
             std::freopen((log + ".err").c_str(), "w", stderr) == nullptr)
             _exit(127);
@@ -195,7 +196,7 @@ pid_t begun_and_held(const std::string& out, const std::string& log) {
     }
     for (int i = 0; i < 12'000 && !std::filesystem::exists(out + "/session.db-wal"); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    kill(child, SIGSTOP);
+    kill(-child, SIGSTOP);
     return child;
 }
 
@@ -230,8 +231,8 @@ TEST(Program, InterruptedARunWritesWhatWasDoneAndNobodyElseMayWriteThereMeanwhil
     EXPECT_EQ(second.exit_code, 2);
     EXPECT_TRUE(has(second.err, "is being written by another run")) << second.err;
 
-    kill(child, SIGINT);
-    kill(child, SIGCONT);
+    kill(-child, SIGINT);  // to the program and its worker, as a terminal does: this is one interruption
+    kill(-child, SIGCONT);
     EXPECT_EQ(exit_code_of(child), 3);
     EXPECT_TRUE(has(contents_of(folder / "log.err"), "interrupted")) << contents_of(folder / "log.err");
     const std::string summary = contents_of(out + "/summary.json");
