@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/plugin/guarded_memory.h"
 #include "core/plugin/plugin_call.h"
 #include "session/recorder.h"
 
@@ -127,8 +128,12 @@ void save_after_crash(int signal) noexcept {
 }
 
 /// Names a plugin that faults on this thread. Other faults end the program as without a guard, with a record.
-void on_signal(int signal) {
-    if (is_calling_plugin()) end_by(call_in_progress(), name_of_signal(signal), "");
+void on_signal(int signal, siginfo_t* info, void*) {
+    if (is_calling_plugin()) {
+        const bool is_of_memory = signal == SIGSEGV || signal == SIGBUS;
+        const char* const misuse = is_of_memory ? misuse_of(info->si_addr) : nullptr;
+        end_by(call_in_progress(), misuse != nullptr ? misuse : name_of_signal(signal), "");
+    }
     save_after_crash(signal);
     std::signal(signal, SIG_DFL);
     raise(signal);  // delivered when this handler returns
@@ -173,8 +178,8 @@ PluginGuard::PluginGuard() : stack_(std::make_unique<std::byte[]>(stack_size)) {
     stack.ss_size = stack_size;
     sigaltstack(&stack, nullptr);
     struct sigaction action {};
-    action.sa_handler = &on_signal;
-    action.sa_flags = SA_ONSTACK;
+    action.sa_sigaction = &on_signal;
+    action.sa_flags = SA_ONSTACK | SA_SIGINFO;
     for (const int signal : signals) sigaddset(&action.sa_mask, signal);
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
     set_throw_handler(&on_throw);

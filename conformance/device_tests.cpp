@@ -16,12 +16,12 @@
 
 #include "conformance/device_reports.h"
 #include "conformance/device_trial.h"
-#include "conformance/guarded_memory.h"
 #include "conformance/process_state.h"
 #include "conformance/subject.h"
 #include "conformance/test_groups.h"
 #include "conformance/words.h"
 #include "core/haptics/watch/watch.h"
+#include "core/plugin/guarded_memory.h"
 #include "core/plugin/plain_text.h"
 #include "core/plugin/plugin_call.h"
 

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "conformance/guarded_memory.h"
 #include "conformance/plane_bone.h"
 #include "conformance/subject.h"
 #include "conformance/words.h"
 #include "core/haptics/law/channel.h"
 #include "core/haptics/watch/watch.h"
+#include "core/plugin/guarded_memory.h"
 
 namespace kerf::conformance {
 

@@ -22,6 +22,7 @@
 #include <iterator>
 #include <memory>
 
+#include "core/plugin/guarded_memory.h"
 #include "core/plugin/plain_text.h"
 #include "core/plugin/plugin_call.h"
 
@@ -96,14 +97,6 @@ private:
     std::size_t count_ = 0;
 };
 
-struct NamedMemory {
-    const char* begin = nullptr;
-    std::size_t size = 0;
-    const char* what = nullptr;
-};
-std::array<NamedMemory, 2048> named_memory;
-std::size_t named_memory_count = 0;
-
 /// "in `resist` of `burring`", or where else.
 FixedText& add_call(FixedText& text) noexcept {
     const CallInProgress call = call_in_progress();
@@ -142,12 +135,8 @@ void on_crash(int signal, siginfo_t* info, void*) {
     add_call(text);
     if (signal == SIGSEGV || signal == SIGBUS) {
         const auto* at = static_cast<const char*>(info->si_addr);
-        const NamedMemory* found = nullptr;
-        for (std::size_t i = 0; i < named_memory_count; ++i)
-            if (at >= named_memory[i].begin && at < named_memory[i].begin + named_memory[i].size)
-                found = &named_memory[i];
-        if (found != nullptr)
-            text << ": " << found->what;
+        if (const char* misuse = misuse_of(at); misuse != nullptr)
+            text << ": " << misuse;
         else if (reinterpret_cast<std::uintptr_t>(at) < 65536)
             text << ": it used a null pointer";
     }
@@ -252,15 +241,11 @@ std::string tail_of(int file) {
 
 }  // namespace
 
-void name_memory(const void* begin, std::size_t size, const char* what) noexcept {
-    if (named_memory_count < named_memory.size())
-        named_memory[named_memory_count++] = {static_cast<const char*>(begin), size, what};
-}
-
 Sandbox::Sandbox(const std::function<std::string()>& work, const Limits& limits) : limits_(limits), started_(now()) {
     int pipe[2];
     if (pipe2(pipe, O_CLOEXEC | O_NONBLOCK) != 0) return;
     output_ = memfd_create("output", MFD_CLOEXEC);
+    std::fflush(nullptr);  // or the child prints it again
     child_ = output_ < 0 ? -1 : fork();
     if (child_ == 0) {
         close(pipe[0]);

@@ -59,8 +59,4 @@ private:
 /// `Sandbox`, waited for.   [main]
 [[nodiscard]] Ended run_in_child(const std::function<std::string()>& work, const Limits& limits = {});
 
-/// Names memory of the kit, so that a plugin's crash there can be explained; the last name counts. The text must
-/// outlive the process.   [any] at most 2048; further ones are not named
-void name_memory(const void* begin, std::size_t size, const char* what) noexcept;
-
 }  // namespace kerf::conformance

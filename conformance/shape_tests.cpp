@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "conformance/guarded_memory.h"
 #include "conformance/law_walk.h"
 #include "conformance/parameter_sets.h"
 #include "conformance/subject.h"
 #include "conformance/test_groups.h"
+#include "core/plugin/guarded_memory.h"
 #include "core/plugin/plain_text.h"
 #include "core/plugin/plugin_call.h"
 

@@ -74,6 +74,10 @@ void misbehave(std::string_view place) {
         setitimer(ITIMER_REAL, &soon, nullptr);
     }
     if (does("turns_traps_on")) feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_INEXACT);
+    if (does("breaks_the_heap") && is_first()) {
+        void* volatile memory = malloc(24);
+        std::memset(memory, 0x5a, 100000);
+    }
     if (does("drags")) usleep(50000);
 }
 
@@ -145,7 +149,8 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     law->count = 1;
     if (!is_time) return KERF_OK;
     misbehave("resist");
-    if (is("overruns_channels")) overrun(law->channel + KERF_MAX_CHANNELS, 16000);
+    if (is("overruns_channels")) overrun(law->channel + KERF_MAX_CHANNELS, sizeof(kerf_channel));
+    if (is("overruns_note")) overrun(law->note + KERF_NOTE_BYTES, 1);
     if (is("nan_delta")) c.delta = nan_value;
     if (is("nan_wrench")) law->wrench[3] = nan_value;
     if (is("negative_stiffness")) c.k = -5.0;
@@ -175,8 +180,8 @@ kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* st
     if (is_time) misbehave("commit");
     out->action[0] = {KERF_ACTION_CUT, 0};
     out->action_count = 1;
-    if (is_time && is("overruns_actions")) overrun(out->action + KERF_MAX_ACTIONS, 16000);
-    if (is_time && is("overruns_signals")) overrun(out->signal + KERF_MAX_SIGNALS, 16000);
+    if (is_time && is("overruns_actions")) overrun(out->action + KERF_MAX_ACTIONS, sizeof(kerf_action));
+    if (is_time && is("overruns_signals")) overrun(out->signal + 2, 8);
     if (is_time && is("overruns_state")) overrun(static_cast<State*>(state) + 1, 16000);
     out->signal[0] = is("nan_signal") ? nan_value : 1.0;
     out->signal[1] = 0.0;

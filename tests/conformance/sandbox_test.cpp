@@ -2,13 +2,14 @@
 #include "conformance/sandbox.h"
 
 #include <gtest/gtest.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+
+#include "core/plugin/guarded_memory.h"
 
 namespace kerf::conformance {
 namespace {
@@ -42,9 +43,10 @@ TEST(Sandbox, NamesACrash) {
 
 TEST(Sandbox, NamesTheMemoryThatWasMisused) {
     const Ended ended = run_in_child([] {
-        void* const page = mmap(nullptr, 4096, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        name_memory(page, 4096, "it wrote to the inputs");
-        *static_cast<volatile int*>(page) = 1;
+        GuardedMemory memory;
+        void* const inputs = memory.allocate(sizeof(int), alignof(int), "it wrote beyond the inputs");
+        memory.make_read_only("it wrote to the inputs");
+        *static_cast<volatile int*>(inputs) = 1;
         return std::string();
     });
     EXPECT_NE(ended.text.find("it wrote to the inputs"), std::string::npos) << ended.text;

@@ -15,17 +15,18 @@ namespace kerf {
 namespace {
 
 /// Returns the first fault in the plugin's answer, or `What::none`.
-LawFault fault_of(const kerf_component& force, kerf_status status, const kerf_law& law) noexcept {
+LawFault fault_of(const kerf_component& force, kerf_status status, const kerf_law& law,
+                  const kerf_channel* channels) noexcept {
     using What = LawFault::What;
     if (status != KERF_OK) return {.what = What::status, .law = &force, .value = static_cast<double>(status)};
     if (law.count > KERF_MAX_CHANNELS)
         return {.what = What::count, .law = &force, .value = static_cast<double>(law.count)};
     for (std::uint32_t c = 0; c < law.count; ++c)
-        if (const ChannelFault fault = kerf::fault_of(law.channel[c]); fault.field != nullptr)
+        if (const ChannelFault fault = kerf::fault_of(channels[c]); fault.field != nullptr)
             return {.what = What::channel,
                     .law = &force,
                     .index = c,
-                    .id = law.channel[c].id,
+                    .id = channels[c].id,
                     .field = fault.field,
                     .expected = fault.expected,
                     .value = fault.value};
@@ -60,17 +61,19 @@ void add_walls(const Surroundings& around, EvaluatedLaw& law) noexcept {
 
 }  // namespace
 
-LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, const void* state,
+LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, LawMemory& memory,
                       const Surroundings& around, CallTimes& times, EvaluatedLaw& result) noexcept {
-    kerf_law law{sizeof(kerf_law), 0, result.channel.data(), {}, {}};
+    kerf_law& law = memory.new_law();
+    const kerf_channel* const channels = law.channel;
     const std::uint64_t begun = clock_count();
-    const kerf_status status = call_resist(force, in, state, law);
+    const kerf_status status = call_resist(force, in, memory.state(), law);
     times.add(clock_count() - begun);
     result.count = result.law_count = 0;
     result.is_at_region_wall = false;
     result.metal_channel = -1;
-    if (const LawFault fault = fault_of(force, status, law); fault.what != LawFault::What::none) return fault;
+    if (const LawFault fault = fault_of(force, status, law, channels); fault.what != LawFault::What::none) return fault;
     result.count = result.law_count = law.count;
+    std::copy_n(channels, law.count, result.channel.begin());
     std::copy(std::begin(law.wrench), std::end(law.wrench), result.wrench.begin());
     std::copy(std::begin(law.note), std::end(law.note), result.note.begin());
     add_walls(around, result);

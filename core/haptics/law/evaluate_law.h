@@ -15,6 +15,7 @@
 #include "core/haptics/law/law_fault.h"
 #include "core/haptics/law/solve.h"
 #include "core/haptics/law/tool.h"
+#include "core/plugin/law_memory.h"
 
 namespace kerf {
 
@@ -43,8 +44,8 @@ struct Surroundings {
 
 /// Evaluates the law at the tool's pose and adds the contact channels of region, metal, sleeve and held body. Returns
 /// the law's fault, or `What::none` if it is sound. With a fault, `result` has no channels. Adds the duration of the
-/// plugin's call to `times`.   [haptic, nonblocking]
-[[nodiscard]] LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, const void* state,
+/// plugin's call to `times`. `memory` has the state.   [haptic, nonblocking]
+[[nodiscard]] LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, LawMemory& memory,
                                     const Surroundings& around, CallTimes& times, EvaluatedLaw& result) noexcept;
 
 }  // namespace kerf

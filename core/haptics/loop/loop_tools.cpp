@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/plugin/law_memory.h"
 #include "core/plugin/plugin_call.h"
 
 namespace kerf {
@@ -14,7 +15,7 @@ LoopTools::LoopTools(std::vector<Tool> tools) : tools_(std::move(tools)) {
     std::size_t size = 0;
     for (const Tool& tool : tools_)
         size = std::max<std::size_t>(size, tool.setup.force->force->state_size + tool.setup.force->force->state_align);
-    state_storage_ = std::make_unique<std::byte[]>(size);
+    memory_ = std::make_unique<LawMemory>(size);
     resist_times_.resize(tools_.size());
 }
 
@@ -30,16 +31,13 @@ void LoopTools::take(std::size_t tool) noexcept {
 }
 
 void LoopTools::begin(const kerf_bone_query& bone, double dt, std::uint64_t tick) noexcept {
-    const kerf_force& force = *setup().force->force;
-    void* aligned = state_storage_.get();
-    std::size_t space = force.state_size + force.state_align;
-    state_ = static_cast<std::byte*>(std::align(force.state_align, force.state_size, aligned, space));
+    memory_->fit(*setup().force->force);
     solid_ = outline().solid();
     std::fill(std::begin(signals_), std::end(signals_), 0.0);
     drives_.fill(0.0);
     std::copy(setup().drives.begin(), setup().drives.end(), drives_.begin());
     const kerf_tick_in in = tick_in(bone, dt, tick);
-    call_begin(*setup().force, in, state_);
+    call_begin(*setup().force, in, memory_->state());
 }
 
 void LoopTools::command_drive(std::size_t drive, double value) noexcept {
@@ -57,14 +55,14 @@ kerf_tick_in LoopTools::tick_in(const kerf_bone_query& bone, double dt, std::uin
 }
 
 bool LoopTools::evaluate(const Surroundings& around, double dt, std::uint64_t tick) noexcept {
-    const LawFault fault = evaluate_law(*setup().force, tick_in(around.view.query(), dt, tick), state_, around,
+    const LawFault fault = evaluate_law(*setup().force, tick_in(around.view.query(), dt, tick), *memory_, around,
                                         resist_times_[in_hand_], law_);
     return fault.what == LawFault::What::none || reject(fault);
 }
 
 kerf_status LoopTools::evaluate_with(const kerf_bone_query& bone, double dt, std::uint64_t tick,
                                      kerf_law& law) const noexcept {
-    return call_resist(*setup().force, tick_in(bone, dt, tick), state_, law);
+    return call_resist(*setup().force, tick_in(bone, dt, tick), memory_->state(), law);
 }
 
 bool LoopTools::reject(LawFault fault) noexcept {
@@ -83,15 +81,15 @@ CommittedLaw LoopTools::commit(const AppliedMotion& applied, const kerf_bone_que
     std::copy(applied.following.begin(), applied.following.end(), advance.following);
     advance.note = law_.note.data();
 
-    CommittedLaw committed;
-    kerf_commit_out out{};
-    out.size = sizeof out;
-    out.action = committed.action.data();
-    out.signal = signals_;
-    out.thread = &committed.thread;
+    kerf_commit_out& out = memory_->new_commit_out();
+    const kerf_commit_out given = out;  // the plugin may have changed the pointers
     const kerf_tick_in in = tick_in(bone, applied.dt, tick);
-    static_cast<void>(call_commit(*setup().force, in, advance, state_, out));
+    static_cast<void>(call_commit(*setup().force, in, advance, memory_->state(), out));
+    CommittedLaw committed;
     committed.action_count = std::min(out.action_count, KERF_MAX_ACTIONS);
+    std::copy_n(given.action, committed.action_count, committed.action.begin());
+    std::copy_n(given.signal, setup().force->force->signal_count, signals_);
+    committed.thread = *given.thread;
     committed.has_thread = out.thread_count > 0;
     return committed;
 }

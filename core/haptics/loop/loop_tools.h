@@ -12,6 +12,7 @@
 #include "core/haptics/law/evaluate_law.h"
 #include "core/haptics/law/law_fault.h"
 #include "core/haptics/law/tool.h"
+#include "core/plugin/law_memory.h"
 
 namespace kerf {
 
@@ -76,7 +77,7 @@ public:
     [[nodiscard]] const LawFault& fault() const noexcept { return fault_; }
     [[nodiscard]] const double* signals() const noexcept { return signals_; }
     /// Returns the plugin's state, as bytes.
-    [[nodiscard]] const std::byte* state() const noexcept { return state_; }
+    [[nodiscard]] const std::byte* state() const noexcept { return memory_->state(); }
     /// Returns one line of text for each law that was slower than it declares: see `over_budget`.   [main]
     [[nodiscard]] std::vector<std::string> laws_over_budget() const;
 
@@ -87,8 +88,7 @@ private:
     std::size_t in_hand_ = 0;
     std::array<double, KERF_MAX_DRIVES> drives_{};  ///< as commanded
     kerf_solid solid_{};                            ///< of the tool in hand
-    std::unique_ptr<std::byte[]> state_storage_;    ///< large enough for every law
-    std::byte* state_ = nullptr;
+    std::unique_ptr<LawMemory> memory_;             ///< large enough for every law
     double signals_[KERF_MAX_SIGNALS]{};
     EvaluatedLaw law_;
     LawFault fault_;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "core/plugin/law_memory.h"
 #include "core/plugin/plugin_call.h"
 
 namespace kerf {
@@ -49,18 +50,13 @@ void nearest_endless(const kerf_bone*, const kerf_vec3*, std::uint32_t count, ke
 }
 
 /// Commits the law for up to 10 s of ticks in air, so that a powered tool reaches its speed.
-void run_up(const ToolSetup& setup, kerf_tick_in in, void* state) {
+void run_up(const ToolSetup& setup, kerf_tick_in in, LawMemory& memory) {
     constexpr int longest = 10000;  // ticks
-    double signals[KERF_MAX_SIGNALS];
-    kerf_action actions[KERF_MAX_ACTIONS];
     kerf_advance advance{};
     advance.size = sizeof advance;
-    kerf_thread thread{};
-    kerf_commit_out out{sizeof(kerf_commit_out), 0, actions, signals, &thread, 0, 0};
     for (int i = 0; i < longest; ++i) {
         in.tick = static_cast<std::uint64_t>(i);
-        out.action_count = 0;
-        if (call_commit(*setup.force, in, advance, state, out) != KERF_OK) return;
+        if (call_commit(*setup.force, in, advance, memory.state(), memory.new_commit_out()) != KERF_OK) return;
     }
 }
 
@@ -69,8 +65,7 @@ void run_up(const ToolSetup& setup, kerf_tick_in in, void* state) {
 struct EndlessBoneLaw::State {
     const ToolSetup* setup;
     std::uint32_t tissues;
-    std::unique_ptr<std::byte[]> storage;
-    void* law = nullptr;
+    std::unique_ptr<LawMemory> law;
     ToolOutline outline;
     kerf_solid solid{};
 };
@@ -84,16 +79,14 @@ EndlessBoneLaw::EndlessBoneLaw(const ToolSetup& setup, std::size_t tissues) : st
     state.solid = state.outline.solid();
 
     const kerf_force& force = *setup.force->force;
-    std::size_t space = force.state_size + force.state_align;
-    state.storage = std::make_unique<std::byte[]>(space);
-    void* storage = state.storage.get();
-    state.law = std::align(force.state_align, force.state_size, storage, space);
+    state.law = std::make_unique<LawMemory>(force.state_size + force.state_align);
+    state.law->fit(force);
     const kerf_bone_query air{sizeof(kerf_bone_query), state.tissues, 1.0,    &sample_air,
                               &nearest_endless,        nullptr,       nullptr};
     kerf_tick_in in_air = tick_in_of(setup, air, HapticLoop::dt);
     in_air.outline = &state.solid;
-    call_begin(*setup.force, in_air, state.law);
-    run_up(setup, in_air, state.law);
+    call_begin(*setup.force, in_air, state.law->state());
+    run_up(setup, in_air, *state.law);
 }
 
 EndlessBoneLaw::~EndlessBoneLaw() = default;
@@ -110,9 +103,9 @@ double EndlessBoneLaw::force(std::size_t material, double density, double feed_r
                                 reinterpret_cast<const kerf_bone*>(&endless)};
     kerf_tick_in in = tick_in_of(*state_->setup, query, HapticLoop::dt);
     in.outline = &state_->solid;
-    kerf_channel channels[KERF_MAX_CHANNELS];
-    kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
-    if (call_resist(*state_->setup->force, in, state_->law, law) != KERF_OK) return 0.0;
+    kerf_law& law = state_->law->new_law();
+    const kerf_channel* const channels = law.channel;
+    if (call_resist(*state_->setup->force, in, state_->law->state(), law) != KERF_OK) return 0.0;
     double along = 0.0;
     for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)
         if (is_sound(channels[c]))

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace kerf::conformance {
+namespace kerf {
 
 /// Memory that ends where a page ends: what reads or writes beyond it crashes, and the crash is named.   [main]
 class GuardedMemory {
@@ -14,8 +14,9 @@ public:
     GuardedMemory(const GuardedMemory&) = delete;
     GuardedMemory& operator=(const GuardedMemory&) = delete;
 
-    /// Returns `size` bytes aligned to `alignment`, a power of two; up to `alignment` − 1 bytes behind them may be
-    /// touched unnoticed. `beyond` says what was done wrong by whoever touches the page behind.
+    /// Returns `size` bytes of zeros aligned to `alignment`, a power of two; up to `alignment` − 1 bytes behind them
+    /// may be touched unnoticed. `beyond` describes the mistake of code that touches the page behind; it must outlive
+    /// the process. Throws std::bad_alloc.
     void* allocate(std::size_t size, std::size_t alignment, const char* beyond);
     /// The same, with a copy of `values`.
     template <class T>
@@ -24,9 +25,9 @@ public:
         for (std::size_t i = 0; i < count; ++i) to[i] = values[i];
         return to;
     }
-    /// Forbids writing to what was allocated last. `written` says what was done wrong by whoever writes.
+    /// Forbids writing to what was allocated last. `written` describes the mistake of code that writes.
     void make_read_only(const char* written);
-    /// Forbids touching any of it. `touched` says what was done wrong by whoever does.
+    /// Forbids touching any of it. `touched` describes the mistake of code that does so.
     void forbid(const char* touched);
 
 private:
@@ -37,4 +38,8 @@ private:
     std::vector<Pages> all_;
 };
 
-}  // namespace kerf::conformance
+/// Returns the mistake of code that touches this address, or null if no guarded memory has it. Of 4096 ranges; further
+/// ones have no name.   [any] async-signal-safe
+[[nodiscard]] const char* misuse_of(const void* address) noexcept;
+
+}  // namespace kerf
