@@ -17,6 +17,10 @@ struct FileFault {
 /// and a device may deliver bytes without end. Never throws.   [main]
 [[nodiscard]] std::optional<FileFault> fault_of_file(const std::string& file);
 
+/// Returns the path of the file that a link leads to, over all further links; `file` itself if it is not a link, or
+/// leads to no file. Never throws.   [main]
+[[nodiscard]] std::string target_of_link(const std::string& file);
+
 /// Opens a regular file to read its bytes. For any other file, returns a failed stream and opens nothing. Never throws.
 /// [main]
 [[nodiscard]] std::ifstream open_regular_file(const std::string& file);
