@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "documents/waypoint_nodes.h"
 #include "text/codes.h"
 
 namespace kerf::documents {
@@ -15,7 +17,10 @@ struct ListLimit {
     std::string_view path;  ///< keys; `*` is every item
     std::size_t max;
     std::string_view noun, advice;
+    bool is_of_all = false;  ///< counts the items of all lists at this path together
 };
+
+constexpr std::size_t max_waypoints = max_followed;
 
 constexpr std::string_view remove_some = "Remove some";
 
@@ -34,6 +39,9 @@ constexpr std::array limits{
     ListLimit{"steps.*.allow", 64, "allowed zones", remove_some},
     ListLimit{"paths", 256, "paths", remove_some},
     ListLimit{"rehearsals", 256, "rehearsals", remove_some},
+    // Each is read again for each variant.
+    ListLimit{"paths.*", max_waypoints, "waypoints in `paths`", "Write shorter paths", true},
+    ListLimit{"rehearsals.*.path", max_waypoints, "waypoints in the rehearsals", "Write shorter paths", true},
     // Each is read and checked like a procedure.
     ListLimit{"variants", 32, "variants", "Move some into a procedure of their own"},
     // Anatomies
@@ -50,33 +58,61 @@ constexpr std::array limits{
     ListLimit{"zones.*", 256, "solids of a zone", "Combine some"},
 };
 
-/// Reports a list that is too long, at its first item beyond the limit. Returns false if there is one.
-bool is_short(const Node& node, std::string_view path, const ListLimit& limit, Report& report) {
-    if (path.empty()) {
-        if (node.children.size() <= limit.max) return true;
-        const Node& first = node.children[limit.max];
-        report.error(text::Code::out_of_range, node.kind == Node::Kind::map ? first.key_span : first.span,
-                     "There are too many " + std::string(limit.noun) + ": got " + std::to_string(node.children.size()) +
-                         ", expected at most " + std::to_string(limit.max) + ". " + std::string(limit.advice) + ".");
-        return false;
-    }
+/// Adds the lists at a path, in the order of the document.
+void find_lists(const Node& node, std::string_view path, std::vector<const Node*>& lists) {
+    if (path.empty()) return lists.push_back(&node);
     const std::size_t dot = path.find('.');
     const std::string_view key = path.substr(0, dot);
     const std::string_view rest = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
     if (key == "*") {
-        bool are_short = true;
-        for (const Node& child : node.children) are_short = is_short(child, rest, limit, report) && are_short;
-        return are_short;
+        for (const Node& child : node.children) find_lists(child, rest, lists);
+    } else if (const Node* const found = node.find(key); found != nullptr) {
+        find_lists(*found, rest, lists);
     }
-    const Node* const found = node.find(key);
-    return found == nullptr || is_short(*found, rest, limit, report);
+}
+
+/// Reports that a list, or several together, have `count` items, at the first item beyond the limit.
+void refuse(const Node& list, std::size_t first_beyond, std::size_t count, const ListLimit& limit, Report& report) {
+    const Node& first = list.children[first_beyond];
+    report.error(text::Code::out_of_range, list.kind == Node::Kind::map ? first.key_span : first.span,
+                 "There are too many " + std::string(limit.noun) + ": got " + std::to_string(count) +
+                     ", expected at most " + std::to_string(limit.max) + ". " + std::string(limit.advice) + ".");
+}
+
+bool are_all_short(const std::vector<const Node*>& lists, const ListLimit& limit, Report& report) {
+    std::size_t sum = 0;
+    for (const Node* list : lists) sum += list->children.size();
+    if (sum <= limit.max) return true;
+    std::size_t before = 0;
+    for (const Node* list : lists) {
+        if (before + list->children.size() > limit.max) {
+            refuse(*list, limit.max - before, sum, limit, report);
+            break;
+        }
+        before += list->children.size();
+    }
+    return false;
+}
+
+/// Reports lists that are too long. Returns false if there is one.
+bool are_short_at(const Node& root, const ListLimit& limit, Report& report) {
+    std::vector<const Node*> lists;
+    find_lists(root, limit.path, lists);
+    if (limit.is_of_all) return are_all_short(lists, limit, report);
+    bool are_short = true;
+    for (const Node* list : lists) {
+        if (list->children.size() <= limit.max) continue;
+        refuse(*list, limit.max, list->children.size(), limit, report);
+        are_short = false;
+    }
+    return are_short;
 }
 
 }  // namespace
 
 bool are_lists_short(const Node& root, Report& report) {
     bool are_short = true;
-    for (const ListLimit& limit : limits) are_short = is_short(root, limit.path, limit, report) && are_short;
+    for (const ListLimit& limit : limits) are_short = are_short_at(root, limit, report) && are_short;
     return are_short;
 }
 

@@ -10,6 +10,7 @@
 namespace kerf::documents {
 
 /// The most waypoints that all rehearsals together may take from `paths`: a small document must not become a large one.
+/// As many may be written in all `paths`, and in the `path` of all rehearsals.
 inline constexpr std::size_t max_followed = 10'000;
 
 /// Returns the nodes of the waypoints of a rehearsal's `path`, in the order of `Rehearsal::path`. An item that follows

@@ -64,6 +64,20 @@ TEST(ListLimits, RefuseALongProcedureAtOnce) {
                     "There are too many instruments: got 9000, expected at most 64.");
     expect_too_many(error_of_procedure("rehearsals:\n" + repeated(3000, "  r", ": {}")),
                     "There are too many rehearsals");
+    const std::string too_many = "got 12000, expected at most 10000. Write shorter paths.";
+    const std::string waypoints = repeated(12000, "      - {depth: ", " mm}");
+    expect_too_many(error_of_procedure("rehearsals:\n  - id: r\n    path:\n" + waypoints),
+                    "There are too many waypoints in the rehearsals: " + too_many);
+    expect_too_many(error_of_procedure("paths:\n  a:\n" + waypoints),
+                    "There are too many waypoints in `paths`: " + too_many);
+}
+
+TEST(ListLimits, CountTheWaypointsOfAllRehearsals) {
+    std::string half = "    path:\n" + repeated(5000, "      - {depth: ", " mm}");
+    const auto error =
+        error_of_procedure("rehearsals:\n  - id: r\n" + half + "  - id: s\n" + half + "      - {step: s}\n");
+    expect_too_many(error, "There are too many waypoints in the rehearsals: got 10001, expected at most 10000.");
+    EXPECT_EQ(error.place.line, 2 + 1 + 2 * (2 + 5000) + 1);
 }
 
 TEST(ListLimits, RefuseALongAnatomyAtOnce) {
