@@ -221,7 +221,10 @@ ExitCode print_privacy(const PrivacyOptions& options, const Environment& /*with*
             continue;
         }
         print(privacy_text(file, report, options.shows_values));
-        if (!report.findings.empty()) worst = std::max(worst, exit_not_passed);
+        const ExitCode of_file = report.is_partial          ? exit_bad_input
+                                 : !report.findings.empty() ? exit_not_passed
+                                                            : exit_pass;
+        worst = std::max(worst, of_file);
     }
     return worst;
 }

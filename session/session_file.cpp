@@ -3,16 +3,12 @@
 
 #include <sqlite3.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <filesystem>
-#include <system_error>
 
 #include "session/recorder.h"
 #include "session/sqlite_reason.h"
 #include "text/file_kind.h"
 #include "text/regular_file.h"
-#include "text/write_file.h"
 
 namespace kerf::session {
 
@@ -35,25 +31,7 @@ bool computes(const SessionHandle& database, const std::string& table) {
     return false;
 }
 
-std::uint64_t size_of(const std::string& path) {
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path, error);
-    return error ? 0 : size;
-}
-
-/// Returns a path for SQLite's `file:` names, with `?`, `#` and `%` escaped.
-std::string in_uri(const std::string& path) {
-    std::string safe;
-    for (const char c : path) safe += c == '?' ? "%3f" : c == '#' ? "%23" : c == '%' ? "%25" : std::string(1, c);
-    return safe;
-}
-
-// Steps of SQLite's virtual machine. A tick takes fewer than 100 and has at least 20 bytes.
-constexpr int steps_at_once = 1000;
-constexpr std::int64_t min_steps = 1'000'000, steps_per_byte = 16;
-
-constexpr const char *name_another = " Name a session.db that a run has written.",
-                     *cannot_be_opened = ": cannot be opened. Name a session.db that a run has written.";
+constexpr const char* name_another = " Name a session.db that a run has written.";
 
 }  // namespace
 
@@ -112,28 +90,6 @@ std::string_view SessionQuery::bytes_view(int column) const {
 
 // ---- a file ------------------------------------------------------------------------------------------------------
 
-SessionFile::~SessionFile() { sqlite3_close(database_); }
-
-int SessionFile::is_over(void* self) {
-    auto& left = static_cast<SessionFile*>(self)->steps_left_;
-    left -= steps_at_once;
-    return left < 0 ? 1 : 0;
-}
-
-std::string refusal_of_side_files(const std::string& path) {
-    for (const char* suffix : {"-wal", "-journal", "-shm"}) {
-        const std::string file = path + suffix;
-        std::error_code error;
-        const std::filesystem::file_type type = std::filesystem::symlink_status(file, error).type();
-        if (type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found) continue;
-        const auto fault = text::fault_of_file(file);
-        return file + ": " +
-               (fault && type != std::filesystem::file_type::symlink ? fault->problem : "this is a link.") +
-               " Move it away: next to a database, SQLite writes regular files.";
-    }
-    return {};
-}
-
 std::string SessionFile::outside_reason() const {
     return outside_reason_.empty() ? std::string() : path_ + ": cannot be read: " + outside_reason_ + ".";
 }
@@ -144,37 +100,10 @@ std::string SessionFile::open(const std::string& path, const std::vector<std::st
         return path + ": cannot be opened: there is no such file." + name_another;
     else if (found.kind != text::FileKind::session && !found.name.empty())
         return path + ": is not a Kerf session: " + text::other_kind_text(found, "the session.db of a run");
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) return path + cannot_be_opened;
     if (const auto fault = text::fault_of_file(path)) return path + ": " + fault->problem + name_another;
-    if (std::string refusal = refusal_of_side_files(path); !refusal.empty()) return refusal;
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (!is_own && text::is_being_written(folder.empty() ? "." : folder.string()))
-        return path + ": a run is writing it. Wait until that has ended.";
-    if (!open_database()) return outside_reason_.empty() ? path + cannot_be_opened : outside_reason();
+    if (std::string refusal = database_.open(path, is_own); !refusal.empty()) return refusal;
     std::string refusal = refusal_of_contents(tables);
     return outside_reason_.empty() ? refusal : outside_reason();
-}
-
-/// A finished session is one file. It is opened as immutable: without locks, so without files next to it. The -wal file
-/// of a killed run is part of its session. With it, SQLite keeps in memory the data that it would otherwise write to
-/// the folder.
-bool SessionFile::open_database() {
-    const std::uint64_t of_wal = size_of(path_ + "-wal");
-    bytes_ = size_of(path_) + of_wal;
-    const int code = of_wal == 0 ? sqlite3_open_v2(("file:" + in_uri(path_) + "?immutable=1").c_str(), &database_,
-                                                   SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr)
-                                 : sqlite3_open_v2(path_.c_str(), &database_, SQLITE_OPEN_READONLY, "unix-none");
-    if (code != SQLITE_OK) {
-        outside_reason_ = session::outside_reason(database_, code);
-        return false;
-    }
-    sqlite3_db_config(database_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
-    sqlite3_exec(database_, "PRAGMA temp_store=MEMORY", nullptr, nullptr, nullptr);  // reading needs no other disk
-    if (of_wal > 0) sqlite3_exec(database_, "PRAGMA locking_mode=EXCLUSIVE", nullptr, nullptr, nullptr);
-    steps_left_ = min_steps + steps_per_byte * static_cast<std::int64_t>(bytes_);
-    sqlite3_progress_handler(database_, steps_at_once, &SessionFile::is_over, this);
-    return true;
 }
 
 std::string SessionFile::refusal_of_contents(const std::vector<std::string>& tables) {

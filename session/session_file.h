@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "session/untrusted_database.h"
+
 struct sqlite3;
 struct sqlite3_stmt;
 
@@ -50,43 +52,27 @@ private:
     int code_ = 0;
 };
 
-/// Returns why SQLite's files next to a database may not be opened, for people: one of them is not a regular file. A
-/// FIFO would wait for a writer for ever. Empty if all are regular or missing. Never throws.   [any]
-[[nodiscard]] std::string refusal_of_side_files(const std::string& path);
-
-/// An untrusted session file, opened for reading. Nothing is written to it or to its folder, which may be read-only.
-/// Rows in the -wal file of a killed run are read, too. A query whose work is out of proportion to the file's size is
-/// stopped and fails.
+/// An untrusted session file, opened for reading as an UntrustedDatabase.
 class SessionFile {
 public:
-    SessionFile() = default;
-    ~SessionFile();
-    SessionFile(const SessionFile&) = delete;
-    SessionFile& operator=(const SessionFile&) = delete;
-
     /// Opens the file. Returns the reason if it cannot, for people: no session, another schema, tables that compute
-    /// their rows, or a run that still writes it. `is_own`: the run that wrote it reads it, and still has its folder
-    /// locked.   [main]
+    /// their rows, or a reason of UntrustedDatabase::open().   [main]
     [[nodiscard]] std::string open(const std::string& path, const std::vector<std::string>& tables,
                                    bool is_own = false);
 
-    [[nodiscard]] SessionHandle handle() noexcept { return {database_, &outside_reason_}; }
+    [[nodiscard]] SessionHandle handle() noexcept { return {database_.handle(), &outside_reason_}; }
     /// Returns why the file cannot be read now, for people, if the reason is not in its contents: a full disk, a limit,
     /// a lock. Empty if no query failed for such a reason: then a failure is damage.
     [[nodiscard]] std::string outside_reason() const;
     [[nodiscard]] std::uint64_t bytes() const noexcept {
-        return bytes_;
+        return database_.bytes();
     }  ///< including the -wal file; no sound session contains more text
 
 private:
-    static int is_over(void* self);
-    [[nodiscard]] bool open_database();
     [[nodiscard]] std::string refusal_of_contents(const std::vector<std::string>& tables);
 
     std::string path_, outside_reason_;
-    sqlite3* database_ = nullptr;
-    std::uint64_t bytes_ = 0;
-    std::int64_t steps_left_ = 0;
+    UntrustedDatabase database_;
 };
 
 }  // namespace kerf::session

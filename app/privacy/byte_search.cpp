@@ -55,9 +55,8 @@ void search_voxels(bone::PackedBytes& bytes, PrivacyReport& report) {
         if (count < buffer.size()) break;
     }
     search.end();
-    if (bytes.is_damaged())
-        report.unseen.push_back("The compressed voxels are damaged. They were not checked to their end.");
-    if (sum >= max_unpacked) report.unseen.push_back("Only the first 4 GB of the voxels were checked.");
+    if (bytes.is_damaged()) report.add_unread("The compressed voxels are damaged. They were not checked to their end.");
+    if (sum >= max_unpacked) report.add_unread("Only the first 4 GB of the voxels were checked.");
     report.unseen.push_back("The voxels were checked for ASCII letters only: not for letters of two bytes, and not for "
                             "what a picture of them shows.");
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "session/packed_column.h"
 #include "session/recorder.h"
 #include "session/sqlite_reason.h"
+#include "session/untrusted_database.h"
 
 namespace kerf::app::privacy {
 namespace {
@@ -53,14 +53,14 @@ bool is_packed_column(sqlite3_stmt* row, session::ColumnUnpacker& unpacker, std:
 }  // namespace
 
 std::string texts_of_database(const std::string& file, std::string& fault, PrivacyReport& report) {
-    sqlite3* raw = nullptr;
+    session::UntrustedDatabase database;
+    if (report.error = database.open(file); !report.error.empty()) return {};
+    sqlite3* const raw = database.handle();
     const auto check = [&](int code) {
         if (code == SQLITE_OK || code == SQLITE_DONE || !fault.empty()) return;
         fault = session::outside_reason(raw, code);
         if (fault.empty()) fault = "it is damaged";
     };
-    check(sqlite3_open_v2(file.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr));
-    const std::unique_ptr<sqlite3, int (*)(sqlite3*)> database(raw, &sqlite3_close);
     std::string all;
     const auto each_row = [&](const std::string& sql, const auto& take) {
         sqlite3_stmt* statement = nullptr;
@@ -80,10 +80,8 @@ std::string texts_of_database(const std::string& file, std::string& fault, Priva
                                 : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(row, column)));
     };
     bool is_session = false;
-    if (fault.empty())
-        each_row("PRAGMA application_id", [&](sqlite3_stmt* row) {
-            is_session = sqlite3_column_int64(row, 0) == session::session_application_id;
-        });
+    each_row("PRAGMA application_id",
+             [&](sqlite3_stmt* row) { is_session = sqlite3_column_int64(row, 0) == session::session_application_id; });
     if (fault.empty())
         each_row("SELECT name, sql FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE %'",
                  [&](sqlite3_stmt* row) {

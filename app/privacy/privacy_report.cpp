@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "app/privacy/byte_search.h"
 #include "app/privacy/database_texts.h"
@@ -15,7 +16,6 @@
 #include "bone/image/dicom_elements.h"
 #include "bone/image/dicom_identity.h"
 #include "bone/image/packed_bytes.h"
-#include "session/session_file.h"
 #include "text/regular_file.h"
 
 namespace kerf::app {
@@ -45,14 +45,13 @@ void search_dicom(const std::string& file, PrivacyReport& report) {
         report.unseen.push_back(std::to_string(identity.unread_elements) +
                                 " long elements of sequences were not checked.");
     if (!identity.has_all_nested_texts)
-        report.unseen.push_back("Only the first 16 MB of the texts in sequences were checked.");
+        report.add_unread("Only the first 16 MB of the texts in sequences were checked.");
     if (identity.is_deflated)
-        report.unseen.push_back("The file is compressed behind its first elements. That part was not checked.");
+        report.add_unread("The file is compressed behind its first elements. That part was not checked.");
     if (!identity.fault.empty())
-        report.unseen.push_back("The file is damaged: " + identity.fault + ". The rest was not checked.");
+        report.add_unread("The file is damaged: " + identity.fault + ". The rest was not checked.");
     else if (!identity.sequence_fault.empty())
-        report.unseen.push_back("A sequence is damaged: " + identity.sequence_fault +
-                                ". Later sequences were not checked.");
+        report.add_unread("A sequence is damaged: " + identity.sequence_fault + ". Later sequences were not checked.");
 }
 
 bool ends_in(const std::string& name, std::string_view ending) {
@@ -103,7 +102,7 @@ void search_voxels_behind(const std::string& file, const std::string& header, st
                                                                                     : "raw";
     const bool is_packed = encoding == "gzip" || encoding == "gz";
     if (!is_packed && encoding != "raw" && encoding != "ascii" && encoding != "text" && encoding != "txt")
-        return report.unseen.push_back("The voxels are compressed, but not by gzip. They were not checked.");
+        return report.add_unread("The voxels are compressed, but not by gzip. They were not checked.");
     if (!header_value(header, "data file").empty() || !header_value(header, "datafile").empty())
         report.unseen.push_back("The voxels are in another file. Check that file too.");
     bone::PackedBytes bytes(file, offset,
@@ -112,6 +111,11 @@ void search_voxels_behind(const std::string& file, const std::string& header, st
 }
 
 }  // namespace
+
+void PrivacyReport::add_unread(std::string part) {
+    is_partial = true;
+    unseen.push_back(std::move(part));
+}
 
 PrivacyReport privacy_report(const std::string& file) {
     PrivacyReport report;
@@ -131,11 +135,11 @@ PrivacyReport privacy_report(const std::string& file) {
     char first[16] = {};
     if (std::ifstream(file, std::ios::binary).read(first, sizeof first) &&
         std::string_view(first, 15) == "SQLite format 3") {
-        if (report.error = session::refusal_of_side_files(file); !report.error.empty()) return report;
         std::string fault;
         search_text_and_utf16(texts_of_database(file, fault, report), report);
-        report.unseen.push_back(fault.empty() ? "Deleted rows of the database were not checked."
-                                              : "The database was not checked to its end: " + fault + ".");
+        if (!report.error.empty()) return report;
+        if (!fault.empty()) report.add_unread("The database was not checked to its end: " + fault + ".");
+        report.unseen.push_back("Deleted rows of the database were not checked.");
         return report;
     }
     const bool is_nrrd = ends_in(file, ".nrrd") || ends_in(file, ".nhdr"), is_stl = ends_in(file, ".stl"),
@@ -167,14 +171,13 @@ PrivacyReport privacy_report(const std::string& file) {
         search_base64(bytes, report);
     else
         report.unseen.push_back("Only the first 84 bytes of the STL were checked.");
-    if (size > max_bytes && !is_stl && !is_nrrd && !is_meta)
-        report.unseen.push_back("Only the first 500 MB were checked.");
+    if (size > max_bytes && !is_stl && !is_nrrd && !is_meta) report.add_unread("Only the first 500 MB were checked.");
     return report;
 }
 
 std::string privacy_text(const std::string& file, const PrivacyReport& report, bool shows_values) {
     const std::size_t count = report.findings.size();
-    std::string text = file + ": " +
+    std::string text = file + ": " + (report.is_partial ? "not checked to its end; in the rest: " : "") +
                        (count == 0 ? "no personal data found"
                                    : std::to_string(count) + (count == 1 ? " item" : " items") + " of personal data") +
                        "\n";

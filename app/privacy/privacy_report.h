@@ -15,7 +15,12 @@ struct PrivacyFinding {
 struct PrivacyReport {
     std::vector<PrivacyFinding> findings;
     std::vector<std::string> unseen;  ///< the parts that were not checked, a sentence each
-    std::string error;                ///< why the file cannot be read; empty if it can
+    /// A part was not checked because it is damaged, too long, packed in an unknown form, or refused by the system.
+    bool is_partial = false;
+    std::string error;  ///< why the file cannot be read; empty if it can
+
+    /// Adds a part that should have been checked, as a sentence.
+    void add_unread(std::string part);
 };
 
 /// Searches a file for personal data.
@@ -34,8 +39,8 @@ struct PrivacyReport {
 /// by a buffer, or by 500 MB of a text file. Never throws.   [main]
 [[nodiscard]] PrivacyReport privacy_report(const std::string& file);
 
-/// Returns the report for people, a line each finding. Values are masked after their first letter, unless
-/// `shows_values`.   [any]
+/// Returns the report for people, a line each finding. The first line of a partial report names it as that. Values are
+/// masked after their first letter, unless `shows_values`.   [any]
 [[nodiscard]] std::string privacy_text(const std::string& file, const PrivacyReport& report, bool shows_values);
 
 }  // namespace kerf::app

@@ -125,8 +125,8 @@ std::vector<Command> session_commands() {
                                      in<PrivacyOptions>(&PrivacyOptions::shows_values))},
                     .when_missing = "which file? Write `kerf privacy FILE`.",
                     .examples = {{"kerf privacy out/pedicle-screw/session.db", "checks a session before you share it"}},
-                    .footer = "Exit code: 0 nothing found, 1 something found, 2 a file cannot be read. The list may be "
-                              "incomplete.",
+                    .footer = "Exit code: 0 nothing found, 1 something found, 2 a file cannot be read to its end. The "
+                              "list may be incomplete.",
                     .defaults = PrivacyOptions{},
                     .run = with_environment(&commands::print_privacy)});
     return rows;

@@ -184,6 +184,13 @@ TEST(ExitCode, OfPrivacyIsThatOfTheWorstFile) {
     EXPECT_EQ(kerf("privacy " + named + " " + clean).exit_code, 1);
     EXPECT_EQ(kerf("privacy /nowhere.dcm " + named + " " + clean).exit_code, 2);
     EXPECT_EQ(kerf("privacy " + named + " /nowhere.dcm " + clean).exit_code, 2);
+
+    const std::string damaged = folder / "damaged.db";
+    std::filesystem::copy_file(KERF_SOURCE_DIR "/tests/sessions/schema-5.db", damaged);
+    std::filesystem::resize_file(damaged, 4096);
+    const Ended partial = kerf("privacy " + damaged + " " + clean);
+    EXPECT_EQ(partial.exit_code, 2);
+    EXPECT_TRUE(has(partial.out, damaged + ": not checked to its end; in the rest: no")) << partial.out;
 }
 
 TEST(ExitCode, OfReportNeedsASession) {

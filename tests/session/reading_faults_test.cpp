@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #include "synthetic_run.h"
 #include "tests/support/plain_session.h"
 #include "tests/support/temporary_folder.h"
+#include "text/write_file.h"
 
 namespace kerf::session {
 namespace {
@@ -186,7 +188,7 @@ void make_odd_file(const std::string& kind, const std::string& path) {
     }
     if (kind == "folder") fs::create_directory(path);
     if (kind == "link") fs::create_symlink("/dev/zero", path);
-    if (kind == "not a regular file") {
+    if (kind == "socket") {
         const int bound = socket(AF_UNIX, SOCK_STREAM, 0);
         sockaddr_un name{};
         name.sun_family = AF_UNIX;
@@ -199,7 +201,7 @@ void make_odd_file(const std::string& kind, const std::string& path) {
 
 TEST(SideFiles, RefusesAnythingButRegularFiles) {
     for (const char* suffix : {"-wal", "-journal", "-shm"})
-        for (const char* kind : {"FIFO", "folder", "link", "not a regular file"}) {
+        for (const char* kind : {"FIFO", "folder", "link", "socket"}) {
             const TemporaryFolder folder;
             const std::string path = recorded_session(folder);
             make_odd_file(kind, path + suffix);
@@ -208,6 +210,70 @@ TEST(SideFiles, RefusesAnythingButRegularFiles) {
                 EXPECT_NE(error.find(kind), std::string::npos) << error;
             }
         }
+}
+
+TEST(SideFiles, BelongToTheTargetOfALink) {
+    const TemporaryFolder folder, elsewhere;
+    const std::string path = recorded_session(folder), link = elsewhere / "linked.db";
+    fs::create_symlink(path, link);
+    fs::create_symlink("linked.db", elsewhere / "again.db");
+    EXPECT_EQ(errors_of_readers(link), (std::vector<std::string>{"", ""}));
+
+    for (const char* suffix : {"-wal", "-journal", "-shm"}) {
+        make_odd_file("FIFO", path + suffix);
+        for (const std::string& name : {link, elsewhere / "again.db"})
+            for (const std::string& error : errors_of_readers(name)) {
+                EXPECT_TRUE(error.starts_with(name + ": is a link to ")) << error;
+                EXPECT_NE(error.find("/session.db" + std::string(suffix) + ": this is a FIFO"), std::string::npos)
+                    << error;
+            }
+        fs::remove(path + suffix);
+    }
+}
+
+TEST(SideFiles, ReadTheRowsOfTheWalThroughALink) {
+    // Given a session whose result is in its -wal file, as a killed run leaves it
+    const TemporaryFolder folder, elsewhere;
+    const std::string path = recorded_session(folder), killed = folder / "killed.db", link = elsewhere / "linked.db";
+    sqlite3* writer = nullptr;
+    ASSERT_EQ(sqlite3_open(path.c_str(), &writer), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(writer,
+                           "PRAGMA journal_mode=WAL; UPDATE session SET value='variant-in-wal' WHERE "
+                           "key='condition.variant'",
+                           nullptr, nullptr, nullptr),
+              SQLITE_OK);
+    fs::copy_file(path, killed);
+    fs::copy_file(path + "-wal", killed + "-wal");
+    sqlite3_close(writer);
+
+    fs::create_symlink(killed, link);
+    std::string error;
+    const auto inputs = read_session(link, error);
+    ASSERT_TRUE(inputs) << error;
+    EXPECT_EQ(inputs->variant, "variant-in-wal");
+}
+
+TEST(SideFiles, NamesAWalThatMayNotBeRead) {
+    const TemporaryFolder folder;
+    const std::string path = recorded_session(folder);
+    std::ofstream(path + "-wal") << "rows";
+    fs::permissions(path + "-wal", fs::perms::none);
+    fs::permissions(folder / "", fs::perms::all);
+    const bool was_root = geteuid() == 0 && seteuid(65534) == 0;  // root may read any file
+    const std::vector<std::string> errors = errors_of_readers(path);
+    ASSERT_TRUE(!was_root || seteuid(0) == 0);
+    for (const std::string& error : errors)
+        EXPECT_TRUE(error.starts_with(path + "-wal: cannot be read, and the last rows are in it.")) << error;
+}
+
+TEST(SideFiles, AreInUseAlsoBehindALink) {
+    const TemporaryFolder folder, elsewhere;
+    const std::string path = recorded_session(folder), link = elsewhere / "linked.db";
+    fs::create_symlink(path, link);
+    text::OutputLock run;
+    ASSERT_EQ(run.take(folder / ""), "");
+    for (const std::string& error : errors_of_readers(link))
+        EXPECT_EQ(error, link + ": a run is writing it. Wait until that has ended.");
 }
 
 // ---- edited sessions ----------------------------------------------------------------------------------------------
