@@ -15,6 +15,7 @@
 #include "conformance/report.h"
 #include "session/recorder.h"
 #include "text/file_kind.h"
+#include "text/regular_file.h"
 #include "text/write_file.h"
 
 namespace kerf::app {
@@ -33,15 +34,20 @@ std::string refusal_of(const CheckOptions& options) {
     patterns.push_back(options.only);
     for (const std::string& pattern : patterns)
         if (const std::string refusal = refusal_of_pattern(pattern); !refusal.empty()) return refusal;
+    std::error_code ignored;
     for (const std::string& file : options.plugins)
-        if (fs::is_directory(file))
+        if (fs::is_directory(file, ignored))
             return "`" + file + "` is a folder. Write the file of a plugin, as in `" + file + "/*.so`.";
     std::vector<std::string> files = options.plugins;
     files.insert(files.end(), options.procedures.begin(), options.procedures.end());
     if (!options.twin.empty()) files.push_back(options.twin);
-    std::error_code ignored;
-    for (const std::string& file : files)
-        if (!fs::exists(file, ignored)) return "`" + file + "` does not exist. Check its name and its folder.";
+    for (const std::string& file : files) {
+        const auto fault = text::fault_of_file(file);
+        if (!fault || fs::is_directory(file, ignored)) continue;
+        return !fs::exists(fs::symlink_status(file, ignored))
+                   ? "`" + file + "` does not exist. Check its name and its folder."
+                   : "`" + file + "` cannot be read: " + fault->problem + " " + fault->advice;
+    }
     for (const std::string& file : options.plugins)
         if (const text::RecognisedFile found = text::recognise(file);
             !found.name.empty() && found.kind != text::FileKind::shared_library)

@@ -41,6 +41,22 @@ TEST(OddInputs, AProcedureThatIsNoRegularFileIsNamed) {
         }
 }
 
+TEST(OddInputs, AFileOfAnyOtherKindIsNamedAtOnce) {
+    const TemporaryFolder folder;
+    const std::string fifo = folder / "fifo", socket = folder / "socket", loop = folder / "loop";
+    ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+    ASSERT_EQ(mknod(socket.c_str(), S_IFSOCK | 0600, 0), 0);
+    fs::create_symlink("loop", loop);
+    for (const auto& [file, problem] : {std::pair<std::string, std::string>{fifo, "his is a FIFO"},
+                                        {socket, "his is a socket"},
+                                        {loop, "his is a link that leads to itself"}})
+        for (const char* command : {"check ", "validate ", "report ", "privacy ", "import "}) {
+            const Ended refused = kerf(command + file, "timeout 8");
+            EXPECT_EQ(refused.exit_code, 2) << command << file;
+            EXPECT_TRUE(has(refused.out + refused.err, problem)) << command << refused.out << refused.err;
+        }
+}
+
 TEST(OddInputs, AnAnatomyIsNotReadThroughALinkThatLeadsOut) {
     const TemporaryFolder secret, folder;
     std::ofstream(secret / "secret.yaml") << "the secret: line\n";
