@@ -22,10 +22,6 @@ namespace kerf::app {
 
 namespace {
 
-// Written without the heap: there may be no memory left.
-constexpr const char* out_of_memory = "\nkerf: out of memory: a request for more was refused. Free some, raise the "
-                                      "limit (`ulimit -v`), or take a coarser "
-                                      "`accuracy.spacing`.\n";
 constexpr rlim_t min_stack = 512 * 1024;
 
 void write_plain(const char* text) {
@@ -37,14 +33,21 @@ void write_plain(const char* text) {
     }
 }
 
+// Written without the heap: there may be no memory left.
+void write_out_of_memory() {
+    write_plain("\nkerf: out of memory: a request for more was refused. Free some, raise the limit (`");
+    write_plain(text::memory_limit_command());
+    write_plain("`), or take a coarser `accuracy.spacing`.\n");
+}
+
 /// Prints the exception that is being handled. Returns false for one that is not of memory or of the system.
 bool report_current_exception() {
     try {
         throw;
     } catch (const std::bad_alloc&) {
-        write_plain(out_of_memory);
+        write_out_of_memory();
     } catch (const std::length_error&) {
-        write_plain(out_of_memory);
+        write_out_of_memory();
     } catch (const std::system_error& error) {
         const bool is_thread = error.code() == std::errc::resource_unavailable_try_again;
         write_plain("\nkerf: the system refused ");

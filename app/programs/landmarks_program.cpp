@@ -20,6 +20,7 @@
 #include "app/window/landmark_window.h"
 #include "kerf/units.hpp"
 #include "text/quantity.h"
+#include "text/system_reason.h"
 
 namespace kerf::app {
 
@@ -114,7 +115,7 @@ ExitCode pick_by_rays(const LandmarksOptions& options, PickedBone& bone) {
     if (!options.screenshot.empty()) {
         std::string error;
         const auto offscreen = window::Offscreen::open(picture_width, picture_height, error);
-        if (offscreen == nullptr) return complain(error, exit_fault);
+        if (offscreen == nullptr) return complain(text::with_memory_limit(error), exit_fault);
         std::string problem;
         const std::string why_not = window::draw_landmarks(
             bone, list, side_of(options.side),
@@ -155,7 +156,7 @@ ExitCode run_landmarks(const LandmarksOptions& options, const Installation& here
     std::shared_ptr<window::GlfwWindow> window;
     if (is_windowed) {
         window = window::GlfwWindow::open("Kerf: landmarks", error);
-        if (window == nullptr) return complain(error, exit_fault);
+        if (window == nullptr) return complain(text::with_memory_limit(error), exit_fault);
     }
     const Interruption interruption;
     std::atomic<double> fraction{0.0};

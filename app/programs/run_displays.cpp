@@ -11,6 +11,7 @@
 #include "app/preview/png.h"
 #include "app/progress.h"
 #include "app/standard_streams.h"
+#include "text/system_reason.h"
 #include "text/write_file.h"
 
 namespace kerf::app {
@@ -32,7 +33,7 @@ std::string WindowDisplay::open(const std::string& title) {
         window_->set_title("Kerf: " + title);
     else
         window_ = window::GlfwWindow::open("Kerf: " + title, error);
-    return error;
+    return error.empty() ? error : text::with_memory_limit(error);
 }
 
 bool WindowDisplay::wait(const std::string& what, const std::function<double()>& fraction,
@@ -78,7 +79,7 @@ std::unique_ptr<PictureDisplay> PictureDisplay::film(std::string folder, double 
 std::string PictureDisplay::open(const std::string& /*title*/) {
     std::string error;
     offscreen_ = window::Offscreen::open(picture_width, picture_height, error);
-    return error;
+    return error.empty() ? error : text::with_memory_limit(error);
 }
 
 bool PictureDisplay::wait(const std::string& /*what*/, const std::function<double()>& /*fraction*/,

@@ -27,6 +27,7 @@
 #include "app/start_page.h"
 #include "app/window/start_window.h"
 #include "text/printable.h"
+#include "text/system_reason.h"
 
 extern char** environ;
 
@@ -201,7 +202,7 @@ ExitCode run_start_page(const WindowOptions& options, const Environment& with) {
     static_cast<void>(RunThread::of_process());  // before the window lowers the priority of its thread
     std::string error;
     std::shared_ptr<window::GlfwWindow> opened = window::GlfwWindow::open("Kerf", error);
-    if (opened == nullptr) return complain(error, exit_fault);
+    if (opened == nullptr) return complain(text::with_memory_limit(error), exit_fault);
     return StartProgram(options, with, std::move(opened)).run();
 }
 

@@ -228,6 +228,17 @@ TEST(OutOfMemory, EndsWithASentenceWhateverTheLimit) {
     EXPECT_TRUE(is_said);
 }
 
+TEST(OutOfMemory, NamesTheLimitWhereNoPictureCanBeDrawn) {
+    const TemporaryFolder folder;
+    for (const char* limit : {"ulimit -v 100000", "ulimit -d 16000"}) {  // kB
+        const Ended ended =
+            kerf("view " KERF_SOURCE_DIR "/tests/sessions/schema-5.db --recorded --screenshot " + (folder / "v.png"),
+                 std::string(limit) + ";");
+        EXPECT_EQ(ended.exit_code, 3) << ended.err;
+        EXPECT_TRUE(has(ended.err, "`" + std::string(limit, 9) + "`")) << ended.err;
+    }
+}
+
 TEST(SmallStack, IsRaisedOrRefused) {
     EXPECT_EQ(kerf("validate --bone " + pedicle_screw, "ulimit -S -s 256;").exit_code, 0);
     const Ended refused = kerf("validate --bone " + pedicle_screw, "ulimit -s 256;");

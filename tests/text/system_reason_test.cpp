@@ -47,6 +47,17 @@ TEST(SystemReason, NamesTheLimitThatKeepsThreadsAway) {
     EXPECT_TRUE(has(thread_advice(), "`ulimit -u`"));
 }
 
+TEST(SystemReason, NamesTheLimitOfMemoryThatIsSet) {
+    const auto is_named = [](const std::string& limit) {
+        return has(system_reason(ENOMEM), limit) && has(thread_advice(), limit) &&
+               has(with_memory_limit("It does not start."), "It does not start. The memory is limited") &&
+               has(with_memory_limit(""), limit);
+    };
+    EXPECT_TRUE(is_true_under(RLIMIT_AS, rlim_t{1} << 40, [&] { return is_named("`ulimit -v`"); }));
+    EXPECT_TRUE(is_true_under(RLIMIT_DATA, rlim_t{1} << 40, [&] { return is_named("`ulimit -d`"); }));
+    EXPECT_EQ(with_memory_limit("It does not start."), "It does not start.");
+}
+
 TEST(SystemReason, NamesOtherErrorsByTheirText) {
     EXPECT_TRUE(has(system_reason(ENOSPC), "the disk is full. Free some space"));
     EXPECT_EQ(system_reason(EACCES), "Permission denied");
