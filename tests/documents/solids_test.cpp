@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "kerf/units.hpp"
 
@@ -39,6 +40,19 @@ TEST(SphereSolid, HasTheVolumeOfASphere) {
                 volume += distance_to(ball, {x, y, z}) < 0.0 ? step * step * step : 0.0;
     const double exact = 4.0 / 3.0 * 3.14159265358979323846 * std::pow(23.0_mm, 3);
     EXPECT_NEAR(volume / exact, 1.0, 1e-3 /* counted in cubes of 0.5 mm */);
+}
+
+TEST(EllipticTubeSolid, BoundsContainItsWiderSide) {
+    for (const auto& [width, height] : {std::pair<double, double>{10.0_mm, 15.0_mm}, {15.0_mm, 10.0_mm}}) {
+        const EllipticTubeSolid tube{{0, 0, 0}, {0, 30.0_mm, 0}, width, height, {0, 0, 1}};
+        const Box bounds = bounds_of(tube);
+        EXPECT_LE(bounds.low.x, -0.5 * width);
+        EXPECT_GE(bounds.high.x, 0.5 * width);
+        EXPECT_LE(bounds.low.z, -0.5 * height);
+        EXPECT_GE(bounds.high.z, 0.5 * height);
+        EXPECT_LE(bounds.low.y, 0.0);
+        EXPECT_GE(bounds.high.y, 30.0_mm);
+    }
 }
 
 TEST(TissueRegion, PassesSmoothlyIntoTheRest) {

@@ -354,6 +354,19 @@ TEST(Quantity, ACommaBeforeThreeDigitsMayMeanThousandsSoBothAreSaid) {
     EXPECT_EQ(problem("0,250 mm", any_length).write, "0.250 mm") << "no one writes thousands so";
 }
 
+TEST(Quantity, ACommaMayMeanThousandsBehindUpToThreeDigits) {
+    for (const auto& [text, whole] :
+         {std::pair{"12,000 mm", "12000 mm"}, {"125,000 mm", "125000 mm"}, {"-125,000 mm", "-125000 mm"}}) {
+        const QuantityProblem refused = problem(text, any_length);
+        EXPECT_EQ(refused.write, "") << text;
+        EXPECT_NE(refused.message.find("Write `" + std::string(whole) + "` for thousands"), std::string::npos)
+            << refused.message;
+    }
+    EXPECT_EQ(problem("1250,000 mm", any_length).write, "1250.000 mm") << "a group has three digits at most";
+    EXPECT_EQ(problem("125,00 mm", any_length).write, "125.00 mm") << "and exactly three follow";
+    EXPECT_EQ(problem("125,0000 mm", any_length).write, "125.0000 mm");
+}
+
 struct DecimalComma : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }
 };

@@ -78,6 +78,8 @@ TEST(Timeline, StepsByMoments) {
     const double from = timeline.state().time;
     timeline.step(2);
     EXPECT_NEAR(timeline.state().time, from + 32e-3, 1e-9);
+    timeline.take(run, 0.0);
+    EXPECT_NEAR(timeline.state().time, from + 32e-3, 1e-9) << "in the next frame too";
     timeline.step(-1000);
     EXPECT_NEAR(timeline.state().time, 16e-3, 1e-9);
 }

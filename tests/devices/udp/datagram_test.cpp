@@ -142,6 +142,17 @@ TEST(Datagram, RefusesOtherBytes) {
     EXPECT_EQ(refusal_of(stretched), DatagramFault::value) << "the rotation is no longer of unit length";
 }
 
+TEST(Datagram, TakesARotationOfUnitLengthToAThousandth) {
+    for (const auto& [square, is_taken] : {std::pair{1.0005, true}, {1.005, false}, {0.9995, true}, {0.995, false}}) {
+        ByteList bytes = pose_bytes();
+        const std::array<double, 4> rotation{std::sqrt(square), 0.0, 0.0, 0.0};
+        std::memcpy(bytes.data() + 48, rotation.data(), sizeof rotation);
+        DatagramFault fault{};
+        EXPECT_EQ(decode(bytes, nullptr, fault).has_value(), is_taken) << square;
+        EXPECT_EQ(fault == DatagramFault::value, !is_taken) << square;
+    }
+}
+
 TEST(Datagram, RefusesAHelloWithLimitsThatCannotBe) {
     const auto is_taken = [](auto&& change) {
         Hello hello{.name = "rig", .facts = some_facts()};
