@@ -215,26 +215,31 @@ TEST_F(Dicom, ReportsTheSpacingThatItWrites) {
 }
 
 TEST_F(Dicom, PutsATiltedSeriesStraight) {
-    // Given slices that slide by 0.3 mm to the back for every mm, as under a tilted gantry
-    write(Series::of({0, 2, 4, 6}, 0.3));
-    const auto image = read();
-    ASSERT_TRUE(image) << to_text(diagnostics);
-    ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].code, "W0671");
-    EXPECT_NE(diagnostics[0].message.find("16.7 deg"), std::string::npos) << diagnostics[0].message;
+    // Given slices that slide by 0.3 mm to the back, or to the front, for every mm, as under a tilted gantry
+    for (const double slide : {0.3, -0.3}) {
+        diagnostics.clear();
+        write(Series::of({0, 2, 4, 6}, slide));
+        const auto image = read();
+        ASSERT_TRUE(image) << to_text(diagnostics);
+        ASSERT_EQ(diagnostics.size(), 1u);
+        EXPECT_EQ(diagnostics[0].code, "W0671");
+        EXPECT_NE(diagnostics[0].message.find("16.7 deg"), std::string::npos) << diagnostics[0].message;
 
-    // Then the axes are at right angles, all slices are in, and values stand where they were measured
-    EXPECT_FALSE(image->is_sheared());
-    EXPECT_GE(image->box().high.y, 20.0_mm + 4 * pixel * 1e-3 + 0.3 * 6.0_mm - 1e-9);
-    for (double z = 30.0; z <= 36.0; z += 0.5)
-        for (double along = 0.1; along < 1.9; along += 0.3) {
-            const double y = 20.0 + 0.3 * (z - 30.0) + along;
-            const auto shifted = [](double height) { return 20.0 + 0.3 * height; };  // the slice's first row
-            const double below = std::floor((z - 30.0) / step) * step, above = std::ceil((z - 30.0) / step) * step;
-            const bool is_inside = y - pixel >= shifted(above) && y + pixel <= shifted(below) + 4 * pixel;
-            if (!is_inside) continue;  // beside one of the two slices
-            EXPECT_NEAR(at_mm(*image, 11.0, y, z), linear(11.0, y, z), 0.8) << y << " " << z;
-        }
+        // Then the axes are at right angles, all slices are in, and values are where they were measured
+        const auto shifted = [&](double height) { return 20.0 + slide * height; };  // the slice's first row
+        const double first = std::min(shifted(0.0), shifted(6.0)), last = std::max(shifted(0.0), shifted(6.0));
+        EXPECT_FALSE(image->is_sheared());
+        EXPECT_LE(image->box().low.y, 1e-3 * first + 1e-9);
+        EXPECT_GE(image->box().high.y, 1e-3 * (last + 4 * pixel) - 1e-9);
+        for (double z = 30.0; z <= 36.0; z += 0.5)
+            for (double y = first; y < last + 4 * pixel; y += 0.1) {
+                const double below = std::floor((z - 30.0) / step) * step, above = std::ceil((z - 30.0) / step) * step;
+                const bool is_inside = y - pixel >= std::max(shifted(above), shifted(below)) &&
+                                       y + pixel <= std::min(shifted(above), shifted(below)) + 4 * pixel;
+                if (!is_inside) continue;  // outside one of the two slices
+                EXPECT_NEAR(at_mm(*image, 11.0, y, z), linear(11.0, y, z), 0.8) << y << " " << z;
+            }
+    }
 }
 
 TEST_F(Dicom, RefusesSlicesThatLieBesideEachOther) {
