@@ -287,6 +287,18 @@ TEST(MouseHand, LetsATakenToolRest) {
     EXPECT_NEAR(rig.at().z, -35.0 * mm, 0.02 * mm);
 }
 
+TEST(MouseHand, MovesATakenToolAsInAir) {
+    Rig rig;
+    rig.hand.begin_step(1.0 * mm, 0.0);
+    rig.touched.resistance = 5.0;
+    rig.rest(1.0);
+    rig.touched.resistance = 0.0;
+    rig.hand.take_tool();
+    rig.move({}, 20.0 * mm, 0.15);
+    rig.rest(0.5);
+    EXPECT_NEAR(rig.at().z, 3.0 * mm, 0.1 * mm) << "in bone it would go 1.5 mm a second";
+}
+
 TEST(MouseHand, IgnoresTotalsThatAreNoNumbers) {
     Rig rig;
     MouseTotals bad;

@@ -126,6 +126,20 @@ TEST(Score, OrdersOutcomesByTheirSeverity) {
     EXPECT_EQ(serious.deductions[0].loss, 60.0);
 }
 
+TEST(Score, NamesTheLimitThatBrokeFirst) {
+    Operation operation;
+    operation.drill_both();
+    operation.shown[0].thrust = operation.shown[2].thrust = 60.0;
+    const session::RunSummary summary = operation.summary();
+    ASSERT_FALSE(summary.deductions.empty());
+    EXPECT_EQ(summary.deductions[0].name, "thrust");
+    EXPECT_EQ(summary.deductions[0].step, "pilot");
+    EXPECT_EQ(summary.deductions[0].at, 0.0);
+
+    operation.shown[2].torque = 3.0;
+    EXPECT_EQ(operation.summary().deductions[0].name, "torque") << "of those that are as severe as the band";
+}
+
 TEST(Score, FallsWithTheMeasuredErrorAndWeighsIt) {
     Operation operation;
     operation.drill_both();

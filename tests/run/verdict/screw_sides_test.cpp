@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "run/verdict/cut_results.h"
 #include "tests/support/block.h"
@@ -61,6 +62,18 @@ TEST(ScrewAt, GivesABreachHalfAVoxelToEitherSide) {
     EXPECT_NEAR(smallest, 0.25_mm, 0.05_mm);
     EXPECT_NEAR(breach.worst(), 0.5_mm, 0.05_mm);
     EXPECT_NEAR(largest, 0.75_mm, 0.05_mm);
+}
+
+// Half a voxel is 0.25 mm. The tip is 16 mm deep in a block of 24 mm, so the screw breaches no side.
+TEST(ScrewAt, GradesAZoneHalfAVoxelToEitherSide) {
+    const Vec3 along{0, -1, 0};
+    for (const auto& [distance, grade] :
+         {std::pair<double, const char*>{0.3_mm, "I"}, {0.1_mm, "I/V"}, {-(0.1_mm), "I/V"}, {-(0.3_mm), "V"}}) {
+        Screwed pedicle(along, {1, 0, 0});
+        const Vec3 tip = pedicle.frame.entry + 16.0_mm * along;
+        pedicle.scene.anatomy.zones = {{"canal", {documents::SphereSolid{tip + (1.0_mm + distance) * along, 1.0_mm}}}};
+        EXPECT_EQ(pedicle.at({}).heary_grade, grade) << distance;
+    }
 }
 
 TEST(ScrewAt, MeasuresItsOffsetAndAngleAtThePlate) {
