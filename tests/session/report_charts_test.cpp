@@ -2,9 +2,12 @@
 // The pictures of report.html that need no script: loads of each step over depth, and the timeline.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "session/report/force_charts.h"
@@ -149,6 +152,26 @@ TEST(ForceCharts, NameTheirLimits) {
     EXPECT_TRUE(has(html, ">limit 38\u00a0mm</text>"));
     EXPECT_FALSE(has(html, ">limit 5000\u00a0N·mm</text>")) << "it would flatten the curve";
     EXPECT_TRUE(has(html, "limit 5000\u00a0N·mm, far above the picture</span>"));
+}
+
+TEST(ForceCharts, DrawALimitUpToThreeTimesTheGreatestLoad) {
+    const std::vector<TickRow> rows = test::synthetic_ticks(3'000);
+    double thrust = 0.0, torque = 0.0;
+    for (const TickRow& row : rows) {
+        if (row.step != 0) continue;
+        thrust = std::max(thrust, row.thrust);
+        torque = std::max(torque, std::abs(row.torque));
+    }
+    for (const auto& [times, is_far] : {std::pair{2.0, false}, {4.0, true}}) {
+        RecordedProcedure procedure;
+        procedure.steps.resize(1);
+        procedure.steps[0].id = "pilot-hole";
+        procedure.steps[0].limits = {{.quantity = "thrust", .at_most = times * thrust, .unit = "N"},
+                                     {.quantity = "torque", .at_most = times * torque, .unit = "N m"}};
+        const std::string html = force_charts_html(two_steps(), test::drawn_run(rows), procedure, {});
+        EXPECT_EQ(count_of(html, "far above the picture"), is_far ? 2u : 0u) << times;
+        EXPECT_EQ(count_of(html, "<text class=\"name limit\""), is_far ? 0u : 2u) << times;
+    }
 }
 
 TEST(ForceCharts, ShowDeductionsAtTheirMoments) {

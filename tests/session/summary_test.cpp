@@ -68,6 +68,19 @@ TEST(Summary, TextThatIsNotUnicodeDoesNotStopIt) {
     EXPECT_NO_THROW(read(summary));
 }
 
+TEST(Summary, OfTheClockHasEachPercentileInMicroseconds) {
+    RunSummary summary;
+    summary.clock = ClockRow{};
+    summary.clock->period = 1e-3;
+    summary.clock->lateness = {.median = 20e-6, .p99 = 200e-6, .p999 = 900e-6, .worst = 1200e-6};
+    summary.clock->compute = {.median = 30e-6, .p99 = 40e-6, .p999 = 50e-6, .worst = 60.5e-6};
+    const Json clock = read(summary)["clock"];
+    EXPECT_EQ(clock["period_ms"], 1.0);
+    EXPECT_EQ(clock["lateness"],
+              (Json{{"median_us", 20.0}, {"p99_us", 200.0}, {"p99_9_us", 900.0}, {"worst_us", 1200.0}}));
+    EXPECT_EQ(clock["compute"], (Json{{"median_us", 30.0}, {"p99_us", 40.0}, {"p99_9_us", 50.0}, {"worst_us", 60.5}}));
+}
+
 TEST(Summary, EveryVerdictHasItsWord) {
     EXPECT_STREQ(to_text(Verdict::pass), "pass");
     EXPECT_STREQ(to_text(Verdict::fail), "fail");
