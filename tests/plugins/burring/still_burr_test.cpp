@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A burr that does not turn, or not fast enough: it touches, rubs, and removes nothing.
+// A burr that does not turn, or not fast enough: it touches, rubs, and removes nothing. How its motor turns the hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,6 +82,33 @@ TEST(StillBurr, StopsInBoneThatIsTooMuchForItsMotor) {
         has_stalled = signals_of<BurrCutting>(rig.signals()).spindle_speed == 0.0;
     }
     EXPECT_TRUE(has_stalled);
+}
+
+// In air, 833 turns a second are reached in 0.3 s. The rotor of 2 g·cm² takes 2π · J · 2778 /s² = 3.49 mN·m to
+// speed up, and as much to slow down: the hand is turned against the rotor's acceleration.
+TEST(BurrMotor, TurnsTheHandAgainstItsAcceleration) {
+    test::Rig rig(wide_block(), test::round_burr({{"run_up", 0.3}, {"inertia", 2e-7}}), test::at_depth(-20.0_mm));
+    const double rate = 50000.0 / 60.0 / 0.3, wanted = 2e-7 * 2.0 * pi * rate;
+    const auto torque_along = [&] {  // about the shaft, out of the tip
+        const Vec6 wrench = rig.tick_direct({test::at_depth(-20.0_mm)}).bone_on_tool;
+        return dot(angular(wrench), rotate(rig.world_from_tool().rotation, {0, 0, 1}));
+    };
+    const auto speed = [&] { return signals_of<BurrCutting>(rig.signals()).spindle_speed; };
+    for (const double sense : {1.0, -1.0, 1.0}) {
+        rig.command_drive(0, sense * 50000.0 / 60.0);
+        (void)torque_along();
+        int seen = 0;
+        for (int i = 0; i < 700; ++i) {
+            const double before = speed(), torque = torque_along();
+            const bool is_speeding = std::abs(before) > 2.0 * rate * 1e-3 && sense * before < 830.0 - 2.0 * rate * 1e-3;
+            if (!is_speeding) continue;
+            EXPECT_NEAR(torque, -sense * wanted, 0.01 * wanted) << before << " /s";
+            ++seen;
+        }
+        EXPECT_GT(seen, 250);
+        EXPECT_NEAR(speed(), sense * 50000.0 / 60.0, 1e-6);
+        EXPECT_NEAR(torque_along(), 0.0, 1e-9) << "at a constant speed";
+    }
 }
 
 }  // namespace

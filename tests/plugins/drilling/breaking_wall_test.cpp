@@ -309,6 +309,20 @@ TEST(BrokenWall, StaysWhereItIsAndIsForgottenTwoRadiiAway) {
     EXPECT_FALSE(wall.is_there());
 }
 
+TEST(BrokenWall, IsRememberedAnewWhileTheTipPressesOnIt) {
+    drilling::BrokenWall wall(1.0_mm);  // forgotten 4 mm away
+    (void)wall.break_out(wall_at(0.0, 100.0));
+    const auto lift = [&] {
+        for (int i = 0; i < 30; ++i) wall.move_with_tip({0, 0, -(100.0_mm), 0, 0, 0}, 1e-3, false);
+    };
+    lift();
+    wall.move_with_tip({}, 1e-3, true);
+    lift();
+    EXPECT_TRUE(wall.is_there()) << "3 mm since it was pressed on";
+    lift();
+    EXPECT_FALSE(wall.is_there()) << "6 mm";
+}
+
 TEST(BrokenWall, TurnsWithTheBoneSeenFromTheTip) {
     drilling::BrokenWall wall(1.0_mm);
     (void)wall.break_out(wall_at(0.0, 100.0));

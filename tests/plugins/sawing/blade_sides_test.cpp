@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "plugins/sawing/blade_torque.h"
@@ -77,6 +78,55 @@ TEST(SawBlade, BendsFromTheAxisOfItsSwing) {
             << p.z;
         EXPECT_NEAR(std::abs(p.y), 0.25_mm, 1e-15);
         EXPECT_EQ(points.all.outwards(at).y, p.y > 0.0 ? 1.0 : -1.0);
+    }
+}
+
+/// Bone of the reference density on the +y side of the blade.
+struct BoneOnOneSide {
+    kerf_bone_query query{};
+
+    BoneOnOneSide() {
+        query.tissue_count = 1;
+        query.reach = 1.0_mm;
+        query.sample = [](const kerf_bone*, const kerf_vec3* points, std::uint32_t count, const kerf_vec3*,
+                          std::uint32_t, kerf_bone_sample* out) {
+            for (std::uint32_t i = 0; i < count; ++i) {
+                out[i] = {};
+                out[i].engagement = points[i].y > 0.0 ? 1.0 : 0.0;
+                out[i].weight[0] = 1.0;
+                out[i].density[0] = 1850.0;
+            }
+        };
+    }
+};
+
+// 25 teeth of 1 mm, of which half are set to each side: 12.5 mm of edge. At an end one tooth passes: 1 mm. Of the five
+// points across an end, two lie on the +y side.
+TEST(SideCutting, HasTheEdgesOfTheTeethThatAreSetToThatSide) {
+    SawParameters law{};
+    law.thrust_edge = 6.0_N_per_mm;
+    law.thrust_chip = 200.0_N_per_mm2;
+    law.edge_depth = 0.4_um;
+    law.reference_density = 1850.0;
+    TeethInBone teeth{};
+    teeth.teeth.count = 1;
+    teeth.resisted[0] = teeth.resisted[1] = 1.0;
+    const BoneOnOneSide bone;
+    const Oscillation motion{.stroke = {.length = 3.0_mm, .pitch = 2.0_mm, .rate = 200.0}, .cutting = {1.0}};
+    std::array<kerf_channel, KERF_MAX_CHANNELS> channel{};
+    kerf_law given{sizeof(kerf_law), 0, channel.data(), {}, {}};
+    Channels channels(given);
+    add_side_cutting(teeth, ten_high, law, BoneQuery(bone.query), motion, channels);
+    ASSERT_EQ(given.count, 3u) << "a side and two ends";
+    EXPECT_EQ(channel[0].id, id_side);
+    EXPECT_NEAR(channel[0].tau, 12.5 * 6.0, 1e-9);
+    EXPECT_EQ(channel[0].d[1], 1.0);
+    for (const auto& [end, out] : {std::pair{1, 1.0}, {2, -1.0}}) {
+        EXPECT_EQ(channel[end].id, id_end + (end == 1 ? 0 : 1));
+        EXPECT_NEAR(channel[end].tau, 0.4 * 6.0, 1e-9);
+        EXPECT_NEAR(channel[end].w, 0.4_um * 200.0, 1e-12) << "a chip is the advance of an oscillation";
+        EXPECT_NEAR(channel[end].eta, 0.4e-3 * 200e6 / 200.0, 1e-9);
+        EXPECT_EQ(channel[end].d[0], out);
     }
 }
 
