@@ -10,6 +10,7 @@
 #include <ostream>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "conformance/check.h"
@@ -265,6 +266,21 @@ TEST(ZooOfTheKit, WholeProceduresNoticeTheirAnimals) {
         for (const TestResult& result : report.results)
             if (result.status == Status::failed) failed += result.id;
         EXPECT_EQ(failed, test) << name << "\n" << report.results.front().output;
+    }
+}
+
+TEST(ZooOfTheKit, SkipsTestsThatNeedASkippedOne) {
+    const PluginReport report = check_plugin(file_of("plugin_that_crashes"), {.child = child, .level = 1}, {});
+    const auto result_of = [&](const char* id) {
+        const auto found = std::find_if(report.results.begin(), report.results.end(),
+                                        [&](const TestResult& result) { return result.id == id; });
+        return found != report.results.end() ? *found : TestResult{};
+    };
+    EXPECT_EQ(result_of("load.opens").status, Status::failed);
+    for (const auto& [id, needed] :
+         {std::pair{"load.entry", "load.opens"}, {"describe.abi", "load.entry"}, {"describe.tables", "describe.abi"}}) {
+        EXPECT_EQ(result_of(id).status, Status::skipped) << id;
+        EXPECT_EQ(result_of(id).text, std::string(needed) + " must pass first");
     }
 }
 
