@@ -248,6 +248,44 @@ TEST(ThreadInBone, SaysThatItsHeadSeatsEvenIfItHasSlippedBefore) {
     EXPECT_EQ(std::count(hole.events().begin(), hole.events().end(), "implant.head_contact"), 1);
 }
 
+// Channels 5 and 6 hold the tool's axis on the thread's, 7 and 8 its direction with a lever of 10 mm. A positive
+// stretch pushes against the channel's direction: back.
+TEST(ThreadInBone, PushesAToolBackToItsAxis) {
+    constexpr double aside = 1e-6, tilt = 1e-4;  // [m], [rad]
+    test::ScrewRig rig(400.0);
+    rig.insert(2.0, 16.0 * pi);
+    const Pose inserted = rig.rig().world_from_tool();
+    const auto channels_at = [&](const Pose& at) {
+        (void)rig.rig().tick_direct({at});
+        std::map<std::uint32_t, kerf_channel> by_id;
+        for (const kerf_channel& one : test::law_now(rig.rig())) by_id[one.id] = one;
+        return by_id;
+    };
+    const auto held = [&](Vec3 moved, Vec3 turned) {
+        const auto before = channels_at(inserted);
+        auto after = channels_at({inserted.position + rotate(inserted.rotation, moved),
+                                  inserted.rotation * quat_from_rotation_vector(turned)});
+        for (std::uint32_t id = 5; id <= 8; ++id) after[id].delta -= before.at(id).delta;
+        return after;
+    };
+    const auto x = held({aside, 0, 0}, {}), y = held({0, aside, 0}, {});
+    EXPECT_NEAR(x.at(5).delta, aside, 0.02 * aside);
+    EXPECT_NEAR(x.at(6).delta, 0.0, 0.02 * aside);
+    EXPECT_NEAR(y.at(6).delta, aside, 0.02 * aside);
+    EXPECT_NEAR(y.at(5).delta, 0.0, 0.02 * aside);
+    // Turned about the tip, the thread's middle at z < 0 moves by turn × (0, 0, z).
+    const auto about_x = held({}, {tilt, 0, 0}), about_y = held({}, {0, tilt, 0});
+    const double middle = about_y.at(5).d[4];
+    EXPECT_LT(middle, -(3.0_mm));
+    EXPECT_NEAR(about_x.at(6).d[3], -middle, 1e-5);
+    EXPECT_NEAR(about_x.at(6).delta, -tilt * middle, 0.02 * tilt * std::abs(middle));
+    EXPECT_NEAR(about_y.at(5).delta, tilt * middle, 0.02 * tilt * std::abs(middle));
+    EXPECT_NEAR(about_x.at(7).delta, tilt * 10.0_mm, 0.02 * tilt * 10.0_mm);
+    EXPECT_NEAR(about_y.at(8).delta, tilt * 10.0_mm, 0.02 * tilt * 10.0_mm);
+    EXPECT_EQ(about_x.at(7).d[3], 10.0_mm);
+    EXPECT_EQ(about_y.at(8).d[4], 10.0_mm);
+}
+
 TEST(ThreadInBone, IsAnotherOneBesideTheFirst) {
     Hole hole(250.0, 1.6_mm, {tool("pedicle_screw", thoracic)});
     hole.turn(4.0);
