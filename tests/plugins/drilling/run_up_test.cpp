@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drill in a hand runs up through the frequency at which its tip swings, some 14 Hz; 1000 rpm are 16.7 Hz.
+// A drill in a hand runs up through the frequency at which its tip swings, some 14 Hz; 1000 rpm are 16.7 Hz. How its
+// motor turns the hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "plugins/drilling/drill_force.h"
 #include "tests/support/drill_rig.h"
 
 namespace kerf {
@@ -47,6 +49,34 @@ double farthest_aside(double deep) {
 TEST(RunUp, InAirTheTipStandsStill) { EXPECT_LT(farthest_aside(-1.0_mm), 2.0 * runout); }
 
 TEST(RunUp, InItsHoleTheTipStaysWithinTwiceItsRunout) { EXPECT_LT(farthest_aside(5.0_mm), 2.0 * runout); }
+
+// In air, 1000 rpm are reached in 0.2 s: 83.3 /s². The rotor of 5e-5 kg·m² takes 2π · J · 83.3 /s² = 26.2 mN·m to speed
+// up, and as much to slow down: the hand is turned against the rotor's acceleration.
+TEST(DrillMotor, TurnsTheHandAgainstItsAcceleration) {
+    constexpr double fast = 1000.0 / 60.0, rate = fast / 0.2, wanted = 5e-5 * 2.0 * pi * rate;
+    test::Rig rig(test::block({-6.0_mm, -6.0_mm, -6.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.5_mm),
+                  test::twist_drill({{"run_up", 0.2}, {"inertia", 5e-5}, {"motor_torque", 0.1}}),
+                  test::at_depth(-20.0_mm));
+    const auto torque_along = [&] {  // about the shaft, out of the tip
+        const Vec6 wrench = rig.tick_direct({test::at_depth(-20.0_mm)}).bone_on_tool;
+        return dot(angular(wrench), rotate(rig.world_from_tool().rotation, {0, 0, 1}));
+    };
+    const auto speed = [&] { return signals_of<drilling::DrillCutting>(rig.signals()).spindle_speed; };
+    for (const double sense : {1.0, -1.0, 1.0}) {
+        rig.command_drive(0, sense * fast);
+        (void)torque_along();
+        int seen = 0;
+        for (int i = 0; i < 450; ++i) {
+            const double before = speed(), torque = torque_along();
+            if (std::abs(before) < 2e-3 * rate || sense * before > fast - 2e-3 * rate) continue;
+            EXPECT_NEAR(torque, -sense * wanted, 0.01 * wanted) << before << " /s";
+            ++seen;
+        }
+        EXPECT_GT(seen, 150);
+        EXPECT_NEAR(speed(), sense * fast, 1e-9);
+        EXPECT_NEAR(torque_along(), 0.0, 1e-9) << "at a constant speed";
+    }
+}
 
 }  // namespace
 }  // namespace kerf

@@ -130,6 +130,51 @@ TEST(SideCutting, HasTheEdgesOfTheTeethThatAreSetToThatSide) {
     }
 }
 
+/// The feed channels of one tooth at the tip, set to `side`, in bone of the reference density.
+std::vector<kerf_channel> feed_of(double side, double phase, bool is_averaged) {
+    SawParameters law{};
+    law.thrust_edge = 6.0_N_per_mm;
+    law.cutting_edge = 4.5_N_per_mm;
+    law.edge_depth = 0.4_um;
+    law.set_share = 0.1;
+    law.reference_density = 1850.0;
+    TeethInBone teeth{};
+    teeth.teeth.count = 1;
+    teeth.teeth.tooth[0] = {.tip = {0, 0, 0}, .normal = {0, 0, 1}, .along = {1, 0, 0}, .side = side};
+    teeth.resisted[0] = teeth.resisted[1] = 1.0;
+    const Oscillation motion{.stroke = {.length = 3.0_mm, .pitch = 2.0_mm, .rate = 50.0},
+                             .cutting = {1.0},
+                             .phase = phase,
+                             .is_averaged = is_averaged};
+    std::array<kerf_channel, KERF_MAX_CHANNELS> channel{};
+    kerf_law given{sizeof(kerf_law), 0, channel.data(), {}, {}};
+    Channels channels(given);
+    add_feed_cutting(teeth, 1.0_mm, law, motion, 1.0_mm, channels);
+    return {channel.begin(), channel.begin() + given.count};
+}
+
+TEST(FeedCutting, PushesAToothAgainstTheSideOfItsSet) {
+    for (const double side : {1.0, -1.0}) {
+        double thrust = 0.0;
+        for (const kerf_channel& one : feed_of(side, 0.0, true)) {
+            EXPECT_EQ(one.d[2], 1.0);
+            EXPECT_NEAR(one.follow[1], -side * 0.1, 1e-12);
+            EXPECT_NEAR(one.follow[0], 0.0, 1e-12) << "to and fro cancel";
+            thrust += one.tau;
+        }
+        EXPECT_NEAR(thrust, 6.0, 1e-9) << "N, in both parts of the oscillation";
+    }
+}
+
+TEST(FeedCutting, PushesASlowToothBackInBothDirections) {
+    for (const auto& [phase, against] : {std::pair{0.0, -0.75}, {pi, 0.75}, {0.5 * pi, 0.0}}) {
+        const std::vector<kerf_channel> feed = feed_of(1.0, phase, false);
+        ASSERT_EQ(feed.size(), 1u);
+        EXPECT_NEAR(feed[0].tau, 6.0, 1e-9);
+        EXPECT_NEAR(feed[0].follow[0], against, 1e-9) << "4.5 N against 6 N, at " << phase;
+    }
+}
+
 /// Channels of which each carries a force of its own: 1 N, 10 N, 100 N …
 struct Loaded {
     std::vector<kerf_channel> channels;
