@@ -254,6 +254,28 @@ TEST(Timeline, GivesDeductionsAtOneMomentOneMark) {
     EXPECT_TRUE(has(timeline_svg(summary, moments, 360), ">1, 2</text>"));
 }
 
+// Of 20 s, in a picture of 224 px with margins of 12 px, a second is 10 px.
+TEST(Timeline, DrawsStepsFromTheirStartToTheirEnd) {
+    RunSummary summary;
+    summary.duration = 20.0;
+    summary.steps = {
+        {"a", "", true, 0.0, 5.0, {}}, {"b", "", false, 5.0, 8.0, {}}, {"c", "", true, 8.0, 20.0, {"depth"}}};
+    const std::string svg = timeline_svg(summary, {{"1", 15.0}}, 224);
+    EXPECT_TRUE(has(svg, "<rect class=\"step done\" x=\"12.0\" y=\"34.0\" width=\"48.5\""));
+    EXPECT_TRUE(has(svg, "<rect class=\"step open\" x=\"62.0\" y=\"34.0\" width=\"28.5\""));
+    EXPECT_TRUE(has(svg, "<rect class=\"step broken\" x=\"92.0\" y=\"34.0\" width=\"118.5\""));
+    EXPECT_TRUE(has(svg, "<path class=\"moment\" d=\"M162.0 30.0V58.0\"/>"));
+}
+
+TEST(Timeline, LeavesOutDeductionsThatRoundToNothing) {
+    RunSummary summary;
+    summary.deductions = {{.kind = "goal", .loss = 0.04}, {.kind = "goal", .loss = 0.06}, {.kind = "run", .loss = 3.0}};
+    const std::vector<DeductionRow> rows = listed_deductions(summary);
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].loss, 3.0);
+    EXPECT_EQ(rows[1].loss, 0.06);
+}
+
 TEST(Timeline, HasAMarkForEachMomentThatTheTableLinksTo) {
     const RunSummary summary = two_steps();
     const std::string html = score_html(summary, test::drawn_run(test::synthetic_ticks()));

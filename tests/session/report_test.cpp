@@ -360,12 +360,15 @@ TEST(Report, HasOneRowForEachHoleAndScrew) {
     summary.metrics.push_back(
         {"insert.gertzbein-robbins", 1, "insert", 1, 1, 1e-3, "mm", 1e-3, 0.125e-3, "grade A/B", ""});
     summary.metrics.push_back({"insert.left.pull-out", 1, "insert", 1, 1, 490.15, "N", 1.0, -1.0, "info", ""});
+    // Four and a half turns [rad]
+    summary.metrics.push_back({"insert.left.turned", 1, "insert", 1, 1, 28.274334, "deg", 0.017453293, -1.0, "", ""});
     const std::string html = report_html(summary, DrawnRun());
     const std::string hole = row_with(html, "<th scope=\"row\">Drill<"),
                       screw = row_with(html, "<th scope=\"row\">Insert<");
     EXPECT_TRUE(holds(hole, "✗ 31.50\u00a0mm") || holds(hole, "✗\u00a031.50\u00a0mm")) << hole;
     EXPECT_TRUE(holds(screw, "A/B")) << screw;
     EXPECT_TRUE(holds(screw, "490\u00a0N")) << screw;
+    EXPECT_TRUE(holds(screw, "||4.5||")) << screw;
 }
 
 TEST(Report, FoldsTheChecksOfTheSimulation) {
