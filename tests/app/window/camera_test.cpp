@@ -40,6 +40,46 @@ TEST(Camera, OrbitsByTheAngle) {
     EXPECT_NEAR(dot(camera.up(), camera.towards()), 0.0, 1e-12);
 }
 
+TEST(Camera, PansByFractionsOfTheHeight) {
+    Camera camera;
+    camera.see({0, 0, 0}, 0.05, {0, 1, 0}, {0, 0, 1});
+    camera.pan(0.25, -0.1);
+    const glm::vec3 at = in_picture(camera, {0, 0, 0});  // −1 … 1 over the whole height
+    EXPECT_NEAR(at.x, 0.5f, 1e-5f) << "what is seen follows the mouse";
+    EXPECT_NEAR(at.y, -0.2f, 1e-5f);
+}
+
+TEST(Camera, ZoomsWithinItsRange) {
+    Camera camera;
+    camera.see({0, 0, 0}, 0.05, {0, 1, 0}, {0, 0, 1});
+    const double height = camera.height_at_target();
+    camera.zoom(0.5);
+    EXPECT_NEAR(camera.height_at_target(), 0.5 * height, 1e-12);
+    camera.zoom(1e-6);
+    EXPECT_NEAR(length(camera.eye()), 5e-3, 1e-12);
+    camera.zoom(1e6);
+    EXPECT_NEAR(length(camera.eye()), 3.0, 1e-12);
+}
+
+TEST(Camera, ShowsAPointWhereItsRayGoes) {
+    Camera camera;
+    camera.see({0.01, 0.02, 0.03}, 0.05, {0.3, 1, 0.2}, {0, 0, 1});
+    constexpr double aspect = 1.6;
+    for (const double right : {-0.7, 0.2})
+        for (const double up : {-0.4, 0.9}) {
+            const Vec3 point = camera.eye() + 0.2 * camera.direction_through(right, up, aspect);
+            const auto shown = camera.shown_at(point, aspect);
+            ASSERT_TRUE(shown);
+            EXPECT_NEAR(shown->x, right, 1e-6);
+            EXPECT_NEAR(shown->y, up, 1e-6);
+            const glm::vec4 clip =
+                camera.clip_from_view(aspect) * camera.view_from_world() * glm::vec4(single(point), 1.0f);
+            EXPECT_NEAR(clip.x / clip.w, right, 1e-4);
+            EXPECT_NEAR(clip.y / clip.w, up, 1e-4);
+        }
+    EXPECT_FALSE(camera.shown_at(camera.eye() + 0.1 * camera.towards(), aspect)) << "behind the eye";
+}
+
 TEST(Camera, IsSoundForADegenerateView) {
     Camera camera;
     camera.see({0, 0, 0}, 0.0, {0, 0, 0}, {0, 1, 0});
