@@ -36,8 +36,8 @@ void Camera::see(Vec3 target, double radius, Vec3 towards, Vec3 up) {
 void Camera::orbit(double right, double up) {
     towards_ = normalized(turned(towards_, up_, -right));
     const Vec3 axis = cross(up_, towards_);
-    towards_ = normalized(turned(towards_, axis, -up));
-    up_ = upright(towards_, turned(up_, axis, -up));
+    towards_ = normalized(turned(towards_, axis, up));
+    up_ = upright(towards_, turned(up_, axis, up));
 }
 
 void Camera::pan(double right, double up) {

@@ -14,7 +14,8 @@ public:
     /// Sees a sphere whole, from this direction.
     /// @param towards  from the target to the eye
     void see(Vec3 target, double radius, Vec3 towards, Vec3 up);
-    /// Turns the eye about the target, by angles [rad] to the right and upwards.
+    /// Turns the eye about the target, so that the near side of the bone moves by angles [rad] to the right and
+    /// upwards.
     void orbit(double right, double up);
     /// Moves the target in the picture's plane, by fractions of the picture's height.
     void pan(double right, double up);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 namespace kerf::window {
 namespace {
 
@@ -36,8 +39,19 @@ TEST(Camera, OrbitsByTheAngle) {
     EXPECT_NEAR(std::acos(after.y), 0.3, 1e-9);
     EXPECT_NEAR(after.z, 0.0, 1e-9);
     camera.orbit(0.0, 0.4);
-    EXPECT_NEAR(std::asin(camera.towards().z), 0.4, 1e-9);
+    EXPECT_NEAR(std::asin(camera.towards().z), -0.4, 1e-9);
     EXPECT_NEAR(dot(camera.up(), camera.towards()), 0.0, 1e-12);
+}
+
+TEST(Camera, TurnsTheNearSideWithTheMouse) {
+    for (const auto& [right, up] : {std::pair{0.3, 0.2}, {-0.3, 0.2}, {0.3, -0.2}}) {
+        Camera camera;
+        camera.see({0, 0, 0}, 0.05, {0, 1, 0}, {0, 0, 1});
+        camera.orbit(right, up);
+        const glm::vec3 near = in_picture(camera, {0, 0.03, 0});
+        EXPECT_GT(near.x * right, 0.0) << right << ' ' << up;
+        EXPECT_GT(near.y * up, 0.0) << right << ' ' << up;
+    }
 }
 
 TEST(Camera, PansByFractionsOfTheHeight) {
