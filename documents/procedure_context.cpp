@@ -54,7 +54,7 @@ void ProcedureContext::refuse_step(const Node& name) const {
         if (const Node* id = step.find("id"); id != nullptr && id->text == name.text) return;  // refused there
     const bool has_nameless = std::any_of(procedure.steps.begin(), procedure.steps.end(),
                                           [](const Step& step) { return step.id.empty(); });  // reported there
-    if (known.empty() || (has_nameless && closest(text::straightened(name.text), known).empty())) return;
+    if (known.empty() || (has_nameless && !is_near_any(text::straightened(name.text), known))) return;
     refuse_unknown({.code = text::Code::unknown_step,
                     .span = name.span,
                     .subject = "The step " + quoted_id(name.text),

@@ -119,7 +119,7 @@ private:
         // A run does not need the strategy of a plugin that is not installed. But an id close to a known one is a
         // mistake.
         if (std::count(word.begin(), word.end(), '.') > 1 && is_of_no_plugin(word.substr(0, word.rfind('.'))) &&
-            closest(word, known, report_).empty()) {
+            !is_near_any(word, known)) {
             instrument.remeshing = word;
             return nullptr;
         }

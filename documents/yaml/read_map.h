@@ -14,10 +14,13 @@
 /// Reading one map of a document, and its values. A function that returns no value has reported the reason.
 namespace kerf::documents {
 
-/// The candidate nearest to `word`; empty if none is near, or if the report is full and shows no more. The last parts
-/// of a name with dots or slashes count as the name.
+/// The candidate nearest to `word`; empty if none is near, if several are equally near, or if the report is full and
+/// shows no more. The last parts of a name with dots or slashes count as the name.
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report);
 std::string closest(std::string_view word, const std::vector<std::string>& candidates);  // [any]
+
+/// Returns whether one or more of the candidates are near to `word`.   [any]
+bool is_near_any(std::string_view word, const std::vector<std::string>& candidates);
 
 /// Returns the advice behind a list of candidates; nothing if `meant` is suggested.   [any]
 std::string or_choose(const std::string& meant, const std::string& advice = "Write one of these.");

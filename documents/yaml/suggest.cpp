@@ -77,6 +77,32 @@ std::string_view without_dashes(std::string_view word) {
     return word.substr(std::min(word.find_first_not_of('-'), word.size()));
 }
 
+struct Nearest {
+    const std::string* name = nullptr;  ///< null: none is near
+    bool is_tied = false;               ///< another name is as near
+};
+
+/// Returns the candidate at the smallest distance from the word. At most a third of the word differs, and less than
+/// half of a word of two letters.
+Nearest nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
+    Nearest nearest;
+    if (word.size() > longest_word) return nearest;
+    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+    for (std::size_t i = 0; i < std::min(candidates.size(), max_candidates); ++i) {
+        const std::string& candidate = candidates[i];
+        if (candidate.size() > longest_word || is_other_side(word, candidate)) continue;
+        const auto [distance, length] = distance_to_name(word, candidate);
+        if (2 * distance >= std::max(word.size(), length)) continue;
+        if (distance < best_distance) {
+            nearest = {&candidate};
+            best_distance = distance;
+        } else if (nearest.name != nullptr && distance == best_distance && candidate != *nearest.name) {
+            nearest.is_tied = true;
+        }
+    }
+    return nearest;
+}
+
 }  // namespace
 
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report) {
@@ -84,19 +110,12 @@ std::string closest(std::string_view word, const std::vector<std::string>& candi
 }
 
 std::string closest(std::string_view word, const std::vector<std::string>& candidates) {
-    if (word.size() > longest_word) return {};
-    std::string best;
-    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
-    for (std::size_t i = 0; i < std::min(candidates.size(), max_candidates); ++i) {
-        const std::string& candidate = candidates[i];
-        if (candidate.size() > longest_word || is_other_side(word, candidate)) continue;
-        const auto [distance, length] = distance_to_name(word, candidate);
-        if (distance < best_distance && distance < std::max(word.size(), length)) {
-            best = candidate;
-            best_distance = distance;
-        }
-    }
-    return best;
+    const Nearest nearest = nearest_name(word, candidates);
+    return nearest.is_tied || nearest.name == nullptr ? std::string() : *nearest.name;
+}
+
+bool is_near_any(std::string_view word, const std::vector<std::string>& candidates) {
+    return nearest_name(word, candidates).name != nullptr;
 }
 
 std::vector<std::string> nearest_first(std::vector<std::string> words, std::string_view like) {

@@ -22,6 +22,19 @@ TEST(Suggestion, IgnoresCapitalLetters) { EXPECT_EQ(closest("SPACING", {"force",
 
 TEST(Suggestion, NeverSwapsTheSide) { EXPECT_EQ(closest("left_pedicle", {"right_pedicle"}), ""); }
 
+TEST(Suggestion, NamesNoneOfSeveralEquallyNear) {
+    const Words known{"cut-1", "cut-2", "cut-3", "waist"};
+    EXPECT_EQ(closest("cut-5", known), "");
+    EXPECT_TRUE(is_near_any("cut-5", known));
+    EXPECT_EQ(closest("cut-22", known), "cut-2");
+    EXPECT_EQ(closest("wais", {"waist", "waist"}), "waist");
+}
+
+TEST(Suggestion, KeepsMoreThanHalfOfAWord) {
+    EXPECT_EQ(closest("C5", {"L4", "L5"}), "");
+    EXPECT_EQ(closest("l5", {"L4", "L5"}), "L5");
+}
+
 TEST(Suggestion, ListsWordsThatResembleItFirst) {
     const Words known{"volume", "force", "spacer", "spacing"};
     EXPECT_EQ(nearest_first(known, "spacin"), (Words{"spacing", "spacer", "volume", "force"}));
