@@ -84,7 +84,7 @@ std::optional<MakeRequest> read_make_request(const Node& node, const std::string
     const Node* set = map.find("set");
     const Node* level = map.find("level");
     map.finish();
-    if (report.errors() > errors) return std::nullopt;
+    if (request.kind.empty()) return std::nullopt;
     check_level(request, level != nullptr ? *level : node, report);
     if (report.errors() > errors) return std::nullopt;
     const Population population = population_of(request);

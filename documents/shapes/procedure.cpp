@@ -5,6 +5,15 @@
 #include "documents/shapes/values.h"
 
 namespace kerf::documents::shapes {
+namespace {
+
+/// The levels of all kinds of made bones. Only the reader of a request knows which ones its kind has.
+struct LevelWord : ValueShape {};
+void read_value(MapReader& map, const std::string& key, const LevelWord& /*shape*/, std::string& level) {
+    level = map.text(key);
+}
+
+}  // namespace
 
 const MapShape<Procedure> metadata{
     "metadata",
@@ -93,7 +102,8 @@ const MapShape<MakeRequest> made_bone{
     "made_bone",
     "A bone made from published dimensions.",
     {{required, "make", &MakeRequest::kind, word(made_kinds()), "Its kind.", "vertebra"},
-     {optional, "level", &MakeRequest::level, word(made_levels()), "The level, for a kind that has levels.", "L3"},
+     {optional, "level", &MakeRequest::level, LevelWord{word(made_levels())}, "The level, for a kind that has levels.",
+      "L3"},
      {optional, "sex", &MakeRequest::sex,
       choice<MakeRequest::Sex>({{"f", MakeRequest::Sex::female}, {"m", MakeRequest::Sex::male}}),
       "If not given, drawn; without a seed the mean of both.", "f"},

@@ -262,7 +262,6 @@ TEST(MadeBone, SetsDimensions) {
 }
 
 TEST(MadeBone, RefusesImpossibleRequests) {
-    expect_parts(problem_with("{make: vertebra, level: L9}"), {"L9", "`L5`"});
     expect_parts(problem_with("{make: vertebra}"), {"has no `level:`", "`T11`", "Write `level: L3`"});
     expect_parts(problem_with("{make: femora, level: L3}"), {"femora", "vertebra"});
     expect_parts(problem_with("{make: vertebra, level: L3, seed: 1.5}"), {"1.5", "whole number"});
@@ -278,6 +277,18 @@ TEST(MadeBone, RefusesImpossibleRequests) {
                  {"`pedicle.cortex` is out of range: got 1.7 mm, expected at most 1.05 mm"});
     expect_parts(problem_with("{make: vertebra, level: L3, height: 165 mm}"), {"height", "cm"});
     expect_parts(problem_with("{make: vertebra, level: L3, age: 7}"), {"age", "20"});
+}
+
+TEST(MadeBone, SuggestsOnlyLevelsOfItsKind) {
+    const auto expect_advice = [](const char* request, const std::string& advice) {
+        const std::string problem = problem_with(request);
+        expect_parts(problem, {"E0207", "expected `T11`, ", advice});
+        EXPECT_EQ(problem.find("proximal"), std::string::npos) << problem;
+    };
+    expect_advice("{make: vertebra, level: L9}", "Write one of these.");
+    expect_advice("{make: vertebra, level: C5}", "Write one of these.");
+    expect_advice("{make: vertebra, level: l4}", "Write `L4`.");
+    expect_parts(problem_with("{make: femur, level: L3}"), {"expected `proximal` or `distal`. Write one of these."});
 }
 
 }  // namespace
