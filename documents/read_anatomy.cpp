@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "documents/read_anatomy.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "documents/fit_references.h"
@@ -12,6 +13,7 @@
 #include "documents/yaml/correct_keys.h"
 #include "kerf/abi.h"
 #include "text/codes.h"
+#include "text/printable.h"
 
 namespace kerf::documents {
 namespace {
@@ -67,6 +69,26 @@ std::vector<TissueRegion> read_regions(const Node& node, bool has_shell, const s
     return regions;
 }
 
+/// Returns the tissue that fills all that the others leave: the last one. If that one has a shell or solids and one
+/// other tissue has neither, reports the order and returns the other one.
+const Node* base_of(const std::vector<Node>& tissues, Report& report) {
+    const auto is_bare = [](const Node& tissue) {
+        return tissue.kind == Node::Kind::map && tissue.find("thickness") == nullptr &&
+               tissue.find("solids") == nullptr;
+    };
+    if (tissues.empty()) return nullptr;
+    const auto bare = std::find_if(tissues.begin(), tissues.end(), is_bare);
+    if (is_bare(tissues.back()) || std::count_if(tissues.begin(), tissues.end(), is_bare) != 1) return &tissues.back();
+    const Node* id = bare->find("id");
+    const std::string name = id != nullptr ? "`" + text::excerpt(id->text, 40) + "`" : "the tissue";
+    report.error(text::Code::degenerate, id != nullptr ? id->span : bare->span,
+                 "The tissues are in the wrong order: " + name +
+                     " has neither `thickness` nor `solids`, so it fills all that the others leave. Tissues go from "
+                     "the surface inwards. Write " +
+                     name + " last.");
+    return &*bare;
+}
+
 /// @param has_density_line   the density of the last tissue comes from the CT
 std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, const std::vector<PhantomPart>& parts,
                                  Report& report) {
@@ -77,12 +99,13 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, const 
         report.error(text::Code::out_of_range, items[KERF_MAX_TISSUES].span,
                      "There are too many tissues: got " + std::to_string(items.size()) + ", expected at most " +
                          std::to_string(KERF_MAX_TISSUES) + ". Remove some.");
+    const Node* base = base_of(items, report);
     for (const Node& item : items) {
         MapReader map(item, shapes::tissue, item_name(item, "tissue"), report);
         Tissue tissue;
         shapes::tissue.fill(map, tissue);
         ids.add_own(tissue.id, item, report);
-        const bool is_base = &item == &items.back();
+        const bool is_base = &item == base;
         const bool has_own_density = !(is_base && has_density_line);
         const Node* density = has_own_density ? map.required("density") : map.find("density");
         if (has_own_density)

@@ -260,6 +260,18 @@ TEST(ReadAnatomy, RefusesToTakeAwayFromNothing) {
 TEST(ReadAnatomy, RefusesAThicknessOfTheBase) {
     expect_refused(text::Code::degenerate, "{id: cancellous,", "{id: cancellous, «thickness»: 1 mm,");
 }
+TEST(ReadAnatomy, RefusesTissuesInTheWrongOrderOnce) {
+    const std::size_t begin = faultless.find("  - {id: cortical,"), middle = faultless.find("  - {id: cancellous,"),
+                      end = faultless.find("landmarks:");
+    const std::string cortical = faultless.substr(begin, middle - begin),
+                      cancellous = faultless.substr(middle, end - middle);
+    const MarkedText marked(faultless.substr(0, begin) + replaced(cancellous, "cancellous", "«cancellous»") + cortical +
+                            faultless.substr(end));
+    text::Diagnostics diagnostics;
+    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text).take(diagnostics));
+    expect_only(text::Code::degenerate, marked, diagnostics);
+    EXPECT_NE(to_text(diagnostics).find("Write `cancellous` last."), std::string::npos) << to_text(diagnostics);
+}
 TEST(ReadAnatomy, RefusesAShellWithoutThickness) {
     expect_refused(text::Code::missing_key, "{id: cortical, thickness: 1.5 mm,", "«{»id: cortical,");
 }
