@@ -172,7 +172,7 @@ std::string PickedBone::description(const window::PickedLandmark& landmark) cons
     if (!landmark.to) return documents::vector_text(1e3 * landmark.at) + " mm";
     const std::string length_text = millimetres(length(*landmark.to - landmark.at)) + " long";
     if (length(*landmark.to - landmark.at) < 1e-6) return "no length: both ends are the same point";
-    const auto [entry, fraction_in_bone, inside] =
+    const auto [entry, fraction_in_bone, inside, is_reversed] =
         bone::axis_in_bone(body_, {.id = landmark.id, .from = landmark.at, .to = *landmark.to});
     if (entry < 0.0) return length_text + ", meets no bone";
     const bool is_off_bone = entry > 0.2e-3;  // [m] it does not begin on the surface

@@ -206,6 +206,14 @@ bone::AxisInBone add_frame_of_hole(Scene& scene, const StepHole& hole, text::Dia
     return found;
 }
 
+/// Returns whether no step before the one that gets the next frame has the same axis.
+bool is_new_axis(const Scene& scene) {
+    const std::vector<documents::Step>& steps = scene.procedure.steps;
+    const std::size_t next = scene.frames.size();
+    return std::none_of(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(next),
+                        [&](const documents::Step& earlier) { return earlier.axis == steps[next].axis; });
+}
+
 }  // namespace
 
 const documents::Instrument& instrument_of(const Scene& scene, std::size_t tool) {
@@ -267,7 +275,7 @@ text::Result<Scene> make_scene(Documents documents, const bone::ImportOptions& o
         } else {
             const documents::LandmarkAxis& axis = *find_axis(scene.anatomy, step.axis);
             found = bone::axis_in_bone(scene.body, axis);
-            bone::check_axis(scene.anatomy, axis, found, diagnostics);
+            if (is_new_axis(scene)) bone::check_axis(scene.anatomy, axis, found, diagnostics);
             scene.frames.push_back(axis_frame(axis, found.entry, scene.anatomy, plane_of(step, scene.anatomy)));
         }
         scene.frames.back().inwards = bone::into_surface(scene.body, scene.frames.back().entry);

@@ -452,6 +452,7 @@ text::Result<Body> make_body(const documents::Anatomy& written, double spacing, 
 
 AxisInBone axis_in_bone(const Body& body, const documents::LandmarkAxis& axis) {
     constexpr int max_steps_back = 10000;
+    constexpr double min_reversed_depth = 5e-3;  // [m] an axis that begins less deep starts too far in
     const double step = 0.1 * body.grid().spacing;
     const Vec3 along = normalized(axis.to - axis.from);
     const int steps = static_cast<int>(length(axis.to - axis.from) / step);
@@ -459,16 +460,19 @@ AxisInBone axis_in_bone(const Body& body, const documents::LandmarkAxis& axis) {
         return uncut_distance(body, locate(body.grid(), axis.from + i * step * along)) < 0.0;
     };
     AxisInBone found{-1.0, 0.0};
-    int inside = 0, behind = 0;
+    int inside = 0, behind = 0, last = 0;
     for (int i = 0; i <= steps; ++i) {
         const bool is_bone = is_bone_at(i);
         if (found.entry < 0.0 && is_bone) found.entry = i * step;
         if (found.entry < 0.0) continue;
         ++behind;
         inside += is_bone;
+        if (is_bone) last = i;
     }
     if (behind > 0) found.share = static_cast<double>(inside) / behind;
     for (int i = 0; i > -max_steps_back && is_bone_at(i); --i) found.inside = (1 - i) * step;
+    const bool is_in_bone_to_the_last = inside >= min_fraction_in_bone * (last + 1);
+    found.is_reversed = found.inside > min_reversed_depth && last < steps && is_in_bone_to_the_last;
     return found;
 }
 
@@ -499,6 +503,11 @@ void check_axis(const documents::Anatomy& anatomy, const documents::LandmarkAxis
             text::error_at(at(), "E0610",
                            "the axis `" + axis.id +
                                "` meets no bone. Check its points: LPS, millimetres, from outside into the bone."));
+    else if (found.is_reversed)
+        diagnostics.push_back(text::error_at(at(), "E0607",
+                                             "the axis `" + axis.id + "` leads out of the bone: `from` lies " +
+                                                 rounded(found.inside * 1e3, 1) +
+                                                 " mm deep in the bone, and `to` outside. Exchange the two."));
     else if (found.begins_inside())
         diagnostics.push_back(text::error_at(at(), "E0607",
                                              "the axis `" + axis.id + "` begins " + rounded(found.inside * 1e3, 1) +

@@ -20,6 +20,7 @@ struct AxisInBone {
     double share = 0.0;  ///< [–] fraction of the axis in bone, from the entry to its end
     /// [m] along the axis, from the surface of the bone to the axis's origin; 0: it begins outside.
     double inside = 0.0;
+    bool is_reversed = false;  ///< it begins deep in the bone and leads out of it
     /// Returns whether depths along the axis do not count from the surface.
     [[nodiscard]] bool begins_inside() const noexcept { return inside > 1e-3; }
 };
@@ -29,8 +30,8 @@ struct AxisInBone {
 /// it; zero without a surface.
 [[nodiscard]] Vec3 into_surface(const Body& body, Vec3 point);
 
-/// Refuses an axis that meets no bone, that begins more than 1 mm inside it, or that has less than 80 % in bone behind
-/// its entry (E0610, E0607, E0611).   [main]
+/// Refuses an axis that meets no bone, that begins more than 1 mm inside it, whose ends are exchanged, or that has less
+/// than 80 % in bone behind its entry (E0610, E0607, E0611).   [main]
 void check_axis(const documents::Anatomy& anatomy, const documents::LandmarkAxis& axis, const AxisInBone& found,
                 text::Diagnostics& diagnostics);
 
