@@ -285,6 +285,14 @@ struct LikelyMistake {
     const char* what = nullptr;
 };
 
+/// Returns a number as the fraction that was likely meant, "1/200" of 200; empty if that does not fit. Only a plain
+/// number whose range lies mostly below 1 is written as a fraction.
+std::string meant_fraction(double value, const QuantityNeed& need) {
+    const bool is_fraction = need.unit.empty() && need.min > 0.0 && need.min * need.max < 1.0;
+    if (!is_fraction || value <= std::max(1.0, need.max) || 1.0 / value < need.min) return {};
+    return "1/" + number_text(value);
+}
+
 std::optional<LikelyMistake> likely_slip(double value, const std::string& unit, const QuantityNeed& need) {
     const auto fits = [&](double v) { return v >= need.min && v <= need.max; };
     if (fits(-value)) return LikelyMistake{-value, unit, "the sign"};
@@ -316,6 +324,8 @@ QuantityProblem out_of_range(double value, std::string_view unit, const std::str
         is_short(need.min, written_in) && is_short(need.max, written_in) ? written_in : need.unit;
     std::string message = name + " is out of range: got " + quantity_text(value, written_in) + ", expected " +
                           quantity_text(need.min, shown_in) + " … " + quantity_text(need.max, shown_in) + ".";
+    if (const std::string fraction = meant_fraction(value, need); !fraction.empty() && is_readable(fraction, need))
+        return {Code::out_of_range, message + " Is it the divisor of a fraction?", fraction};
     const std::optional<LikelyMistake> slip = likely_slip(value, written_in, need);
     // The value in another unit may round to just outside the range.
     const std::string write = slip ? quantity_text(slip->value, slip->unit) : "";
