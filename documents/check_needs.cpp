@@ -272,6 +272,61 @@ void check_step_landmarks(const Procedure& procedure, const Anatomy& anatomy, co
     }
 }
 
+bool has_goal(const Step& step, const std::string& quantity) {
+    return std::any_of(step.goals.begin(), step.goals.end(), [&](const Goal& g) { return g.quantity == quantity; });
+}
+
+/// Returns whether all of an axis lies behind a plane, farther than both tolerances.
+bool is_behind(const LandmarkAxis& axis, const LandmarkPlane& plane) {
+    const double in_front = std::max(dot(axis.from - plane.at, plane.normal), dot(axis.to - plane.at, plane.normal));
+    return in_front < -(axis.tolerance + plane.tolerance);
+}
+
+void refuse_normal(const LandmarkPlane& plane, const Step& taking, const Node* step, const Anatomy& anatomy,
+                   Report& report, text::Diagnostics& diagnostics) {
+    std::string turned;
+    for (const double part : {plane.normal.x, plane.normal.y, plane.normal.z}) {
+        const double rounded = std::round(-part * 1e4) / 1e4;
+        turned += (turned.empty() ? "" : " ") + text::quantity_text(rounded == 0.0 ? 0.0 : rounded, "");
+    }
+    text::Diagnostic wrong = text::error_at(
+        in_anatomy(anatomy, {"landmarks", "planes", plane.id, "normal"}), code_text(text::Code::reversed_normal),
+        "The normal of the plane " + quoted_id(plane.id) + " points into the bone that stays: the step " +
+            quoted_id(taking.id) + " takes the piece behind the plane. Turn the normal around.");
+    wrong.write = "normal: " + turned;
+    wrong.reason = report.because(span_or_none(find_in(step, "axis")), "this axis leads into the piece that is taken.");
+    diagnostics.push_back(std::move(wrong));
+}
+
+/// Reports planes of cuts whose normals point into the bone that stays. The cuts that bound a piece are those of the
+/// instrument that parts the bone, since a piece was last taken.
+void check_normals(const Procedure& procedure, const Anatomy& anatomy, const Document& document, Report& report,
+                   text::Diagnostics& diagnostics) {
+    std::vector<const Step*> cuts;  // since a piece was last taken
+    std::vector<std::string> refused;
+    const Node* steps = document.root.find("steps");
+    for (std::size_t i = 0; i < procedure.steps.size(); ++i) {
+        const Step& step = procedure.steps[i];
+        if (!has_goal(step, "moved")) {
+            cuts.push_back(&step);
+            continue;
+        }
+        const LandmarkAxis* grip = find_id(anatomy.axes, step.axis);
+        const auto parting =
+            std::find_if(cuts.rbegin(), cuts.rend(), [](const Step* cut) { return has_goal(*cut, "separated"); });
+        const bool is_known = grip != nullptr && !grip->fit && parting != cuts.rend();
+        for (const Step* cut : is_known ? cuts : std::vector<const Step*>{}) {
+            const LandmarkPlane* plane = find_id(anatomy.planes, cut->plane);
+            if (plane == nullptr || cut->instrument != (*parting)->instrument || !is_behind(*grip, *plane) ||
+                contains(refused, plane->id))
+                continue;
+            refused.push_back(plane->id);
+            refuse_normal(*plane, step, item_of(steps, i), anatomy, report, diagnostics);
+        }
+        cuts.clear();
+    }
+}
+
 /// Reports rehearsals that move towards a missing midline.
 void check_midline(const Procedure& procedure, const Anatomy& anatomy, const Document& document, Report& report) {
     if (find_id(anatomy.points, midline) != nullptr) return;
@@ -337,6 +392,7 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, text::Diagn
     check_places(procedure, anatomy, ids_of(anatomy.axes), ids_of(anatomy.points), document, report);
     check_sorts(procedure.constructions, procedure.measures, anatomy, document, report);
     check_midline(procedure, anatomy, document, report);
+    if (!anatomy.fracture) check_normals(procedure, anatomy, document, report, diagnostics);
 }
 
 }  // namespace kerf::documents

@@ -116,9 +116,34 @@ double fraction_in_bone(const Body& body, const documents::Zone& zone) {
     return inside > 0 ? static_cast<double>(in_bone) / static_cast<double>(inside) : 0.0;
 }
 
+namespace {
+
+/// Warns of zones of which no part is in the bone's box, enlarged on each side by its own size.
+void check_distances(const documents::Anatomy& anatomy, const Body& body, text::Diagnostics& diagnostics) {
+    const Grid& grid = body.grid();
+    const Vec3 low = grid.sample_position(0, 0, 0),
+               high = grid.sample_position(grid.bricks[0] * brick_edge, grid.bricks[1] * brick_edge,
+                                           grid.bricks[2] * brick_edge);
+    const Vec3 size = high - low;
+    for (const documents::Zone& zone : anatomy.zones) {
+        const Box box = bounds_of(zone.solids);
+        const double apart =
+            std::max({low.x - size.x - box.high.x, box.low.x - high.x - size.x, low.y - size.y - box.high.y,
+                      box.low.y - high.y - size.y, low.z - size.z - box.high.z, box.low.z - high.z - size.z});
+        if (zone.solids.empty() || zone.is_tissue || apart <= 0.0) continue;
+        diagnostics.push_back(text::warning_at(documents::in_anatomy(anatomy, {"zones", zone.id}), "W0687",
+                                               "the zone `" + zone.id +
+                                                   "` is far from the bone, so no tool can come near it. Check its "
+                                                   "coordinates (LPS, millimetres)."));
+    }
+}
+
+}  // namespace
+
 void check_landmarks(const documents::Anatomy& anatomy, const Body& body, text::Diagnostics& diagnostics) {
     check_sides(anatomy, diagnostics);
     check_points(anatomy, body, diagnostics);
+    check_distances(anatomy, body, diagnostics);
     for (const documents::Zone& zone : anatomy.zones)
         if (const double share = fraction_in_bone(body, zone); share > max_bone_in_zone && !zone.is_tissue)
             diagnostics.push_back(text::warning_at(
