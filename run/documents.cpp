@@ -15,6 +15,7 @@
 #include "documents/yaml/read_map.h"
 #include "run/bone_memory.h"
 #include "run/data_files.h"
+#include "run/limit_checks.h"
 #include "run/plate.h"
 #include "run/run_checks.h"
 #include "run/shipped.h"
@@ -76,7 +77,8 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, text::Diagn
     for (std::size_t step = 0; step < procedure.steps.size(); ++step)
         if (const Tool& tool = documents.tools[documents.tool_of_step[step]]; !tool.outline.cutting.outline().empty()) {
             check_hole_limits(procedure, step, tool.outline.cutting, diagnostics);
-            check_regrips(procedure, step, tool.outline.has_thread(), diagnostics);
+            check_limits_at_start(procedure, step, tool.outline, documents.anatomy, diagnostics);
+            check_turns(procedure, step, tool.outline.has_thread(), diagnostics);
         }
 }
 

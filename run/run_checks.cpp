@@ -59,26 +59,50 @@ double narrowest_bore(const ToolSolid& turning) {
     return 2.0 * radius;
 }
 
+/// Returns the waypoint of a step that is as far in front of the bone as `depth` is in it, between two that are nearer:
+/// its sign slipped. Returns the size of the path if there is none.
+std::size_t slipped_waypoint(const std::vector<documents::Waypoint>& path, std::size_t step, double depth) {
+    for (std::size_t w = 1; w + 1 < path.size(); ++w) {
+        const documents::Waypoint &before = path[w - 1], &here = path[w], &after = path[w + 1];
+        const bool is_of_step = before.step == step && here.step == step && after.step == step;
+        if (is_of_step && -here.depth >= depth && here.depth < before.depth && here.depth < after.depth) return w;
+    }
+    return path.size();
+}
+
 /// Warns of a rehearsal that expects to pass but is not led as deep as the goals of its steps.
 void check_reach(const documents::Procedure& procedure, std::size_t rehearsal, const documents::Document& document,
                  documents::Report& report) {
     const documents::Rehearsal& r = procedure.rehearsals[rehearsal];
     if (r.expect != "pass") return;
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
-        double asked = -HUGE_VAL, deepest = -HUGE_VAL;
+        double needed = -HUGE_VAL, deepest = -HUGE_VAL;
         for (const documents::Goal& goal : procedure.steps[s].goals)
-            if (goal.quantity == "depth") asked = std::max(asked, goal.bound.at_least.value_or(asked));
+            if (goal.quantity == "depth") needed = std::max(needed, goal.bound.at_least.value_or(needed));
         std::size_t where = 0;
         for (std::size_t w = 0; w < r.path.size(); ++w)
             if (r.path[w].step == s && r.path[w].depth > deepest) deepest = r.path[where = w].depth;
-        if (deepest == -HUGE_VAL || deepest >= asked) continue;
+        if (deepest == -HUGE_VAL || deepest >= needed) continue;
+        const std::size_t slipped = deepest <= 0.0 ? slipped_waypoint(r.path, s, needed) : r.path.size();
+        if (slipped < r.path.size()) where = slipped;
         const documents::Node* depth = documents::waypoint_node(document, rehearsal, where, "depth");
+        if (slipped < r.path.size()) {
+            const double written = r.path[slipped].depth;
+            report.warning(
+                text::Code::short_of_goal,
+                depth != nullptr ? depth->span : span_in(document, "rehearsals", rehearsal, "path"),
+                "The waypoint lies in front of the bone, in a rehearsal that expects to pass: got a depth of " +
+                    text::quantity_text(written, "mm") + ", and step `" + procedure.steps[s].id + "` needs at least " +
+                    text::quantity_text(needed, "mm") + ". Did the sign slip?",
+                text::quantity_text(-written, "mm"));
+            continue;
+        }
         report.warning(text::Code::short_of_goal,
                        depth != nullptr ? depth->span : span_in(document, "rehearsals", rehearsal, "path"),
                        "The path of a rehearsal that expects to pass is too shallow in step `" + procedure.steps[s].id +
                            "`: got " + text::quantity_text(deepest, "mm") + ", expected at least " +
-                           text::quantity_text(asked, "mm") + ". Lead it deeper, or write how it is expected to fail.",
-                       text::quantity_text(asked, "mm"));
+                           text::quantity_text(needed, "mm") + ". Lead it deeper, or write how it is expected to fail.",
+                       text::quantity_text(needed, "mm"));
     }
 }
 
@@ -224,21 +248,19 @@ void check_hole_limits(const documents::Procedure& procedure, std::size_t step, 
     }
 }
 
-void check_regrips(const documents::Procedure& procedure, std::size_t step, bool has_thread,
-                   text::Diagnostics& diagnostics) {
+void check_turns(const documents::Procedure& procedure, std::size_t step, bool has_thread,
+                 text::Diagnostics& diagnostics) {
     if (has_thread) return;
     const auto document = documents::document_of(procedure);
     for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r)
         for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
             const documents::Waypoint& waypoint = procedure.rehearsals[r].path[w];
-            if (waypoint.step != step || waypoint.regrip <= 0.0) continue;
+            if (waypoint.step != step || (waypoint.turn == 0.0 && waypoint.regrip <= 0.0)) continue;
             const documents::Node* turn = documents::waypoint_node(*document, r, w, "turn");
-            const documents::Node* regrip = turn != nullptr ? turn->find("regrip") : nullptr;
             documents::Report(*document, diagnostics)
-                .error(text::Code::needs_driver, regrip != nullptr ? regrip->key_span : documents::TextSpan{},
-                       "The hand cannot regrip `" + procedure.steps[step].instrument +
-                           "`: got a tool without a thread, expected one with a thread that stays in bone. Remove "
-                           "`regrip:`.");
+                .error(text::Code::needs_driver, turn != nullptr ? turn->key_span : documents::TextSpan{},
+                       "The hand cannot turn `" + procedure.steps[step].instrument +
+                           "`: got a tool without a thread, expected a screw or a tap. Remove `turn:`.");
         }
 }
 

@@ -44,10 +44,10 @@ void check_guide(const documents::Procedure& procedure, const documents::Instrum
 void check_hole_limits(const documents::Procedure& procedure, std::size_t step, const ToolSolid& cutting,
                        text::Diagnostics& diagnostics);
 
-/// Refuses waypoints of a step that regrip a tool without a thread.
+/// Refuses waypoints of a step that turn or regrip a tool without a thread.
 /// @param has_thread   whether the step's tool has a thread   [main]
-void check_regrips(const documents::Procedure& procedure, std::size_t step, bool has_thread,
-                   text::Diagnostics& diagnostics);
+void check_turns(const documents::Procedure& procedure, std::size_t step, bool has_thread,
+                 text::Diagnostics& diagnostics);
 
 /// Warns of a step in which most scaled forces of the bone [N] are below the device's own friction.
 /// @param along   one force per stretch of the axis in bone; all zero for a tool that does not cut   [main]

@@ -125,7 +125,8 @@ TEST_P(GoldenNamed, TextMatchesTheFile) {
     EXPECT_NE(text, "");
 }
 INSTANTIATE_TEST_SUITE_P(Mistakes, GoldenNamed,
-                         testing::Values("saw-no-teeth", "saw-half-a-tooth", "saw-too-many-teeth", "saw-no-thickness"),
+                         testing::Values("saw-no-teeth", "saw-half-a-tooth", "saw-too-many-teeth", "saw-no-thickness",
+                                         "reversed-axis", "broken-at-start", "slipped-sign", "turned-drill"),
                          [](const auto& of) {
                              std::string name = of.param;
                              std::replace(name.begin(), name.end(), '-', '_');

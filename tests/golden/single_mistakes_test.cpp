@@ -19,6 +19,7 @@ struct Mistake {
     const char* code;           ///< of the one error
     const char* write;          ///< that it suggests
     const char* file = "pedicle-screw.yaml";
+    const char* procedure = "pedicle-screw.yaml";
 };
 
 text::Diagnostics found_in(const Mistake& mistake) {
@@ -31,7 +32,7 @@ text::Diagnostics found_in(const Mistake& mistake) {
     text.replace(at, std::string(mistake.right).size(), mistake.wrong);
     std::ofstream(folder / mistake.file, std::ios::binary) << text;
 
-    const run::DocumentRequest request{.procedure = folder / "pedicle-screw.yaml"};
+    const run::DocumentRequest request{.procedure = folder / mistake.procedure};
     text::Diagnostics found;
     (void)run::check_documents(request, test::plugins()).take(found);
     for (text::Diagnostic& d : run::check_variants(request, found, test::plugins())) found.push_back(std::move(d));
@@ -85,6 +86,23 @@ INSTANTIATE_TEST_SUITE_P(OfTwoParts, SingleMistake,
                                              "instruments.opener.plugin: kerf.burring\n      instruments.opener.tool",
                                              "instruments.openr.plugin: kerf.burring\n      instruments.openr.tool",
                                              "E0212", "instruments.opener.plugin:"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    OfOtherProcedures, SingleMistake,
+    testing::Values(
+        Mistake{"normal: 0 0 -1,", "normal: 0 0 1,", "E0531", "normal: 0 0 -1", "anatomy/knee.yaml", "amputation.yaml"},
+        Mistake{"-46.67 0.81 9.26 mm, normal: 0 0.4695 -0.8829", "-46.67 0.81 9.26 mm, normal: 0 -0.4695 0.8829",
+                "E0531", "normal: 0 0.4695 -0.8829", "anatomy/mandible.yaml", "mandibular-angle-reduction.yaml"},
+        Mistake{"working_force: 15 N", "force_scale: 200", "E0412", "1/200", "trochanter-fixation.yaml",
+                "trochanter-fixation.yaml"},
+        Mistake{"steps.cut-3.title: Last", "steps.cut-5.title: Last", "E0212", "", "amputation.yaml",
+                "amputation.yaml"},
+        Mistake{"level: L4", "level: C5", "E0207", "", "pedicle-awl.yaml", "pedicle-awl.yaml"},
+        Mistake{"level: L4", "level: l4", "E0207", "L4", "pedicle-awl.yaml", "pedicle-awl.yaml"},
+        Mistake{"- {depth: {at_most: 30 mm}", "- {depth: {at_least: 30 mm}", "E0406", "at_most: 30 mm",
+                "pedicle-awl.yaml", "pedicle-awl.yaml"},
+        Mistake{"clearance: {zone: canal, at_least: 0 mm}", "clearance: {zone: canal, at_most: 0 mm}", "E0406",
+                "at_least: 0 mm", "pedicle-awl.yaml", "pedicle-awl.yaml"}));
 
 TEST(SingleMistakes, ListTheLinesOfTheSameName) {
     const text::Diagnostics found = found_in({"  straight:\n", "  strait:\n", "", ""});
