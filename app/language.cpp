@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "text/language_code.h"
 #include "text/printable.h"
 
 namespace kerf::app {
@@ -33,6 +34,13 @@ std::string note_of_language(const std::string& chosen, const documents::Transla
     for (const std::string& language : languages) list += (list.empty() ? "" : ", ") + language;
     return "the procedure has no words in `" + text::excerpt(chosen, 40) + "`" +
            (list.empty() ? "" : ", but in " + list) + "; its first language is shown";
+}
+
+std::string refusal_of_language(const std::string& chosen) {
+    if (chosen.empty() || text::is_language_code(chosen)) return {};
+    const std::string meant = language_of_locale(chosen);
+    return "`--language` is `" + text::excerpt(chosen, 40) + "`, expected a code such as `en` or `pt-BR`. Write " +
+           (text::is_language_code(meant) ? "`--language " + meant + "`." : "the code of ISO 639.");
 }
 
 }  // namespace kerf::app

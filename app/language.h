@@ -18,4 +18,7 @@ namespace kerf::app {
 /// Returns that a procedure has no words in the chosen language, for people; empty if it has, or if none is chosen.
 [[nodiscard]] std::string note_of_language(const std::string& chosen, const documents::Translations& translations);
 
+/// Returns why a chosen language is no code of a language, for people; empty if it is one, or if none is chosen. [any]
+[[nodiscard]] std::string refusal_of_language(const std::string& chosen);
+
 }  // namespace kerf::app

@@ -302,6 +302,8 @@ namespace commands {
 ExitCode run(const RunOptions& options, const Environment& with) {
     if (options.is_in_window && with.display == nullptr)
         return complain("this program has no window. Write `kerf run … --window`.", exit_bad_input);
+    if (const std::string refusal = refusal_of_language(options.language); !refusal.empty())
+        return complain(refusal, exit_bad_input);
     const std::string& file = options.procedure;
     text::Diagnostics diagnostics;
     auto documents = run::check_documents(request_of(file, options, with.here), with.plugins).take(diagnostics);

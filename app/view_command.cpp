@@ -84,6 +84,8 @@ ExitCode view_without(const DocumentRefusal& refusal, const ViewOptions& options
 }  // namespace
 
 ExitCode view(const ViewOptions& options, const Environment& with) {
+    if (const std::string refusal = refusal_of_language(options.language); !refusal.empty())
+        return complain(refusal, exit_bad_input);
     const Interruption interruption;
     if (options.is_recorded) return view_record(options, with, "`--recorded` requests it", interruption);
     RecordedDocuments of_session;

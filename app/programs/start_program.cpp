@@ -18,6 +18,7 @@
 
 #include "app/attempts.h"
 #include "app/interruption.h"
+#include "app/language.h"
 #include "app/learner_code.h"
 #include "app/outputs.h"
 #include "app/programs/resumed_run.h"
@@ -194,8 +195,8 @@ private:
 ExitCode run_start_page(const WindowOptions& options, const Environment& with) {
     if (const std::string refusal = refusal_of_learner(options.learner); !refusal.empty())
         return complain("`--learner`: " + refusal, exit_bad_input);
-    if (const std::string refusal = refusal_of_folder(options.attempts); !refusal.empty())
-        return complain(refusal, exit_bad_input);
+    for (const std::string& refusal : {refusal_of_language(options.language), refusal_of_folder(options.attempts)})
+        if (!refusal.empty()) return complain(refusal, exit_bad_input);
     std::error_code ignored;
     if (!options.procedures.empty() && !std::filesystem::is_directory(options.procedures, ignored))
         return complain("`--procedures` is `" + options.procedures + "`, which is no folder.", exit_bad_input);

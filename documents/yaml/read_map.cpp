@@ -14,6 +14,7 @@
 #include "kerf/units.hpp"
 #include "text/codes.h"
 #include "text/file_kind.h"
+#include "text/language_code.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 
@@ -84,17 +85,6 @@ bool is_version(std::string_view text) {
     return dots == 2 && before != '.' && text.size() <= 32;
 }
 
-/// Returns whether a text has the form of a language: `en`, `pt-BR`.
-bool is_language(std::string_view text) {
-    const auto are = [](std::string_view part, char from, char to) {
-        return std::all_of(part.begin(), part.end(), [=](char c) { return c >= from && c <= to; });
-    };
-    const std::size_t dash = std::min(text.find('-'), text.size());
-    const std::string_view language = text.substr(0, dash);
-    const bool has_language = (language.size() == 2 || language.size() == 3) && are(language, 'a', 'z');
-    return has_language && (dash == text.size() || (text.size() == dash + 3 && are(text.substr(dash + 1), 'A', 'Z')));
-}
-
 /// Returns the words with which text::recognise() names a kind of document; empty for an unknown one.
 std::string kind_in_words(std::string_view kind) {
     return kind == "Procedure" ? "a procedure"
@@ -155,7 +145,7 @@ std::optional<std::string> read_words(const Node& node, const std::string& name,
     if (node.kind != Node::Kind::map) return read_text(node, name, report);
     std::optional<std::string> first;
     for (const Node& child : node.children) {
-        if (!is_language(child.key))
+        if (!text::is_language_code(child.key))
             report.error(text::Code::malformed_word, child.key_span,
                          "A language of " + name + " is unknown: " + got(child.key) +
                              ", expected a code such as `en` or `pt-BR`. Write the code of ISO 639.");

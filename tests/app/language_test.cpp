@@ -24,5 +24,15 @@ TEST(Language, NotesOneThatAProcedureLacks) {
               "the procedure has no words in `fr`, but in de; its first language is shown");
 }
 
+TEST(Language, IsACode) {
+    EXPECT_EQ(refusal_of_language(""), "");
+    EXPECT_EQ(refusal_of_language("de"), "");
+    EXPECT_EQ(refusal_of_language("pt-BR"), "");
+    EXPECT_EQ(refusal_of_language("german"),
+              "`--language` is `german`, expected a code such as `en` or `pt-BR`. Write the code of ISO 639.");
+    EXPECT_EQ(refusal_of_language("de_AT"),
+              "`--language` is `de_AT`, expected a code such as `en` or `pt-BR`. Write `--language de-AT`.");
+}
+
 }  // namespace
 }  // namespace kerf::app
