@@ -259,7 +259,8 @@ QuantityProblem unfit_unit(std::string_view unit_text, const std::vector<double>
                 {}};
     }
     if (!(unit->dimension == need.dimension)) {
-        const std::string kind = name_of(unit->dimension);
+        const bool may_be_energy = unit->dimension == dimension::torque;  // the unit of both
+        const std::string kind = may_be_energy ? "an energy or a torque" : name_of(unit->dimension);
         return {Code::wrong_dimension,
                 wrong.name + (kind.empty() ? " is of another kind: " : " is " + kind + ": ") + wrong.got() +
                     (need.unit.empty() ? ". Write a plain number." : ". Write the value in " + need.unit + "."),
@@ -349,11 +350,32 @@ QuantityProblem not_three_numbers(const UnreadableText& wrong) {
                       without_commas(wrong.text, wrong.need), " Write x, y and z.");
 }
 
+/// Returns the seconds of `2:30` and `1:02:30`, the time as a clock shows it; empty for other texts.
+std::optional<double> clock_time(std::string_view text) {
+    double seconds = 0.0;
+    int parts = 0;
+    for (std::size_t begin = 0; begin <= text.size(); ++parts) {
+        const std::size_t end = std::min(text.find(':', begin), text.size());
+        const std::string_view part = text.substr(begin, end - begin);
+        const bool is_part = !part.empty() && part.size() <= 4 && (parts == 0 || part.size() == 2) &&
+                             part.find_first_not_of("0123456789") == std::string_view::npos;
+        if (!is_part) return std::nullopt;
+        double value = 0.0;
+        for (const char c : part) value = 10.0 * value + (c - '0');
+        seconds = 60.0 * seconds + value;
+        begin = end + 1;
+    }
+    return parts == 2 || parts == 3 ? std::optional(seconds) : std::nullopt;
+}
+
 /// Returns the problem of a single value that cannot be read.
 QuantityProblem problem_of_value(const UnreadableText& wrong) {
     std::string_view rest = wrong.text;
     const std::optional<double> number = take_fraction(rest);
     if (!number) return not_a_number(wrong);
+    if (const auto seconds = wrong.need.dimension == dimension::time ? clock_time(wrong.text) : std::nullopt)
+        return problem_of(Code::not_a_number, wrong, wrong.name + " is written like a clock: " + wrong.got() + ".",
+                          with_unit(number_text(*seconds), "s"), wrong.advice());
     const bool is_fraction = wrong.text.substr(0, wrong.text.size() - rest.size()).find('/') != std::string_view::npos;
     if (const std::string joined = without_thousands(wrong.text); !joined.empty())
         return problem_of(Code::not_a_number, wrong,

@@ -240,6 +240,19 @@ TEST(Quantity, NamesTheKindInPlaceOfAConversion) {
     EXPECT_EQ(problem("4 psi", any_length).code, Code::wrong_dimension);
 }
 
+TEST(Quantity, ReadsAClockAsSecondsToWrite) {
+    const QuantityNeed need{dimension::time, "s", 1.0, 3600.0};
+    for (const auto& [text, write] : {std::pair{"2:30", "150 s"}, {"0:02:30", "150 s"}, {"2:30 min", ""}, {"2:3", ""}})
+        EXPECT_EQ(parse_quantity(text, "time_limit", need).problem.write, write) << text;
+    EXPECT_EQ(parse_quantity("2:30", "depth", {dimension::length, "mm", 0.0, 1.0}).problem.write, "");
+}
+
+TEST(Quantity, NamesBothKindsOfAUnitOfEnergy) {
+    const auto power = parse_quantity("30 J", "drive_power", {parse_unit("W")->dimension, "W", 0.0, 100.0});
+    EXPECT_NE(power.problem.message.find("drive_power is an energy or a torque: "), std::string::npos)
+        << power.problem.message;
+}
+
 TEST(Quantity, ConvertsForeignUnitsExactly) {
     const QuantityNeed force = need(dimension::force, "N"), pressure = need(dimension::pressure, "MPa"),
                        torque = need(dimension::torque, "Nmm"), speed = need(dimension::speed, "mm/s"),
