@@ -119,7 +119,9 @@ private:
             end = end == 0 ? std::string_view::npos : path.rfind('.', end - 1);
             if (end != std::string_view::npos) found = find_within(target, path.substr(0, end));
         }
-        if (found == target.children.end())
+        if (found == target.children.end() && path.substr(0, path.find('.')).find('[') != std::string_view::npos)
+            refuse_index(target, change, path);
+        else if (found == target.children.end())
             add(target, shape, change, path);
         else if (end == path.size())
             change_to(target, shape_within(shape, path), found, change, std::string(path));
@@ -171,6 +173,32 @@ private:
             "The patch sets `" + here + "` twice: got " + both + ", expected one value. Remove one of the two.", {},
             report_.because(before->span, "it is set here first."));
         return false;
+    }
+
+    /// `steps[0].feed`: an id, not a number, names an item of a list.
+    void refuse_index(const Node& target, const Node& change, std::string_view path) {
+        const std::size_t open = path.find('['), close = std::min(path.find(']', open), path.size());
+        const std::string list(path.substr(0, open));
+        const std::string_view number = path.substr(open + 1, close - open - 1);
+        const Node* items = target.find(list);
+        const std::vector<std::string> ids =
+            items != nullptr && has_ids(*items) ? names_within(*items) : std::vector<std::string>{};
+        const bool is_number =
+            !number.empty() && number.size() < 4 && number.find_first_not_of("0123456789") == std::string_view::npos;
+        const std::size_t index = is_number ? std::stoul(std::string(number)) : ids.size();
+        const std::string rest(path.substr(std::min(close + 1, path.size())));
+        const std::string before = change.key.substr(0, change.key.size() - path.size());
+        report_.error(text::Code::patch_nowhere, change.key_span,
+                      "A path names the items of a list by their ids: got `" + text::excerpt(change.key, 40) + "`" +
+                          (ids.empty() ? "." : ", expected " + listed(ids) + " behind `" + list + ".`.") +
+                          (index < ids.size() ? "" : " Write an id, as in `steps.drill.feed`."),
+                      index < ids.size() ? as_written(before + list + "." + ids[index] + rest, change) : "");
+    }
+
+    /// Returns a path as `change` has it: `accuracy.spacing=0.5 mm` for a setting, else with a colon.
+    [[nodiscard]] std::string as_written(const std::string& path, const Node& change) const {
+        const bool is_setting = document_.place(change.key_span).file == setting_name;
+        return is_setting && change.kind == Node::Kind::scalar ? path + "=" + change.text : path + ":";
     }
 
     void refuse_way_in(const Node& target, const Node& change) {

@@ -9,6 +9,7 @@
 #include "documents/read_bone_source.h"
 #include "documents/read_landmarks.h"
 #include "documents/read_solids.h"
+#include "documents/refuse_extends.h"
 #include "documents/shapes/shapes.h"
 #include "documents/yaml/correct_keys.h"
 #include "kerf/abi.h"
@@ -202,8 +203,8 @@ Anatomy read_body(MapReader& map, const Document& document, Report& report) {
 text::Result<AnatomyDraft> draft_of_text(const std::string& file, std::string text) {
     text::Diagnostics found;
     std::optional<Document> document = parse_document(file, std::move(text)).take(found);
-    if (!document) return found;
-    Report report(*document, found);
+    if (!document || refuse_extends(*document, shapes::anatomy, found)) return found;
+    Report report(*document, found, &shapes::anatomy);
     const Node* kind = document->root.find("kind");
     if (kind == nullptr || kind->text == "Anatomy") correct_keys(document->root, shapes::anatomy, report);
     MapReader map(document->root, shapes::anatomy, "", report);

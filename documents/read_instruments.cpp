@@ -36,7 +36,10 @@ public:
         const Node* force_plugin = map.find("force_plugin");
         const ComponentInfo* tool = nullptr;
         const ComponentInfo* force = nullptr;
-        if (plugin && find_plugin(*plugin, instrument.plugin)) {
+        const bool is_plugin_known = plugin && find_plugin(*plugin, instrument.plugin);
+        if (is_plugin_known && tool_node && force_node && !force_plugin)
+            correct_plugin(*plugin, tool_node->text, force_node->text, instrument.plugin);
+        if (is_plugin_known) {
             tool = find_component(tool_node, instrument.plugin, KERF_KIND_TOOL, instrument.tool);
             instrument.force_plugin = instrument.plugin;
         }
@@ -61,6 +64,9 @@ public:
         const Node* drives = map.find("drives");
         if (parameters) read_parameters(*parameters, tool, force, instrument);
         if (drives && tool) read_drives(*drives, *tool, instrument);
+        if (tool) map.expect_under("parameters", ids_of(tool->parameters));
+        if (force) map.expect_under("parameters", ids_of(force->parameters));
+        if (tool) map.expect_under("drives", ids_of(tool->drives));
         map.finish();
         return instrument;
     }
@@ -181,6 +187,34 @@ private:
         return false;
     }
 
+    [[nodiscard]] bool has(const std::string& plugin, std::uint32_t kind, const std::string& id) const {
+        return std::any_of(catalog_.begin(), catalog_.end(), [&](const ComponentInfo& one) {
+            return one.plugin == plugin && one.kind == kind && one.id == id;
+        });
+    }
+
+    /// Returns the plugins that have a component of this kind and id.
+    [[nodiscard]] std::vector<std::string> owners_of(std::uint32_t kind, const std::string& id) const {
+        std::vector<std::string> owners;
+        for (const ComponentInfo& one : catalog_)
+            if (one.kind == kind && one.id == id) owners.push_back(one.plugin);
+        return owners;
+    }
+
+    /// Reports a plugin that has neither the tool nor the force, and corrects it, if a single other one has both.
+    void correct_plugin(const Node& node, const std::string& tool, const std::string& force, std::string& plugin) {
+        if (has(plugin, KERF_KIND_TOOL, tool) || has(plugin, KERF_KIND_FORCE, force)) return;
+        std::vector<std::string> owners = owners_of(KERF_KIND_TOOL, tool);
+        std::erase_if(owners, [&](const std::string& owner) { return !has(owner, KERF_KIND_FORCE, force); });
+        if (owners.size() != 1) return;
+        report_.error(text::Code::unknown_tool, node.span,
+                      "The tool " + quoted_id(text::excerpt(tool, 40)) + " and the force " +
+                          quoted_id(text::excerpt(force, 40)) + " are not of this plugin: got " + quoted_id(plugin) +
+                          ", expected " + quoted_id(owners.front()) + ".",
+                      owners.front());
+        plugin = owners.front();
+    }
+
     const ComponentInfo* find_component(const Node* node, const std::string& plugin, uint32_t kind, std::string& id) {
         if (!node) return nullptr;
         const bool is_tool = kind == KERF_KIND_TOOL;
@@ -192,6 +226,7 @@ private:
             if (component.id == id) return &component;
             known.push_back(component.id);
         }
+        const std::vector<std::string> owners = owners_of(kind, id);
         refuse_unknown(
             {.code = is_tool ? text::Code::unknown_tool : text::Code::unknown_force,
              .span = node->span,
@@ -199,7 +234,10 @@ private:
              .word = id,
              .known = known,
              .if_none = plugin + " has none. Choose another plugin.",
-             .of = " of " + plugin},
+             .of = " of " + plugin,
+             .advice = owners.empty() ? "Write one of these."
+                                      : std::string("Write one of these, or `") +
+                                            (is_tool ? "plugin: " : "force_plugin: ") + owners.front() + "`."},
             report_);
         return nullptr;
     }

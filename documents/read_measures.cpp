@@ -25,12 +25,15 @@ public:
     void add_later(const Node& node) {
         for (const Node& child : node.children) later_.push_back(child.key);
     }
-    void check(const Node& name, const std::string& id) const {
-        if (id.empty() || contains(known_, id)) return;
-        if (contains(later_, id))
-            return report_->error(text::Code::unknown_construction, name.span,
-                                  "The construction " + quoted_id(id) +
-                                      " is used above the line that makes it. Move it up, before this one.");
+    /// Returns whether a name is known, or empty. Reports another one.
+    bool check(const Node& name, const std::string& id) const {
+        if (id.empty() || contains(known_, id)) return true;
+        if (contains(later_, id)) {
+            report_->error(text::Code::unknown_construction, name.span,
+                           "The construction " + quoted_id(id) +
+                               " is used above the line that makes it. Move it up, before this one.");
+            return false;
+        }
         const std::string meant = closest(text::straightened(id), known_, *report_);
         report_->error(text::Code::unknown_construction, name.span,
                        "The name " + quoted_id(text::excerpt(id, 40)) +
@@ -38,21 +41,23 @@ public:
                            (known_.empty() ? "there are none." : "expected " + listed(known_, id) + ".") +
                            or_choose(meant, known_.empty() ? "Add it to `needs.landmarks`." : "Write one of these."),
                        meant);
+        return false;
     }
+    /// Returns the name under a key; empty if it is refused, so that no second error is about it.
     std::string read(MapReader& map, const std::string& key) const {
         const Node* node = map.find(key);
         if (node == nullptr) return {};
         const std::string id = read_id(*node, map.name_of(key), *report_).value_or("");
-        check(*node, id);
-        return id;
+        return check(*node, id) ? id : std::string();
     }
     std::vector<std::string> read_list_of(MapReader& map, const std::string& key, std::size_t least) const {
         const Node* node = map.find(key);
         return node != nullptr ? read_all(*node, map.name_of(key), least) : std::vector<std::string>{};
     }
     std::vector<std::string> read_all(const Node& node, const std::string& name, std::size_t least) const {
-        const std::vector<std::string> ids = read_ids(node, name, *report_);
-        for (const Node& item : node.children) check(item, item.text);
+        std::vector<std::string> ids = read_ids(node, name, *report_);
+        for (const Node& item : node.children)
+            if (!check(item, item.text)) std::replace(ids.begin(), ids.end(), item.text, std::string());
         if (ids.size() > max_construction_points)
             report_->error(text::Code::out_of_range, node.key_span,
                            name + " has too many points: got " + std::to_string(ids.size()) + ", expected at most " +

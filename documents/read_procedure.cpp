@@ -19,6 +19,7 @@
 #include "documents/read_rehearsals.h"
 #include "documents/read_scoring.h"
 #include "documents/read_steps.h"
+#include "documents/refuse_extends.h"
 #include "documents/shapes/shapes.h"
 #include "documents/yaml/correct_keys.h"
 #include "text/codes.h"
@@ -213,9 +214,10 @@ text::Result<ProcedureDraft> draft_of_text(const std::string& file, std::string 
     std::optional<Document> parsed = parse_document(file, std::move(text)).take(found);
     if (!parsed) return found;
     const auto document = std::make_shared<Document>(std::move(*parsed));
+    if (refuse_extends(*document, shapes::procedure, found)) return found;
     const auto correct = [&] {
         const Node* kind = document->root.find("kind");
-        Report report(*document, found);
+        Report report(*document, found, &shapes::procedure);
         if (kind == nullptr || kind->text == "Procedure") correct_keys(document->root, shapes::procedure, report);
     };
     correct();
@@ -226,7 +228,7 @@ text::Result<ProcedureDraft> draft_of_text(const std::string& file, std::string 
         return found;
     }
     if (changes.any()) correct();
-    Report report(*document, found);
+    Report report(*document, found, &shapes::procedure);
     MapReader map(document->root, shapes::procedure, "", report);
     if (!read_header(map, "Procedure", report) || !are_lists_short(document->root, report)) return found;
     ProcedureDraft draft = ProcedureReader(map, *document, catalog, report).read();

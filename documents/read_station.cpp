@@ -83,7 +83,7 @@ text::Result<Station> read_station_text(const std::string& file, std::string tex
     text::Diagnostics found;
     std::optional<Document> document = parse_document(file, std::move(text)).take(found);
     if (!document) return found;
-    Report report(*document, found);
+    Report report(*document, found, &shapes::station);
     const Node* kind = document->root.find("kind");
     if (kind == nullptr || kind->text == "Station") correct_keys(document->root, shapes::station, report);
     MapReader map(document->root, shapes::station, "", report);

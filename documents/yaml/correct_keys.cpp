@@ -2,10 +2,13 @@
 #include "documents/yaml/correct_keys.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "documents/yaml/key_homes.h"
 #include "documents/yaml/read_map.h"
 #include "text/look_alike.h"
 
@@ -51,10 +54,34 @@ std::string the_missing_key(const Node& map, const Shape& shape, const std::vect
     return missing;
 }
 
+/// Returns whether one letter more, less or other turns one word into the other.
+bool is_one_letter_apart(std::string_view one, std::string_view other) {
+    const std::size_t shorter = std::min(one.size(), other.size()), longer = std::max(one.size(), other.size());
+    std::size_t begin = 0, end = 0;
+    while (begin < shorter && one[begin] == other[begin]) ++begin;
+    while (end < shorter - begin && one[one.size() - 1 - end] == other[other.size() - 1 - end]) ++end;
+    return begin + end + 1 >= longer;
+}
+
+/// Returns whether a key that a map lacks is the exact name of a key of another map.
+bool is_elsewhere(const Node& child, const Shape& here, const Report& report) {
+    return report.whole() != nullptr && !homes_of(child.key, *report.whole(), here).empty();
+}
+
+/// Returns the key nearest to an unknown one; empty if none is near. The exact name of a key of another map is no slip
+/// of the pen, unless one letter alone differs.
+std::string near_key(const Node& child, const Shape& here, const std::vector<std::string>& keys, const Report& report) {
+    const std::string meant = closest(text::straightened(child.key), keys, report);
+    const bool is_exact_elsewhere =
+        !meant.empty() && !is_one_letter_apart(child.key, meant) && is_elsewhere(child, here, report);
+    return is_exact_elsewhere ? std::string() : meant;
+}
+
 /// Returns the key that a key from a patch or a setting was meant to change; empty if none is near.
-std::string changed_key(const Node& child, const std::vector<std::string>& present, const Report& report) {
+std::string changed_key(const Node& child, const Shape& here, const std::vector<std::string>& present,
+                        const Report& report) {
     const bool is_added = child.key_span.source != 0;
-    return is_added ? closest(text::straightened(child.key), present, report) : std::string();
+    return is_added ? near_key(child, here, present, report) : std::string();
 }
 
 void correct_map(Node& map, const Shape& shape, Report& report) {
@@ -65,9 +92,9 @@ void correct_map(Node& map, const Shape& shape, Report& report) {
     std::vector<const Node*> dropped;
     for (Node& child : map.children) {
         if (shape.find(child.key) == nullptr && !report.is_full()) {
-            std::string meant = closest(text::straightened(child.key), absent, report);
+            std::string meant = near_key(child, shape, absent, report);
             if (meant.empty()) meant = renamed;
-            if (const std::string changed = meant.empty() ? changed_key(child, present, report) : "";
+            if (const std::string changed = meant.empty() ? changed_key(child, shape, present, report) : "";
                 !changed.empty()) {
                 refuse_key(child, map, shape, changed, report);
                 dropped.push_back(&child);

@@ -30,13 +30,16 @@ struct Node {
     TextSpan span;
     std::string key;             ///< in a map
     TextSpan key_span;           ///< in a map
-    bool is_refused = false;     ///< an alias or the like: it is reported already
+    bool is_refused = false;     ///< it is reported already
+    bool is_alias = false;       ///< a copy of the node with the anchor; reported already
     bool is_quoted = false;      ///< a scalar in quotation marks
     bool is_removal = false;     ///< `~`
     std::vector<Node> children;  ///< in the order of the file
 
     const Node* find(std::string_view wanted) const noexcept;
 };
+
+struct Shape;
 
 class Document {
 public:
@@ -70,13 +73,16 @@ private:
 /// same message at the same place once: several rehearsals may follow one path.
 class Report {
 public:
-    Report(const Document& document, text::Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
+    /// @param whole   shape of the document, for messages about a key that belongs elsewhere in it; null: unknown
+    Report(const Document& document, text::Diagnostics& diagnostics, const Shape* whole = nullptr)
+        : document_(document), diagnostics_(diagnostics), whole_(whole) {}
 
     void error(text::Code code, TextSpan span, std::string message, std::string write = {},
                std::optional<text::Reason> reason = {});
     void warning(text::Code code, TextSpan span, std::string message, std::string write = {});
     text::Reason because(TextSpan span, std::string message) const;  ///< a reason in this document
     const std::string& file() const noexcept { return document_.file(); }
+    const Shape* whole() const noexcept { return whole_; }
     bool has_error() const noexcept { return errors_ > 0; }
     int errors() const noexcept { return errors_; }
     bool is_full() const noexcept { return shown_ > max_shown; }
@@ -90,6 +96,7 @@ private:
 
     const Document& document_;
     text::Diagnostics& diagnostics_;
+    const Shape* whole_ = nullptr;
     int shown_ = 0;
     int errors_ = 0;
     bool is_end_told_ = false;

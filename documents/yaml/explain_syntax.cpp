@@ -79,11 +79,45 @@ std::optional<Unclosed> find_unclosed(std::string_view text) {
     return open.empty() ? std::nullopt : std::optional(unclosed_at(text, open.back()));
 }
 
-bool is_about_an_end(const std::string& complaint) {
+std::optional<Unclosed> find_unclosed_for(const std::string& complaint, std::string_view text, std::size_t at) {
     namespace M = YAML::ErrorMsg;
-    return std::ranges::any_of(
+    const bool is_about_an_end = std::ranges::any_of(
         std::array{M::END_OF_MAP_FLOW, M::END_OF_SEQ_FLOW, M::UNKNOWN_TOKEN, M::EOF_IN_SCALAR, M::FLOW_END},
         [&](const char* message) { return complaint == message; });
+    if (is_about_an_end) return find_unclosed(text);
+    if (complaint != M::BLOCK_ENTRY) return std::nullopt;
+    // No list of lines begins within brackets: those of a line before are not closed.
+    const std::optional<Unclosed> before = find_unclosed(text.substr(0, std::min(at, text.size())));
+    return before && text.substr(before->at, at - before->at).find('\n') != std::string_view::npos
+               ? std::optional(unclosed_at(text, before->at))
+               : std::nullopt;
+}
+
+std::string NumberRow::text(std::string_view between) const {
+    std::string joined;
+    for (const std::string_view number : numbers) joined.append(joined.empty() ? "" : between).append(number);
+    return joined;
+}
+
+NumberRow find_number_row(std::string_view text, std::size_t at) {
+    constexpr std::size_t max_numbers = 8;
+    NumberRow row;
+    for (std::size_t begin = at; row.numbers.size() < max_numbers && begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(",}]\n", begin), text.size());
+        std::string_view number = text.substr(begin, end - begin);
+        while (number.ends_with(' ')) number.remove_suffix(1);
+        const std::size_t sign = number.starts_with('-') ? 1 : 0;
+        const bool is_number = number.size() > sign &&
+                               std::string_view(".0123456789").find(number[sign]) != std::string_view::npos &&
+                               number.find(':') == std::string_view::npos;
+        if (!is_number) break;
+        row.numbers.push_back(number);
+        if (row.numbers.size() > 1) row.size = begin + number.size() - at;
+        const std::size_t next = std::min(text.find_first_not_of(' ', end + 1), text.size());
+        if (end == text.size() || text[end] != ',' || next == end + 1) break;  // `3,2` is a decimal comma
+        begin = next;
+    }
+    return row;
 }
 
 namespace {
@@ -139,7 +173,8 @@ std::optional<SyntaxMistake> in_line(std::string_view text, std::size_t line_beg
 
 const char* meaning_of(const std::string& complaint) {
     namespace M = YAML::ErrorMsg;
-    const std::array<std::pair<const char*, const char*>, 10> meanings{{
+    const std::array<std::pair<const char*, const char*>, 11> meanings{{
+        {M::UNKNOWN_ANCHOR, "This alias has no anchor, and aliases are not allowed. Write the value itself."},
         {M::MAP_VALUE,
          "This `:` is where no key can be. Put text that holds `: ` into quotation marks, or indent the line like the "
          "keys beside it."},

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Why a text is not YAML, in words that say how to mend it.
 namespace kerf::documents {
@@ -44,7 +45,19 @@ struct SyntaxMistake {
 /// Finds `-item` at the beginning of a text, which YAML does not take for an item of a list.   [any] pure.
 [[nodiscard]] std::optional<SyntaxMistake> find_missing_dash_space(std::string_view text);
 
-/// True if the complaint may come from something that is not closed.   [any] pure.
-[[nodiscard]] bool is_about_an_end(const std::string& complaint);
+/// Finds what is not closed if a complaint of yaml-cpp at byte `at` may come from that.   [any] pure.
+[[nodiscard]] std::optional<Unclosed> find_unclosed_for(const std::string& complaint, std::string_view text,
+                                                        std::size_t at);
+
+/// Numbers with commas and blanks between them, the last one with a unit: `44, 35, 28 mm`.
+struct NumberRow {
+    std::vector<std::string_view> numbers;
+    std::size_t size = 0;  ///< bytes of the row; 0 if there is no second number
+
+    [[nodiscard]] std::string text(std::string_view between) const;
+};
+
+/// Finds the row of numbers that begins at `at`.   [any] pure.
+[[nodiscard]] NumberRow find_number_row(std::string_view text, std::size_t at);
 
 }  // namespace kerf::documents

@@ -4,31 +4,26 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
-#include <system_error>
 #include <unordered_set>
 #include <utility>
 
 #include "documents/yaml/document.h"
 #include "documents/yaml/explain_syntax.h"
+#include "documents/yaml/largest_file.h"
+#include "documents/yaml/merge_nodes.h"
 #include "text/codes.h"
-#include "text/file_kind.h"
 #include "text/look_alike.h"
 #include "text/printable.h"
 #include "text/quantity.h"
-#include "text/regular_file.h"
 
 namespace kerf::documents {
 namespace {
 
-constexpr std::size_t largest_file = 1u << 20;  // [byte]
 constexpr std::size_t deepest_level = 64;
 constexpr int max_controls_shown = 5;
 
@@ -121,34 +116,33 @@ public:
     }
     void OnDocumentEnd() override {}
 
-    void OnNull(const YAML::Mark& mark, YAML::anchor_t) override {
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         is_tilde_ = at(mark) < document_.text().size() && document_.text()[at(mark)] == '~';
-        add_scalar(mark, "", "");
+        add_scalar(mark, "", anchor, "");
         is_tilde_ = false;
     }
-    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, const std::string& value) override {
-        add_scalar(mark, tag, value);
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  const std::string& value) override {
+        add_scalar(mark, tag, anchor, value);
     }
     void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
         report_.error(text::Code::anchor_or_alias, {at(mark), name.size() + 1},
                       "Anchors are not allowed: they hide where a value comes from. Remove the anchor.");
     }
-    void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-        Node node;
-        node.span = {at(mark), 1};
-        node.is_refused = true;
+    void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        Node node = anchors_.copy_of(anchor, {at(mark), 1});
         report_.error(text::Code::anchor_or_alias, node.span,
                       "Aliases are not allowed: they hide where a value comes from. Repeat the value.");
         add(std::move(node));
     }
-    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                          YAML::EmitterStyle::value) override {
-        open(Node::Kind::list, mark, tag);
+        open(Node::Kind::list, mark, tag, anchor);
     }
     void OnSequenceEnd() override { close(); }
-    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                     YAML::EmitterStyle::value) override {
-        open(Node::Kind::map, mark, tag);
+        open(Node::Kind::map, mark, tag, anchor);
     }
     void OnMapEnd() override { close(); }
 
@@ -156,8 +150,10 @@ private:
     /// A map or list whose end has not come yet.
     struct Open {
         Node node;
+        YAML::anchor_t anchor = 0;
         std::optional<Node> key;  ///< waiting for its value
         std::unordered_set<std::string> keys;
+        std::vector<Node> merged;  ///< aliases under `<<`: what the map lacks is meant to come from them
     };
 
     std::size_t at(const YAML::Mark& mark) const noexcept {
@@ -187,7 +183,7 @@ private:
                       "Tags are not allowed: a key alone decides what its value means. Remove the tag.");
     }
 
-    void add_scalar(const YAML::Mark& mark, const std::string& tag, const std::string& value) {
+    void add_scalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) {
         Node node;
         node.text = value;
         node.span = {at(mark), 1};
@@ -207,11 +203,13 @@ private:
             node.text = text::printable(node.text);
             node.is_refused = true;
         }
+        anchors_.add(anchor, node);
         add(std::move(node));
     }
 
-    void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag) {
+    void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
         Open opened;
+        opened.anchor = anchor;
         opened.node.kind = kind;
         opened.node.span = {at(mark), 1};
         refuse_tag(opened.node.span.begin, tag);
@@ -225,9 +223,14 @@ private:
     }
 
     void close() {
-        Node node = std::move(open_.back().node);
+        Open closed = std::move(open_.back());
         open_.pop_back();
-        add(std::move(node));
+        for (const Node& more : closed.merged) {
+            merge(closed.node, more);
+            closed.node.is_refused |= more.is_refused;  // which keys it lacks is not known
+        }
+        anchors_.add(closed.anchor, closed.node);
+        add(std::move(closed.node));
     }
 
     void add(Node node) {
@@ -240,15 +243,32 @@ private:
         if (parent.node.kind == Node::Kind::list) {
             parent.node.children.push_back(std::move(node));
         } else if (!parent.key) {
+            node.is_refused |= node.is_alias;
             parent.key = std::move(node);
         } else {
             add_entry(parent, std::move(node));
         }
     }
 
+    /// `{size: 44, 35, 28 mm}`: YAML sees a size of 44 and two keys. Reports the first one, in place of all.
+    bool is_in_row(Node& number, const Node& key) {
+        if (number.is_refused) return key.span.begin < number.span.begin + number.span.size;
+        const NumberRow row = find_number_row(document_.text(), number.span.begin);
+        if (key.span.begin >= number.span.begin + row.size) return false;
+        number.span.size = row.size;
+        number.is_refused = true;
+        report_.error(text::Code::not_three_numbers, number.span,
+                      number.key + " has commas between its numbers: got `" + text::excerpt(row.text(", "), 40) +
+                          "`, expected spaces.",
+                      row.text(" "));
+        return true;
+    }
+
     /// `{diameter: 3,2 mm}`: YAML sees a diameter of 3 and a key `2 mm`. Says so, once, in place of both.
     bool is_behind_decimal_comma(Node& map, const Node& key) {
-        if (map.children.empty() || key.text.size() > 40 || key.text[0] < '0' || key.text[0] > '9') return false;
+        if (map.children.empty() || key.text.size() > 40) return false;
+        if (map.children.back().kind == Node::Kind::scalar && is_in_row(map.children.back(), key)) return true;
+        if (key.text[0] < '0' || key.text[0] > '9') return false;
         Node& number = map.children.back();
         const std::size_t comma = number.span.begin + number.span.size;
         const bool is_joined = key.span.begin == comma + 1 && document_.text()[comma] == ',';
@@ -286,6 +306,16 @@ private:
         key.span.size = std::min(key.span.size, colon);
     }
 
+    /// Takes the value of `<<` if it is an alias, which is reported, or a list of them.
+    static bool take_merged(Open& parent, const Node& value) {
+        if (value.is_alias) parent.merged.push_back(value);
+        if (value.is_alias || value.kind != Node::Kind::list) return value.is_alias;
+        const auto is_alias = [](const Node& item) { return item.is_alias; };
+        if (!std::any_of(value.children.begin(), value.children.end(), is_alias)) return false;
+        parent.merged.insert(parent.merged.end(), value.children.begin(), value.children.end());
+        return true;
+    }
+
     void add_entry(Open& parent, Node value) {
         Node key = std::move(*parent.key);
         parent.key.reset();
@@ -302,10 +332,15 @@ private:
             report_.error(text::Code::key_not_text, key.span, "The key is not a word. Put one before the `:`.");
             return;
         }
+        if (key.text == "<<" && take_merged(parent, value)) return;
         if (!parent.keys.insert(key.text).second) {
             std::optional<text::Reason> reason;
-            if (const Node* first = report_.is_full() ? nullptr : parent.node.find(key.text))
+            const auto first = std::find_if(parent.node.children.begin(), parent.node.children.end(),
+                                            [&](const Node& child) { return child.key == key.text; });
+            if (!report_.is_full() && first != parent.node.children.end()) {
                 reason = report_.because(first->key_span, "it is here first.");
+                merge(*first, value);  // what names its parts finds them
+            }
             report_.error(text::Code::duplicate_key, key.span,
                           "The key `" + text::excerpt(key.text) + "` occurs twice in one map. Remove one of the two.",
                           {}, std::move(reason));
@@ -323,66 +358,13 @@ private:
     Document& document_;
     Report& report_;
     std::vector<Open> open_;
+    Anchors anchors_;
     int documents_ = 0;
     bool has_content_ = false;
     bool is_tilde_ = false;  ///< the scalar being added is `~`
 };
 
-/// Returns whether a file of this kind is certainly no document. A JSON file may be one: JSON is YAML.
-bool is_no_document(text::FileKind kind) {
-    using enum text::FileKind;
-    switch (kind) {
-        case session:
-        case scan:
-        case surface:
-        case page:
-        case markdown:
-        case picture:
-        case pdf:
-        case archive:
-        case table:
-        case shared_library:
-        case database:
-            return true;
-        default:
-            return false;
-    }
-}
-
 }  // namespace
-
-text::Result<std::string> read_text_file(const std::string& file) {
-    const text::RecognisedFile found = text::recognise(file);
-    if (is_no_document(found.kind))
-        return text::Diagnostics{
-            text::error_about(file, text::code_text(text::Code::other_file),
-                              "The file is of another kind: " + text::other_kind_text(found, "a document in YAML"))};
-    std::error_code failure;
-    const auto refused = [&](const std::string& message) {
-        return text::Diagnostics{text::error_about(file, text::code_text(text::Code::file_unreadable), message)};
-    };
-    if (!std::filesystem::exists(file, failure) && !failure)
-        return refused("The file does not exist. Check its name and its folder.");
-    if (std::filesystem::is_directory(file, failure))
-        return refused("The path is " + found.name + ", expected a file. " +
-                       (found.kind == text::FileKind::run_folder ? found.advice : "Name a YAML file in it."));
-    if (const auto fault = text::fault_of_file(file)) {
-        std::string problem = fault->problem;
-        problem.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(problem.front())));
-        return refused(problem + " " + fault->advice);
-    }
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream.is_open()) return refused("The file cannot be read. Name a YAML file, and check that you may read it.");
-    const std::uintmax_t size = std::filesystem::file_size(file, failure);  // the largest number if it cannot be said
-    std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size, largest_file)) + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (stream.bad()) {
-        return text::Diagnostics{text::error_about(file, text::code_text(text::Code::file_unreadable),
-                                                   "Reading the file failed. Copy it to another disk.")};
-    }
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-    return text;  // one byte too many is refused where the text is parsed
-}
 
 text::Result<Document> parse_document(const std::string& file, std::string text) {
     if (text.size() > largest_file) {
@@ -418,15 +400,13 @@ text::Result<Document> parse_document(const std::string& file, std::string text)
     } catch (const StopReading&) {
         return found;
     } catch (const YAML::Exception& failure) {
-        const std::optional<Unclosed> unclosed =
-            is_about_an_end(failure.msg) ? find_unclosed(document.text()) : std::nullopt;
-        if (unclosed) {
+        const std::size_t at =
+            document.line_begin(failure.mark.line) + static_cast<std::size_t>(std::max(0, failure.mark.column));
+        if (const std::optional<Unclosed> unclosed = find_unclosed_for(failure.msg, document.text(), at)) {
             report.error(text::Code::syntax, {unclosed->at, 1}, about(*unclosed, document.text()[unclosed->at]));
             return found;
         }
-        const std::size_t begin = document.line_begin(failure.mark.line);
-        const SyntaxMistake mistake = explain_syntax(
-            failure.msg, document.text(), begin + static_cast<std::size_t>(std::max(0, failure.mark.column)));
+        const SyntaxMistake mistake = explain_syntax(failure.msg, document.text(), at);
         const int line = document.place({mistake.at}).line;
         const bool is_reported = std::any_of(found.begin(), found.end(), [&](const text::Diagnostic& d) {
             return d.place.file == file && d.place.line == line && d.code == text::code_text(text::Code::syntax);

@@ -10,6 +10,7 @@
 
 #include "documents/id.h"
 #include "documents/yaml/explain_syntax.h"
+#include "documents/yaml/key_homes.h"
 #include "kerf/assert.hpp"
 #include "kerf/units.hpp"
 #include "text/codes.h"
@@ -32,6 +33,8 @@ const char* kind_name(Node::Kind kind) {
     }
     return "a single value";
 }
+
+constexpr std::size_t max_listed = 8;  // keys next to the advice where a key belongs
 
 /// How to write a value of this kind.
 const char* way_to(Node::Kind kind) {
@@ -93,26 +96,41 @@ std::string kind_in_words(std::string_view kind) {
                                : "";
 }
 
+/// Returns whether a map has none of its own keys, and a key of another map: all of it is in the wrong section.
+bool is_misplaced(const Node& map, const Shape& shape, const Report& report) {
+    if (report.whole() == nullptr || report.whole() == &shape || map.children.empty()) return false;
+    const auto is_known = [&](const Node& child) { return shape.find(child.key) != nullptr; };
+    const auto is_elsewhere = [&](const Node& child) { return !homes_of(child.key, *report.whole(), shape).empty(); };
+    const std::vector<Node>& keys = map.children;
+    return std::none_of(keys.begin(), keys.end(), is_known) && std::any_of(keys.begin(), keys.end(), is_elsewhere);
+}
+
 std::string got(std::string_view text) { return "got `" + text::excerpt(text, 40) + "`"; }
 
 }  // namespace
 
-void refuse_key(const Node& child, const Node& map, const Shape& shape, const std::string& meant, Report& report) {
+void refuse_key(const Node& child, const Node& map, const Shape& shape, const std::string& meant, Report& report,
+                const std::string& under) {
     std::vector<std::string> known, choices;
     bool is_chosen = false;
     for (const KeyShape& key : shape.keys) {
-        known.push_back(key.name);
-        if (key.presence == Presence::one_of) choices.push_back(key.name);
+        (key.presence == Presence::one_of ? choices : known).push_back(key.name);
         is_chosen = is_chosen || (key.presence == Presence::one_of && map.find(key.name) != nullptr);
     }
     // Where one of several keys is needed, an unknown one is most likely meant as one of them.
     const bool is_choice = meant.empty() && !choices.empty() && !is_chosen;
-    report.error(text::Code::unknown_key, child.key_span,
-                 "The key `" + text::excerpt(child.key, 40) + "` is unknown" +
-                     (known.empty() ? "; no key is allowed here."
-                                    : ": expected " + listed(is_choice ? choices : known, child.key) + ".") +
-                     named_look_alike(child.key) + or_choose(meant, is_choice ? "Write one of these." : "Remove it."),
-                 meant.empty() ? "" : meant + ":");
+    if (is_choice || (!is_chosen && !choices.empty())) known.insert(known.begin(), choices.begin(), choices.end());
+    if (is_choice) known = choices;
+    const KeyAdvice home = meant.empty() ? advice_for(child, shape, under, report) : KeyAdvice{};
+    const bool is_list_short = known.size() <= max_listed && !is_choice;
+    const std::string expected = known.empty()                        ? "; no key is allowed here."
+                                 : home.text.empty() || is_list_short ? ": expected " + listed(known, child.key) + "."
+                                                                      : " here.";
+    report.error(
+        text::Code::unknown_key, child.key_span,
+        "The key `" + text::excerpt(child.key, 40) + "` is unknown" + expected + named_look_alike(child.key) +
+            (home.text.empty() ? or_choose(meant, is_choice ? "Write one of these." : "Remove it.") : " " + home.text),
+        meant.empty() ? home.write : meant + ":");
 }
 
 bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report& report) {
@@ -320,7 +338,14 @@ const Node* MapReader::find(const std::string& key) {
 
 const Node* MapReader::required(const std::string& key) {
     const Node* found = ask(key);
-    if (!found && is_map_)
+    const bool is_empty_list = found != nullptr && found->kind == Node::Kind::list && found->children.empty();
+    if (found != nullptr && !found->is_refused && (is_empty_list || is_absent(*found))) {
+        report_.error(text::Code::empty_value, found->span,
+                      name_of(key) + (is_empty_list ? " is an empty list. Add an item" : " is empty. Fill it") +
+                          ", as in `" + key + ": " + shape_of(key).example + "`.");
+        return nullptr;
+    }
+    if (!found && is_map_ && !is_misplaced(node_, shape_, report_))
         report_.error(text::Code::missing_key, span_,
                       (name_.empty() ? "The document" : name_) + " has no `" + key + ":`. Add it, as in `" + key +
                           ": " + shape_of(key).example + "`.");
@@ -441,13 +466,21 @@ const Node* MapReader::one_of() {
     return found;
 }
 
+void MapReader::expect_under(const std::string& under, const std::vector<std::string>& keys) {
+    for (const std::string& key : keys) under_.try_emplace(key, under);
+}
+
 void MapReader::finish() {
     for (const KeyShape& key : shape_.keys)
         KERF_ASSERT(std::find(asked_.begin(), asked_.end(), key.name) != asked_.end(),
                     ("read `" + key.name + "`, or remove it from the shape `" + shape_.id + "` in documents").c_str());
     if (!is_map_) return;
+    const bool is_one_mistake = is_misplaced(node_, shape_, report_);
     for (const Node& child : node_.children)
-        if (shape_.find(child.key) == nullptr) refuse_key(child, node_, shape_, "", report_);
+        if (shape_.find(child.key) == nullptr && !(is_one_mistake && &child != &node_.children.front())) {
+            const auto under = under_.find(child.key);
+            refuse_key(child, node_, shape_, "", report_, under != under_.end() ? under->second : "");
+        }
 }
 
 }  // namespace kerf::documents

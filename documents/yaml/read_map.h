@@ -54,7 +54,9 @@ void refuse_unknown(UnknownName name, Report& report);
 
 /// Reports a key that its map does not have.
 /// @param meant   the key to write; empty: none is close
-void refuse_key(const Node& child, const Node& map, const Shape& shape, const std::string& meant, Report& report);
+/// @param under   the key of this map that it belongs under; empty: another map of the document may have it
+void refuse_key(const Node& child, const Node& map, const Shape& shape, const std::string& meant, Report& report,
+                const std::string& under = {});
 
 std::optional<std::string> read_text(const Node& node, const std::string& name, Report& report);
 /// Letters, digits, `.`, `_` and `-`, a letter or digit first.
@@ -137,6 +139,9 @@ public:
     /// Returns the node of the one key that is present of those that exclude each other. Reports none or several.
     const Node* one_of();
 
+    /// Records that keys which the shape lacks belong under its key `under`, for finish().
+    void expect_under(const std::string& under, const std::vector<std::string>& keys);
+
     /// Reports every key that the shape lacks.
     void finish();
 
@@ -160,6 +165,7 @@ private:
     TextSpan span_;  ///< where to point at what is missing
     bool is_map_;
     std::vector<std::string> asked_;
+    std::map<std::string, std::string> under_;  ///< for keys that the shape lacks: the key that they belong under
 };
 
 }  // namespace kerf::documents

@@ -269,6 +269,33 @@ TEST(Setting, ShowsItsMistakesInItself) {
     }
 }
 
+TEST(Setting, NamesTheIdInPlaceOfANumber) {
+    const auto found_by = [](const std::string& setting) {
+        text::Diagnostics found;
+        EXPECT_FALSE(read(base, found, {"", {setting}})) << setting;
+        EXPECT_EQ(found.size(), 1u) << to_text(found);
+        return found.empty() ? text::Diagnostic{} : found.front();
+    };
+    EXPECT_EQ(found_by("steps[1].feed=1 mm/s").code, "E0212");
+    EXPECT_EQ(found_by("steps[1].feed=1 mm/s").write, "steps.deepen.feed=1 mm/s");
+    for (const char* wrong : {"steps[2].feed=1 mm/s", "steps[x].feed=1 mm/s", "steps[].feed=1 mm/s", "steps[=1 mm/s"}) {
+        EXPECT_EQ(found_by(wrong).write, "") << wrong;
+        EXPECT_NE(found_by(wrong).message.find("expected `enter` or `deepen`"), std::string::npos) << wrong;
+    }
+    EXPECT_EQ(found_by("needs[0].x=1").write, "");
+}
+
+TEST(Setting, NamesThePathOfAKeyThatLiesDeeper) {
+    for (const auto& [setting, path] : {std::pair{"spacing=0.5 mm", "accuracy.spacing"},
+                                        {"instruments.drill.diameter=3 mm", "instruments.drill.parameters.diameter"},
+                                        {"haptics.time_limit=20 s", "time_limit"}}) {
+        text::Diagnostics found;
+        EXPECT_FALSE(read(base, found, {"", {setting}})) << setting;
+        ASSERT_EQ(found.size(), 1u) << to_text(found);
+        EXPECT_EQ(found.front().write, path) << to_text(found);
+    }
+}
+
 TEST(Setting, RefusesAValueSetTwice) {
     for (const std::vector<std::string>& settings : std::vector<std::vector<std::string>>{
              {"time_limit=20 s", "time_limit=30 s"},

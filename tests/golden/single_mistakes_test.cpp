@@ -19,7 +19,7 @@ struct Mistake {
     const char* code;           ///< of the one error
     const char* write;          ///< that it suggests
     const char* file = "pedicle-screw.yaml";
-    const char* procedure = "pedicle-screw.yaml";
+    const char* procedure = nullptr;  ///< null: `file`, or pedicle-screw.yaml for an anatomy
 };
 
 text::Diagnostics found_in(const Mistake& mistake) {
@@ -32,7 +32,10 @@ text::Diagnostics found_in(const Mistake& mistake) {
     text.replace(at, std::string(mistake.right).size(), mistake.wrong);
     std::ofstream(folder / mistake.file, std::ios::binary) << text;
 
-    const run::DocumentRequest request{.procedure = folder / mistake.procedure};
+    const bool is_procedure = std::string(mistake.file).find('/') == std::string::npos;
+    const run::DocumentRequest request{.procedure = folder / (mistake.procedure != nullptr ? mistake.procedure
+                                                              : is_procedure               ? mistake.file
+                                                                                           : "pedicle-screw.yaml")};
     text::Diagnostics found;
     (void)run::check_documents(request, test::plugins()).take(found);
     for (text::Diagnostic& d : run::check_variants(request, found, test::plugins())) found.push_back(std::move(d));
@@ -103,6 +106,106 @@ INSTANTIATE_TEST_SUITE_P(
                 "pedicle-awl.yaml", "pedicle-awl.yaml"},
         Mistake{"clearance: {zone: canal, at_least: 0 mm}", "clearance: {zone: canal, at_most: 0 mm}", "E0406",
                 "at_least: 0 mm", "pedicle-awl.yaml", "pedicle-awl.yaml"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Yaml, SingleMistake,
+    testing::Values(Mistake{"      - {narrowest_offset:", "    limits:\n      - {narrowest_offset:", "E0108", ""},
+                    Mistake{"  zones: [canal]\n", "  zones: [canal]\n  landmarks: [midline]\n", "E0108", ""},
+                    Mistake{"  - id: tap\n", "steps:\n  - id: tap\n", "E0108", ""},
+                    Mistake{"plunge: {at_most: 8 mm}", "plunge: {at_most: 8 mm", "E0105", "",
+                            "trochanter-fixation.yaml"},
+                    Mistake{"{entry: {}}", "{entry: {}", "E0105", ""},
+                    Mistake{"{depth: {at_most: 38 mm}", "{depth: {at_most: 38 mm", "E0105", ""},
+                    Mistake{"at: 0 -0.01 -13.33 mm", "at: 0, -0.01, -13.33 mm", "E0405", "0 -0.01 -13.33 mm",
+                            "anatomy/vertebra-l3.yaml"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Sections, SingleMistake,
+    testing::Values(
+        Mistake{"at_least: 0 mm}, severity: critical", "at_least: 0 mm}, weight: 3", "E0203", ""},
+        Mistake{"      - {depth: {at_least: 30 mm}}\n",
+                "      - {depth: {at_least: 30 mm}}\n      - {hole_angle: {at_most: 5 deg}}\n", "E0203", ""},
+        Mistake{"      - {depth: {at_least: 30 mm}}\n",
+                "      - {depth: {at_least: 30 mm}}\n      - {clearance: {zone: canal, at_least: 1 mm}}\n", "E0203",
+                ""},
+        Mistake{"      - {depth: {at_least: 30 mm}}\n",
+                "      - {depth: {at_least: 30 mm}}\n      - {duration: {at_most: 50 s}}\n", "E0203", ""},
+        Mistake{"      - {depth: {at_most: 8 mm}", "      - {entry: {}}\n      - {depth: {at_most: 8 mm}", "E0203", ""},
+        Mistake{"      - {depth: {at_least: 4 mm}}\n",
+                "      - {depth: {at_least: 4 mm}}\n      - {duration: {at_most: 50 s}, reason: Too slow.}\n", "E0203",
+                ""},
+        Mistake{"\naccuracy: {spacing: 0.25 mm}\n", "\nspacing: 0.25 mm\n", "E0203", ""},
+        Mistake{"    parameters: {diameter: 3.2 mm}\n", "    diameter: 3.2 mm\n", "E0203", ""},
+        Mistake{"apiVersion:", "extends: left.yaml\napiVersion:", "E0203", ""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, SingleMistake,
+    testing::Values(
+        Mistake{"plugin: kerf.burring", "plugin: kerf.drilling", "E0302", "kerf.burring", "pedicle-burr.yaml"},
+        Mistake{"plugin: kerf.implant", "plugin: kerf.drilling", "E0302", "kerf.implant"},
+        Mistake{"time_limit: 360 s", "time_limit: 2:30", "E0401", "150 s"},
+        Mistake{"time_limit: 360 s", "time_limit: 0:10:00", "E0401", "600 s"},
+        Mistake{"    goals:\n      - {entry: {}}\n      - {depth: {at_least: 4 mm}}\n", "    goals: []\n", "E0206", ""},
+        Mistake{"    title: {en: Cut the thread, de: Das Gewinde schneiden}\n", "    title:\n", "E0206", ""},
+        Mistake{"in: sagittal, side: posterior", "in: posterior_left, side: posterior", "E0319", "",
+                "mandibular-angle-reduction.yaml"}));
+
+/// The one error that a mistake gives.
+std::string message_of(const Mistake& mistake) {
+    const text::Diagnostics found = found_in(mistake);
+    EXPECT_EQ(found.size(), 1u) << to_text(found);
+    return found.empty() ? std::string() : found.front().message;
+}
+
+TEST(SingleMistakes, NameTheSectionThatAKeyBelongsTo) {
+    EXPECT_EQ(
+        message_of({"at_least: 0 mm}, severity: critical", "at_least: 0 mm}, weight: 3", "", ""}),
+        "The key `weight` is unknown: expected `severity`, `guard` or `reason`. `weight` belongs under `scoring:`. "
+        "Move it there.");
+    EXPECT_EQ(message_of({"      - {depth: {at_least: 30 mm}}\n", "      - {hole_angle: {at_most: 5 deg}}\n", "", ""}),
+              "The key `hole_angle` is unknown here. `hole_angle` belongs under `limits:`. Move it there.");
+    EXPECT_EQ(message_of({"\naccuracy: {spacing: 0.25 mm}\n", "\nspacing: 0.25 mm\n", "", ""}),
+              "The key `spacing` is unknown here. `spacing` belongs under `accuracy:`. Move it there.");
+}
+
+TEST(SingleMistakes, ShowHowToFillARequiredList) {
+    EXPECT_EQ(
+        message_of({"    goals:\n      - {entry: {}}\n      - {depth: {at_least: 4 mm}}\n", "    goals: []\n", "", ""}),
+        "opening.goals is an empty list. Add an item, as in `goals: [{entry: {}}, {depth: {at_least: 30 mm}}]`.");
+}
+
+TEST(SingleMistakes, PointAtTheBracketThatIsNotClosed) {
+    const text::Diagnostics found =
+        found_in({"plunge: {at_most: 8 mm}", "plunge: {at_most: 8 mm", "", "", "trochanter-fixation.yaml"});
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    EXPECT_EQ(found.front().place.line, 123);
+    EXPECT_NE(found.front().message.find("This `{` is never closed."), std::string::npos) << to_text(found);
+}
+
+TEST(SingleMistakes, ReadTheValuesOfAliases) {
+    const text::Diagnostics found = found_in({"  pilot:\n", "  pilot: &drill\n", "", ""});
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    const text::Diagnostics both = found_in(
+        {"  pilot:\n    plugin: kerf.drilling\n    tool: twist_drill\n    force: drill_cutting\n    parameters: "
+         "{diameter: 3.2 mm}\n    drives: {spindle_speed: 1000 rpm}\n  opener:\n    plugin: kerf.drilling\n    "
+         "tool: twist_drill\n    force: drill_cutting\n",
+         "  pilot: &drill\n    plugin: kerf.drilling\n    tool: twist_drill\n    force: drill_cutting\n    "
+         "parameters: {diameter: 3.2 mm}\n    drives: {spindle_speed: 1000 rpm}\n  opener:\n    <<: *drill\n",
+         "", ""});
+    ASSERT_EQ(both.size(), 2u) << to_text(both);
+    EXPECT_EQ(both[0].code, "E0109");
+    EXPECT_EQ(both[1].code, "E0109");
+}
+
+TEST(SingleMistakes, ReadNothingElseOfADocumentThatExtendsAnother) {
+    const text::Diagnostics found = found_in({"\nneeds:\n  landmarks: [right_pedicle, midline]\n",
+                                              "\nextends: pedicle-awl.yaml\nother:\n  a: [b]\n", "", ""});
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    EXPECT_NE(found.front().message.find("as a variant under `variants:` of `pedicle-awl.yaml`, or as a file for "
+                                         "`--patch`."),
+              std::string::npos)
+        << to_text(found);
+}
 
 TEST(SingleMistakes, ListTheLinesOfTheSameName) {
     const text::Diagnostics found = found_in({"  straight:\n", "  strait:\n", "", ""});
