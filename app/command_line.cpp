@@ -12,6 +12,8 @@
 #include "documents/yaml/read_map.h"
 #include "run/shipped.h"
 #include "session/recorder.h"
+#include "text/file_kind.h"
+#include "text/shell.h"
 
 namespace kerf::app {
 
@@ -21,12 +23,12 @@ constexpr int max_values = 1000;  // of an argument that takes several
 
 // ---- checks of values --------------------------------------------------------------------------------------------
 
-/// Keys and ids with dots between them, then a value.
+/// Keys and ids with dots between them, then a value. A number in brackets is refused where the ids are known.
 bool is_setting(const std::string& word) {
     const std::size_t equals = word.find('=');
     const bool is_path =
         equals != std::string::npos && equals > 0 &&
-        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") == equals;
+        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-[]") == equals;
     return is_path && equals + 1 < word.size() && word.find('\n') == std::string::npos;
 }
 
@@ -40,6 +42,15 @@ bool is_number(const Value& value, const std::string& word) {
     for (int n = value.min; n <= value.max; ++n)
         if (word == std::to_string(n)) return true;
     return false;
+}
+
+/// Returns what is wrong with the name of a session, behind the name of its parameter; empty if nothing is.
+std::string complaint_about_session(const Parameter& parameter, const std::string& command, std::string word) {
+    if (text::recognise(word).kind != text::FileKind::run_folder) return {};
+    while (word.size() > 1 && word.back() == '/') word.pop_back();
+    const std::string file = text::shell_path(word + "/session.db");
+    return "is of another kind: got the folder of a run, expected the session.db of a run. Write `" + (parameter.is_option() ? parameter.name : "kerf " + command) + " " +
+           file + "`.";
 }
 
 /// Returns what is wrong with a value, behind its name; empty if nothing is.
@@ -87,7 +98,7 @@ public:
     }
 };
 
-void add_parameter(CLI::App& app, const Parameter& parameter, Options& options) {
+void add_parameter(CLI::App& app, const Parameter& parameter, const Command& command, Options& options) {
     const std::string names =
         parameter.short_name.empty() ? parameter.name : parameter.short_name + "," + parameter.name;
     const std::string help = help_text(parameter);
@@ -107,8 +118,13 @@ void add_parameter(CLI::App& app, const Parameter& parameter, Options& options) 
             added->expected(1, max_values);
     }
     added->type_name(parameter.is_option() ? parameter.value.placeholder : "")->required(parameter.is_required);
-    added->check(
-        CLI::Validator([&parameter](std::string& word) { return complaint_about(parameter.value, word); }, ""));
+    added->check(CLI::Validator(
+        [&parameter, &command](std::string& word) {
+            const std::string complaint =
+                parameter.value.suffix == ".db" ? complaint_about_session(parameter, command.name, word) : "";
+            return complaint.empty() ? complaint_about(parameter.value, word) : complaint;
+        },
+        ""));
 }
 
 std::string examples_text(const Command& command) {
@@ -123,8 +139,8 @@ void add_command(CLI::App& app, const Command& command, Options& options) {
     CLI::App* with_parameters = app.add_subcommand(command.name, command.summary);
     with_parameters->group(command.group)->footer(notice);
     with_parameters->footer(examples_text(command) + (command.footer.empty() ? "" : command.footer + "\n") + notice);
-    for (const Parameter& argument : command.arguments) add_parameter(*with_parameters, argument, options);
-    for (const Parameter& option : command.options) add_parameter(*with_parameters, option, options);
+    for (const Parameter& argument : command.arguments) add_parameter(*with_parameters, argument, command, options);
+    for (const Parameter& option : command.options) add_parameter(*with_parameters, option, command, options);
 }
 
 void prepare(CLI::App& app) {
@@ -140,12 +156,23 @@ void prepare(CLI::App& app) {
 
 std::string quoted(const std::string& word) { return "`" + word + "`"; }
 
+/// Returns whether one word may be a slip of the other: it has the same first letter, or one letter less or other at
+/// its beginning. `export` is none of `import`.
+bool may_be_slip(const std::string& word, const std::string& command) {
+    if (word.empty() || word[0] == command[0]) return true;
+    return word.substr(1) == command.substr(1) || word == command.substr(1) || word.substr(1) == command ||
+           (word.size() > 1 && word[0] == command[1] && word[1] == command[0]);
+}
+
 std::string about_unknown_command(const std::string& word) {
-    std::vector<std::string> known;
-    for (const Command& command : command_table()) known.push_back(command.name);
-    const std::string meant = documents::closest(word, known);
-    return "there is no command " + quoted(word) + ". " +
-           (meant.empty() ? documents::write_instead(word, known) : "Write " + quoted("kerf " + meant) + ".");
+    std::vector<std::string> known, near;
+    for (const Command& command : command_table()) {
+        known.push_back(command.name);
+        if (may_be_slip(word, command.name)) near.push_back(command.name);
+    }
+    const std::string meant = documents::closest(word, near);
+    return "there is no command " + quoted(word) + ". Write " +
+           (meant.empty() ? documents::listed(known, word) : quoted("kerf " + meant)) + ".";
 }
 
 std::string about_unknown_option(const std::string& word, const Command* command) {

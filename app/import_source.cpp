@@ -14,6 +14,7 @@
 #include "bone/image/write_nrrd.h"
 #include "bone/import/mesh_body.h"
 #include "bone/report/import_report.h"
+#include "bone/surface/surface_mesh.h"
 #include "bone/surface/write_stl.h"
 #include "session/recorder.h"
 #include "text/printable.h"
@@ -182,6 +183,15 @@ void warn_of_loss(const bone::StlLoss& loss, std::size_t faces, const ImportRequ
             text::excerpt(request.source) + " itself in the anatomy."));
 }
 
+constexpr double longest_person = 3.0;  // [m]
+
+/// Returns the longest side of the box around a bone [m].
+double length_of(const bone::MeshBone& bone) {
+    const Box box = bone::bounds_of(bone.surface);
+    const Vec3 extent = box.high - box.low;
+    return std::max({extent.x, extent.y, extent.z});
+}
+
 void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
     auto surface = bone::read_surface(request.source).take(outcome.diagnostics);
     if (!surface) return;
@@ -195,6 +205,11 @@ void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
     const std::string lacking = without_ignored(surface->ignored);
     const auto bone = bone::make_mesh_bone(anatomy, std::move(*surface), nullptr).take(outcome.diagnostics);
     if (!bone) return;
+    if (const double length = length_of(*bone); length > longest_person) {
+        outcome.error = "the surface is " + bone::rounded(length, 1) + " m long in `--unit " + request.unit +
+                        "`, longer than a person. Write `--unit mm`, or the unit of its numbers.";
+        return;
+    }
     bool is_first = true;
     for (const std::string& note : bone->report.notes) {
         add_line(outcome.text, is_first ? "found" : "", note);

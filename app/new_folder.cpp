@@ -27,6 +27,24 @@ bool is_name(const std::string& name) {
            std::all_of(name.begin(), name.end(), fits);
 }
 
+/// Returns the name nearest to a text: `My Tool` and `MyTool` are `my_tool`. `otherwise` if the text has no letters.
+std::string name_from(const std::string& wanted, const std::string& otherwise) {
+    std::string name;
+    char before = '\0';
+    for (const char c : wanted) {
+        const bool is_capital = c >= 'A' && c <= 'Z', is_digit = c >= '0' && c <= '9';
+        const bool is_kept = is_capital || is_digit || (c >= 'a' && c <= 'z');
+        const bool is_new_word = !is_kept || (is_capital && before >= 'a' && before <= 'z');
+        if (is_new_word && !name.empty() && name.back() != '_') name += '_';
+        if (is_kept) name += is_capital ? static_cast<char>(c - 'A' + 'a') : c;
+        before = c;
+    }
+    if (!name.empty() && (name[0] < 'a' || name == "null")) name.insert(0, "my_");
+    name.resize(std::min(name.size(), max_name_length));
+    while (name.ends_with('_')) name.pop_back();
+    return name.empty() ? otherwise : name;
+}
+
 /// Returns why a plugin cannot have this name; empty if it can.
 std::string taken_by(const std::string& name) {
     if (std::any_of(std::begin(taken_plugins), std::end(taken_plugins), [&](const char* one) { return name == one; }))
@@ -105,12 +123,14 @@ std::string write_new_folder(NewKind kind, const std::string& name, const std::s
     namespace fs = std::filesystem;
     const Example example = example_of(kind);
     const std::string command = kind == NewKind::procedure ? "kerf new procedure " : "kerf new plugin ";
+    const auto owner_of = [&](const std::string& one) { return kind == NewKind::procedure ? "" : taken_by(one); };
+    std::string meant = name_from(name, example.name);
+    if (!owner_of(meant).empty()) meant.insert(0, "my_");
     if (!is_name(name))
         return "the name is `" + text::excerpt(name) +
-               "`; it needs a-z, 0-9 and _, a letter first, 40 at most. Write `" + command + example.name + "`.";
-    if (name == "null")
-        return "the name is `null`, which YAML reads as nothing. Write `" + command + example.name + "`.";
-    if (const std::string owner = kind == NewKind::procedure ? "" : taken_by(name); !owner.empty())
+               "`; it needs a-z, 0-9 and _, a letter first, 40 at most. Write `" + command + meant + "`.";
+    if (name == "null") return "the name is `null`, which YAML reads as nothing. Write `" + command + meant + "`.";
+    if (const std::string owner = owner_of(name); !owner.empty())
         return "the name `" + name + "` belongs to " + owner + ". Write `" + command + "my_" + name + "`.";
     const fs::path folder = wanted.empty() ? name : wanted;
     std::error_code error;

@@ -51,7 +51,10 @@ std::string refusal_of(const CheckOptions& options) {
     for (const std::string& file : options.plugins)
         if (const text::RecognisedFile found = text::recognise(file);
             !found.name.empty() && found.kind != text::FileKind::shared_library)
-            return "`" + file + "` is of another kind: " + text::other_kind_text(found, "a plugin");
+            return "`" + file + "` is of another kind: " +
+                   text::other_kind_text(found,
+                                         "a plugin, which is a shared library such as `build/lib/kerf/kerf_peck.so`") +
+                   (found.kind == text::FileKind::procedure ? "" : " `kerf validate` checks procedures.");
     if (options.level < 5 && (!options.procedures.empty() || !options.twin.empty()))
         return "`--procedure` and `--twin` belong to level 5. Add `--level 5`.";
     return {};

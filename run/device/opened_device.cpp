@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/haptics/loop/device_record.h"
 #include "documents/yaml/read_map.h"
 #include "kerf/device_buttons.hpp"
 #include "text/printable.h"
@@ -46,9 +47,14 @@ std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, 
         });
     if (found == plugins.catalog().end()) {
         const std::vector<std::string> known = drivers_of(plugins);
-        error = "there is no driver `" + text::excerpt(driver_id, 40) + "`" +
-                (known.empty() ? ": no plugin has a device."
-                               : ". " + documents::write_instead(driver_id, known) + " `kerf devices` lists all.");
+        if (find_device(driver_id.c_str()) != nullptr)
+            error = "`" + driver_id + "` is a model of a device. Write `--set haptics.device=" + driver_id +
+                    "` to simulate it; `--device` needs a driver: " +
+                    (known.empty() ? "no plugin has one." : documents::listed(known) + ". `kerf devices` lists all.");
+        else
+            error = "there is no driver `" + text::excerpt(driver_id, 40) + "`" +
+                    (known.empty() ? ": no plugin has a device."
+                                   : ". " + documents::write_instead(driver_id, known) + " `kerf devices` lists all.");
         return nullptr;
     }
     const std::vector<double> values = defaults_of(*found);

@@ -131,5 +131,18 @@ TEST(ImportLoss, CountsWhatStlCannotStore) {
     EXPECT_EQ(imported(octahedron({0, 0, 0}, 10.0, 1)).outcome.text.find("without"), std::string::npos);
 }
 
+TEST(ImportSize, RefusesABoneLongerThanAPerson) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "bone.obj") << octahedron({0, 0, 0}, 39.25, 1);
+    ImportRequest request;
+    request.source = folder / "bone.obj";
+    request.out = folder / "bone.stl";
+    request.unit = "m";
+    EXPECT_EQ(import_source(request).error.substr(0, 58), "the surface is 78.5 m long in `--unit m`, longer than a pe");
+    EXPECT_FALSE(std::ifstream(request.out).is_open());
+    request.unit = "mm";
+    EXPECT_EQ(import_source(request).error, "");
+}
+
 }  // namespace
 }  // namespace kerf::app

@@ -89,6 +89,24 @@ TEST(NewFolder, RefusesNamesOfKerf) {
     EXPECT_NE(write_new_folder(NewKind::procedure, "null", folder / "null"), "");
 }
 
+TEST(NewFolder, SuggestsTheNameThatWasMeant) {
+    const test::TemporaryFolder folder;
+    const auto suggested = [&](NewKind kind, const std::string& name) {
+        const std::string error = write_new_folder(kind, name, folder / "made");
+        const std::size_t at = error.find("Write `kerf new ") + 16;
+        return error.substr(at, error.find('`', at) - at);
+    };
+    EXPECT_EQ(suggested(NewKind::tool, "Round Burr"), "plugin round_burr");
+    EXPECT_EQ(suggested(NewKind::tool, "My Tool"), "plugin my_tool");
+    EXPECT_EQ(suggested(NewKind::tool, "MyTool"), "plugin my_tool");
+    EXPECT_EQ(suggested(NewKind::tool, "Drilling"), "plugin my_drilling");
+    EXPECT_EQ(suggested(NewKind::procedure, "my-hole"), "procedure my_hole");
+    EXPECT_EQ(suggested(NewKind::procedure, "2 holes"), "procedure my_2_holes");
+    EXPECT_EQ(suggested(NewKind::procedure, "null"), "procedure my_null");
+    EXPECT_EQ(suggested(NewKind::procedure, "--"), "procedure bicortical_hole");
+    EXPECT_EQ(suggested(NewKind::tool, std::string(50, 'A')), "plugin " + std::string(40, 'a'));
+}
+
 TEST(NewFolder, PrintsCommandsThatAShellReads) {
     const test::TemporaryFolder folder;
     const std::string within = "cd " + folder.path() + " && " KERF_BUILD_DIR "/bin/kerf new ";

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -59,7 +60,9 @@ TEST_F(OtherFile, IsRefusedAsAProcedure) {
 TEST_F(OtherFile, IsRefusedAsASession) {
     for (const char* command : {"report", "remesh", "view"}) {
         expect_refused(command, "README.md", "got a text in Markdown, expected the session.db of a run. ");
-        expect_refused(command, "", "got the folder of a run, expected the session.db of a run. Write `kerf view ");
+        expect_refused(
+            command, "",
+            "got the folder of a run, expected the session.db of a run. Write `kerf " + std::string(command) + " ");
         expect_refused(command, "none.db", "cannot be opened: there is no such file. Name a session.db");
     }
     std::filesystem::copy_file(pedicle_screw, folder_ / "p.yaml");
@@ -68,9 +71,49 @@ TEST_F(OtherFile, IsRefusedAsASession) {
 
 TEST_F(OtherFile, IsRefusedAsAScanAPluginOrAComponent) {
     expect_refused("import", "session.db", "got a session of Kerf, expected a scan or a surface. ");
-    expect_refused("check", "README.md", "got a text in Markdown, expected a plugin. ");
+    expect_refused("check", "README.md",
+                   "got a text in Markdown, expected a plugin, which is a shared library such as ");
+    expect_refused("check", "README.md", " `kerf validate` checks procedures.");
     expect_refused("describe", "session.db", "got a session of Kerf, expected a plugin or a component");
     expect_refused("privacy", "", ": this is a folder. Name single files");
+}
+
+TEST(OtherFolder, ARunsSessionIsNamedForEveryCommandThatTakesOne) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "first run");
+    std::ofstream(folder / "first run/session.db") << "x";
+    const std::string run = "'" + (folder / "first run") + "'",
+                      session = "'" + (folder / "first run/session.db") + "'`.";
+    for (const std::string command : {"report", "view", "remesh"}) {
+        const Ended ended = kerf(command + " " + run);
+        EXPECT_EQ(ended.exit_code, 2);
+        EXPECT_TRUE(has(ended.err, "Write `kerf " + command + " " + session)) << ended.err;
+    }
+    const Ended replay = kerf("run " + pedicle_screw + " --replay " + run + "/");
+    EXPECT_EQ(replay.exit_code, 2);
+    EXPECT_TRUE(has(replay.err, "Write `--replay " + session)) << replay.err;
+}
+
+TEST(MissingFile, IsAnsweredWithTheNearestNameInItsFolder) {
+    const test::TemporaryFolder folder;
+    std::filesystem::copy_file(pedicle_screw, folder / "pedicle-screw.yaml");
+    std::ofstream(folder / "pedicle-srew.txt") << "x";
+    const Ended near = kerf("validate " + (folder / "pedicle-srew.yaml"));
+    EXPECT_EQ(near.exit_code, 2);
+    EXPECT_TRUE(has(near.out, "does not exist. Write `" + (folder / "pedicle-screw.yaml") + "`.")) << near.out;
+    const Ended far = kerf("validate " + (folder / "femur.yaml"));
+    EXPECT_TRUE(has(far.out, "does not exist. Check its name and its folder.")) << far.out;
+}
+
+TEST(OtherDevice, AModelIsNoDriver) {
+    for (const std::string command :
+         {"run " + pedicle_screw + " --headless --device touch", std::string("devices test touch")}) {
+        const Ended ended = kerf(command);
+        EXPECT_EQ(ended.exit_code, 2) << command;
+        EXPECT_TRUE(has(ended.err, "`touch` is a model of a device. Write `--set haptics.device=touch` to simulate it"))
+            << ended.err;
+        EXPECT_TRUE(has(ended.err, "`replay`")) << ended.err;
+    }
 }
 
 TEST(OtherDocument, IsNamedWithTheCommandThatTakesIt) {
