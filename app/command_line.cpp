@@ -49,8 +49,8 @@ std::string complaint_about_session(const Parameter& parameter, const std::strin
     if (text::recognise(word).kind != text::FileKind::run_folder) return {};
     while (word.size() > 1 && word.back() == '/') word.pop_back();
     const std::string file = text::shell_path(word + "/session.db");
-    return "is of another kind: got the folder of a run, expected the session.db of a run. Write `" + (parameter.is_option() ? parameter.name : "kerf " + command) + " " +
-           file + "`.";
+    return "is of another kind: got the folder of a run, expected the session.db of a run. Write `" +
+           (parameter.is_option() ? parameter.name : "kerf " + command) + " " + file + "`.";
 }
 
 /// Returns what is wrong with a value, behind its name; empty if nothing is.

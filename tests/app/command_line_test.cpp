@@ -203,7 +203,7 @@ TEST(CommandLine, ReportsMistakesWithACorrection) {
              {{"fly"}, "there is no command `fly`. Write `run`, `window`, `validate`"},
              {{"valdate", "p.yaml"}, "there is no command `valdate`. Write `kerf validate`."},
              {{"export", "bone.stl"}, "there is no command `export`. Write `import`, `report`"},
-             {{"xeport", "a.db"}, "there is no command `xeport`. Write `report`, `import`"},
+             {{"xeport", "a.db"}, "there is no command `xeport`. Write `kerf report`."},
              {{"eport", "a.db"}, "there is no command `eport`. Write `kerf report`."},
              {{"run"}, "which procedure? Write `kerf run PROCEDURE.yaml`."},
              {{"run", ""}, "`PROCEDURE` is empty. Write the name of a YAML file."},

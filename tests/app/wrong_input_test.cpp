@@ -106,7 +106,7 @@ TEST(MissingFile, IsAnsweredWithTheNearestNameInItsFolder) {
 }
 
 TEST(OtherDevice, AModelIsNoDriver) {
-    for (const std::string command :
+    for (const std::string& command :
          {"run " + pedicle_screw + " --headless --device touch", std::string("devices test touch")}) {
         const Ended ended = kerf(command);
         EXPECT_EQ(ended.exit_code, 2) << command;
