@@ -111,6 +111,12 @@ void print_summary(const session::RunSummary& s) {
 /// Returns whether a mouse leads the tool.
 bool is_by_mouse(const RunOptions& options) { return options.device == "mouse"; }
 
+/// Returns why the options are refused before any file is read; empty if they are not.
+std::string refusal_at_once(const RunOptions& options, const Environment& with) {
+    return options.is_in_window && with.display == nullptr ? "this program has no window. Write `kerf run … --window`."
+                                                           : refusal_of_language(options.language);
+}
+
 /// Returns why options do not fit together, or to the procedure; empty if they do.
 std::string refusal_of(const RunOptions& options, const documents::Procedure& procedure) {
     if (options.is_in_window && !options.replay.empty())
@@ -300,9 +306,7 @@ ExitCode print_outcome(const run::RunOutcome& outcome, const std::string& folder
 namespace commands {
 
 ExitCode run(const RunOptions& options, const Environment& with) {
-    if (options.is_in_window && with.display == nullptr)
-        return complain("this program has no window. Write `kerf run … --window`.", exit_bad_input);
-    if (const std::string refusal = refusal_of_language(options.language); !refusal.empty())
+    if (const std::string refusal = refusal_at_once(options, with); !refusal.empty())
         return complain(refusal, exit_bad_input);
     const std::string& file = options.procedure;
     text::Diagnostics diagnostics;

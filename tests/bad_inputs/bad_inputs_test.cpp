@@ -158,9 +158,10 @@ Ending as_surface(const Input& input, const std::string& folder) {
     const app::ImportOutcome imported =
         app::import_source({folder + "/" + input.source, input.how.find("repair") == std::string::npos ? out : "", "",
                             "", false, unit.empty() ? "mm" : unit, frame});
-    std::string wrong = imported.error;
+    std::string wrong;
     const std::string how = (unit.empty() ? "unit: mm" + std::string(input.how.empty() ? "" : ", ") : "") + input.how;
     const text::Diagnostics made = make_bone(folder, "mesh: {file: " + input.source + ", " + how + "}", wrong);
+    if (!text::has_error(made)) wrong += imported.error;  // what both refuse is in order
     if (!text::has_error(imported.diagnostics) && !text::has_error(made) &&
         input.how.find("repair") == std::string::npos) {
         // What was written is the same bone again: millimetres, LPS.
