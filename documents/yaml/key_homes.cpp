@@ -67,18 +67,14 @@ KeyAdvice advice_for(const Node& child, const Shape& here, const std::string& un
                 is_added ? path_before(child, report) + under + "." + child.key : ""};
     if (report.whole() == nullptr) return {};
     const std::vector<KeyHome> homes = homes_of(child.key, *report.whole(), here);
-    if (homes.empty()) return {};
-    const bool is_one = homes.size() == 1;
-    if (is_one && homes[0].under.empty())
+    if (homes.size() != 1) return {};  // it may mean another thing in each
+    const KeyHome& home = homes.front();
+    if (home.under.empty())
         return {quoted + " belongs to the document itself. Write it " +
                     (is_added ? "without a path before it." : "without indentation."),
                 is_added ? child.key : ""};
-    std::string text = quoted + " belongs under ";
-    for (const KeyHome& home : homes)
-        text +=
-            (&home == &homes.front() ? "`" : " or `") + (home.under.empty() ? "the document" : home.under + ":") + "`";
-    const std::string path = is_one && is_added ? homes[0].path : "";
-    return {text + (path.empty() ? ". Move it there." : "."), path};
+    const std::string path = is_added ? home.path : "";
+    return {quoted + " belongs under `" + home.under + ":`." + (path.empty() ? " Move it there." : ""), path};
 }
 
 }  // namespace kerf::documents
