@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "tests/support/own_display.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -17,9 +18,6 @@ namespace {
 constexpr const char* short_operation =
     "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --anatomy " KERF_SOURCE_DIR
     "/procedures/anatomy/vertebra-phantom.yaml --set \"accuracy.spacing=0.5 mm\" --set \"time_limit=3 s\"";
-
-/// Returns what precedes a command that needs a display: it gets one of its own.
-std::string on_display() { return "xvfb-run --auto-servernum --server-args=\"-screen 0 1300x850x24\""; }
 
 /// Returns width and height in the header of a PNG file; zeros for another file.
 std::pair<unsigned, unsigned> size_of_picture(const std::string& file) {
@@ -34,11 +32,11 @@ std::pair<unsigned, unsigned> size_of_picture(const std::string& file) {
 }
 
 TEST(Window, ShowsARunOnTheClockAndWritesItsLastPicture) {
+    const OwnDisplay display;
     const TemporaryFolder folder;
     const std::string picture = folder / "end.png";
     const Ended ended =
-        kerf(std::string(short_operation) + " --window --screenshot " + picture + " --out " + (folder / "run"),
-             on_display());
+        kerf(std::string(short_operation) + " --window --screenshot " + picture + " --out " + (folder / "run"));
     EXPECT_EQ(ended.exit_code, 1) << ended.err;  // three seconds are not enough
     EXPECT_NE(ended.out.find("verdict: incomplete"), std::string::npos) << ended.out << ended.err;
     EXPECT_NE(ended.out.find("clock: 300"), std::string::npos) << ended.out;
@@ -100,6 +98,7 @@ void write_short_operation(const std::string& folder) {
 }
 
 TEST(StartPage, StartsAnOperationAndReturns) {
+    const OwnDisplay display;
     const TemporaryFolder folder;
     write_short_operation(folder / "own");
     const std::string attempt = folder / "attempts/L17/pedicle-screw/001";
@@ -116,7 +115,7 @@ TEST(StartPage, StartsAnOperationAndReturns) {
            "i=0; while kill -0 $page 2> /dev/null && [ $i -lt 60 ]; do\n"
            "  xdotool key Return; sleep 0.3; xdotool key ctrl+q; sleep 0.3; i=$((i + 1)); done\n"
            "wait $page\n";
-    const Ended ended = shell(on_display() + " sh " + (folder / "user.sh"));
+    const Ended ended = shell("sh " + (folder / "user.sh"));
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
     EXPECT_TRUE(std::filesystem::exists(attempt + "/session.db")) << ended.err;
     EXPECT_NE(contents_of(attempt + "/summary.json").find("\"verdict\": \"incomplete\""), std::string::npos);
