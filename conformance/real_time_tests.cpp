@@ -11,6 +11,7 @@
 #include "conformance/law_walk.h"
 #include "conformance/process_state.h"
 #include "conformance/test_groups.h"
+#include "core/plugin/plugin_call.h"
 
 namespace kerf::conformance {
 
@@ -78,9 +79,8 @@ void makes_no_system_call(Examination& exam) {
 }
 
 void leaves_rounding(Examination& exam) {
-    std::uint32_t before = floating_point_control();
     const auto look = [&](LawWalk& law) {
-        if (floating_point_control() != before)
+        if (take_changed_floating_point(*exam.subject->force))
             exam.fail("It changes the control word of the floating-point unit, for all of the host, " + law.where() +
                       ".");
         return !exam.has_failed();

@@ -291,7 +291,8 @@ void leaves_its_process(Examination& exam) {
     const ProcessState before = process_state();
     static_cast<void>(call(*exam.subject->strategy, task_for(exam, remesh_scenes().front())));
     const ProcessState after = process_state();
-    if (before.rounding != after.rounding) return exam.fail("A call leaves another rounding mode. Restore it.");
+    if (take_changed_floating_point(*exam.subject->strategy))
+        return exam.fail("A call leaves another rounding mode. Restore it.");
     if (before.locale != after.locale) return exam.fail("A call leaves another locale. Restore it.");
     if (before.folder != after.folder) return exam.fail("A call leaves another working folder. Restore it.");
     if (after.files.size() > before.files.size()) return exam.fail("A call leaves a file open. Close it.");

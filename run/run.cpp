@@ -379,7 +379,7 @@ bool Run::tick(const DeviceSample& reported) {
     note_reading(reported);
     if (!is_replay() && !is_led_ && !changes_.is_following()) hand_.feel(result_, simulation_);
 
-    if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
+    if (simulation_.ticks() % volume_interval == 0) follow_removal();
     take_separations(simulation_.ticks() - 1);
     if (exact_ != nullptr) exact_->follow(simulation_);
     const double now = static_cast<double>(simulation_.ticks() - 1) * Simulation::dt;
@@ -406,6 +406,15 @@ bool Run::tick(const DeviceSample& reported) {
     return true;
 }
 
+/// Counts the bone removed so far, and compares it with what the force law resisted.
+void Run::follow_removal() {
+    removed_ = simulation_.present().removed();
+    const ToolSetup& tool = simulation_.setup();
+    if (const auto odd =
+            laws_.follow(removed_, simulation_.ledger(), tool.tool->tool->drive_count > 0, name_of_law(*tool.force)))
+        add_event(LawChecks::forceless, *odd);
+}
+
 void Run::take_tool_of_step() {
     const std::size_t tool = scene_->tool_of_step[monitor_.current()];
     if (tool == tool_ && !is_tool_left_) return;
@@ -422,6 +431,7 @@ void Run::take_tool_of_step() {
 void Run::note_tool(std::size_t tool) {
     take_separations(simulation_.ticks());
     add_event_at(simulation_.ticks(), "tool.taken", instrument_of(*scene_, tool).id);
+    laws_.restart(removed_, simulation_.ledger());
 }
 
 void Run::take_hand_inputs(const std::vector<documents::HandInput>& inputs) {
@@ -613,6 +623,7 @@ void Run::add_event_at(std::uint64_t tick, const std::string& id, const std::str
     event.time = static_cast<double>(event.tick) * Simulation::dt;
     event.id = id;
     event.detail = detail;
+    laws_.note(id, detail);
     session::add_event(hash_, event);
     const session::EventRow kept = session::Recorder::as_kept(std::move(event));
     for (RunObserver* observer : observers_) observer->on_event(kept);
@@ -779,6 +790,7 @@ void Run::measure() {
     judge(monitor_, end_, summary.duration, scene_->procedure.time_limit, summary);
     mark_missed_implants();
     if (end_ == RunEnd::fault) summary.reasons.front() += " " + text_of(simulation_.law_fault());
+    laws_.judge(end_ == RunEnd::fault, summary);
     outcome_.over_budget = simulation_.laws_over_budget();
     summary.metrics = metrics_of(monitor_, *scene_);
     std::move(left_.begin(), left_.end(), std::back_inserter(summary.metrics));
@@ -787,6 +799,7 @@ void Run::measure() {
     if (request_.assist_with(scene_->procedure) == documents::Assist::on_request)
         summary.metrics.push_back(count_row("assist.uses", helps_, "Steps for which the trainee has requested help."));
     summary.metrics.push_back(port_energy_row(simulation_.passivity()));
+    for (session::MetricRow& row : laws_.rows(simulation_.ledger())) summary.metrics.push_back(std::move(row));
     for (std::size_t body = 0; body < bone.count(); ++body)
         summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)),
                                   surface_file(body, !simulation_.bodies()[body]->is_cuttable),

@@ -21,6 +21,7 @@
 #include "run/signal_table.h"
 #include "run/verdict/cut_results.h"
 #include "run/verdict/held_bone.h"
+#include "run/verdict/law_checks.h"
 #include "session/content_hash.h"
 
 namespace kerf::bone {
@@ -110,6 +111,7 @@ private:
     void note_reading(const DeviceSample& reported);
     [[nodiscard]] bool tick(const DeviceSample& reported);
     [[nodiscard]] bool follow_tick(const LoopMessage& message);
+    void follow_removal();
     void take_tool_of_step();
     void note_tool(std::size_t tool);
     void make_due_changes();
@@ -155,6 +157,7 @@ private:
     std::deque<std::variant<documents::HandInput, LeftImplant>> waiting_;  ///< changes that wait for an earlier one
     std::optional<documents::HandInput> changing_;                         ///< the input whose change is posted
     StepMonitor monitor_;
+    LawChecks laws_;
     EarlierCut before_;
     session::ContentHash hash_;
     TickResult result_;

@@ -67,6 +67,12 @@ session::TickRow row_of(const TickResult& result, const Scene& scene, const Simu
 
 std::string event_detail(const std::string& event, const Simulation& simulation) {
     if (event == "haptics.quarantined") return text_of(simulation.law_fault());
+    if (event == "haptics.law_made_energy") {
+        const MadeEnergy& made = simulation.ledger().last();
+        const auto in_mj = [](double v) { return text::quantity_text(std::round(v * 1e5) * 1e-5, "mJ"); };
+        return name_of_law(*simulation.setup().force) + ": within a second it gave the tool " + in_mj(made.made) +
+               " that it had never taken; its work in all was " + in_mj(made.through);
+    }
     if (event != "haptics.unresisted") return "";
     const auto in_mm = [](double v) { return text::quantity_text(std::round(v * 1e4) * 1e-4, "mm"); };
     const Unresisted& where = simulation.unresisted();

@@ -3,12 +3,34 @@
 
 #include <atomic>
 #include <exception>
+#include <utility>
+
+#include "core/plugin/floating_point.h"
 
 namespace kerf {
 
 namespace {
 
 std::atomic<ThrowHandler> throw_handler{nullptr};
+thread_local const kerf_component* changed_by = nullptr;  // of the floating-point unit
+
+/// Restores the control words of the floating-point unit.
+class FloatingPointGuard {
+public:
+    explicit FloatingPointGuard(const kerf_component& component) noexcept
+        : component_(component), before_(floating_point()) {}
+    ~FloatingPointGuard() {
+        if (floating_point() == before_) return;
+        set_floating_point(before_);
+        changed_by = &component_;
+    }
+    FloatingPointGuard(const FloatingPointGuard&) = delete;
+    FloatingPointGuard& operator=(const FloatingPointGuard&) = delete;
+
+private:
+    const kerf_component& component_;
+    FloatingPoint before_;
+};
 
 /// Ends the program while the call is still in progress, so that the handler can read it with `call_in_progress`.
 [[noreturn]] void end_by_exception() noexcept {
@@ -29,6 +51,7 @@ std::atomic<ThrowHandler> throw_handler{nullptr};
 template <class Work>
 auto run_call(PluginCall call, const kerf_component& component, const Work& work) noexcept {
     const CallNote note(call, component);
+    const FloatingPointGuard guard(component);
     try {
         return work();
     } catch (...) {
@@ -81,6 +104,10 @@ void call_write(const kerf_component& driver, void* device, const kerf_device_co
 
 void call_close(const kerf_component& driver, void* device) noexcept {
     run_call(PluginCall::close, driver, [&] { driver.device->close(device); });
+}
+
+bool take_changed_floating_point(const kerf_component& component) noexcept {
+    return std::exchange(changed_by, nullptr) == &component;
 }
 
 void set_throw_handler(ThrowHandler handler) noexcept { throw_handler.store(handler); }

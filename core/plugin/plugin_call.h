@@ -8,7 +8,8 @@
 #include "kerf/device.h"
 #include "kerf/remesh.h"
 
-/// Functions for calls into plugins, so that a crash, an exit or a loop in a call can be attributed to its plugin.
+/// Functions for calls into plugins, so that a crash, an exit or a loop in a call can be attributed to its plugin. After
+/// each call, rounding, traps and the other control words of the floating-point unit are as before it.
 namespace kerf {
 
 /// Calls a tool's `shape`.   [main]
@@ -38,6 +39,10 @@ void call_read(const kerf_component& driver, void* device, kerf_device_state& st
 void call_write(const kerf_component& driver, void* device, const kerf_device_command& command) noexcept;
 /// Calls a driver's `close`.   [main]
 void call_close(const kerf_component& driver, void* device) noexcept;
+
+/// Returns whether a call into this component left other control words of the floating-point unit, and forgets all such
+/// calls: of this thread, since it last called this function.   [any] nonblocking
+[[nodiscard]] bool take_changed_floating_point(const kerf_component& component) noexcept;
 
 /// Sets the handler of an exception that leaves a plugin's function. The handler gets the exception's text, empty if it
 /// has none, and must not return. Null: std::terminate() is called.   [main]

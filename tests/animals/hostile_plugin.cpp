@@ -118,7 +118,7 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
     if (is("thread_in_its_core")) out->thread_radius = 0.1e-3;
     if (is("thread_without_lead")) out->thread_radius = 2e-3;
     if (is("stays_without_thread")) out->stay_count = 1;
-    out->grip_z = -60e-3;
+    out->grip_z = is("is_gripped_in_air") ? 60e-3 : -60e-3;
     return KERF_OK;
 }
 
@@ -126,7 +126,15 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
 
 struct State {
     double cut;
+    double rate[6];  // of the tool in the last tick
 };
+
+/// Returns the distance of a point from bone, negative inside.
+double surface_at(const kerf_tick_in* in, const kerf_vec3& point) {
+    kerf_surface_point nearest{};
+    in->bone->nearest(in->bone->bone, &point, 1, &nearest);
+    return nearest.distance;
+}
 
 void begin(const kerf_tick_in*, void* state) {
     misbehave("begin");
@@ -164,6 +172,19 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
         c.k = 1e15;
     }
     if (is("pushes")) law->wrench[0] = 1e6;
+    if (is("follows_by_far")) c.follow[1] = 1e9;
+    const State& before = *static_cast<const State*>(state);
+    if (is("pushes_along"))
+        std::transform(before.rate, before.rate + 3, law->wrench, [](double r) { return r > 0.0 ? 3.0 : -3.0; });
+    if (is("flips_its_stiffness") || is("ratchets")) {
+        const double depth = std::max(0.0, -surface_at(in, point));
+        const bool is_hard = is("ratchets") ? before.rate[2] < 0.0 : in->tick % 2 == 0;
+        c.kind = KERF_CONTACT;
+        c.d[2] = 1.0;
+        c.k = is_hard ? 60e3 : 10e3;
+        c.delta = depth;
+    }
+    if (is("cuts_without_force")) law->count = 0;
     if (is("allocates")) {
         void* volatile memory = malloc(800000);  // volatile: or the pair is optimised away
         std::fill_n(static_cast<char*>(memory), 800000, '\1');
@@ -178,12 +199,16 @@ kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* st
     // Not while the host runs the tool up in air, before there is a run.
     const bool is_time = in->tick >= fault_tick && advance->channel_count > 0;
     if (is_time) misbehave("commit");
-    out->action[0] = {KERF_ACTION_CUT, 0};
+    const bool cuts = !is("flips_its_stiffness") && !is("ratchets");
+    out->action[0] = {KERF_ACTION_CUT, cuts ? KERF_CUT_REGION : 99u};
     out->action_count = 1;
     if (is_time && is("overruns_actions")) overrun(out->action + KERF_MAX_ACTIONS, sizeof(kerf_action));
     if (is_time && is("overruns_signals")) overrun(out->signal + 2, 8);
     if (is_time && is("overruns_state")) overrun(static_cast<State*>(state) + 1, 16000);
-    out->signal[0] = is("nan_signal") ? nan_value : 1.0;
+    std::copy(std::begin(advance->rate), std::end(advance->rate), static_cast<State*>(state)->rate);
+    if (is_time && is("changes_rounding")) fesetround(FE_UPWARD);
+    if (is_time && is("fails_in_commit")) return KERF_FAILED;
+    out->signal[0] = is_time && is("nan_signal") ? nan_value : 1.0;
     out->signal[1] = 0.0;
     if (is("unknown_event")) out->action[out->action_count++] = {KERF_ACTION_EVENT, 99};
     if (is("unknown_actions")) {

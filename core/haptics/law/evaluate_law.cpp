@@ -14,10 +14,13 @@ namespace kerf {
 
 namespace {
 
+constexpr double max_wrench = 1000.0;  // [N] or [N·m]: far beyond any tool that is held in hands
+
 /// Returns the first fault in the plugin's answer, or `What::none`.
 LawFault fault_of(const kerf_component& force, kerf_status status, const kerf_law& law,
                   const kerf_channel* channels) noexcept {
     using What = LawFault::What;
+    if (take_changed_floating_point(force)) return {.what = What::floating_point, .law = &force};
     if (status != KERF_OK) return {.what = What::status, .law = &force, .value = static_cast<double>(status)};
     if (law.count > KERF_MAX_CHANNELS)
         return {.what = What::count, .law = &force, .value = static_cast<double>(law.count)};
@@ -31,7 +34,7 @@ LawFault fault_of(const kerf_component& force, kerf_status status, const kerf_la
                     .expected = fault.expected,
                     .value = fault.value};
     for (std::uint32_t i = 0; i < 6; ++i)
-        if (!std::isfinite(law.wrench[i]))
+        if (!(std::abs(law.wrench[i]) <= max_wrench))
             return {.what = What::wrench, .law = &force, .index = i, .value = law.wrench[i]};
     return {};
 }
@@ -77,6 +80,15 @@ LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, LawMe
     std::copy(std::begin(law.wrench), std::end(law.wrench), result.wrench.begin());
     std::copy(std::begin(law.note), std::end(law.note), result.note.begin());
     add_walls(around, result);
+    return {};
+}
+
+LawFault fault_of_commit(const kerf_component& force, kerf_status status, const double* signals) noexcept {
+    using What = LawFault::What;
+    if (take_changed_floating_point(force)) return {.what = What::floating_point, .law = &force};
+    if (status != KERF_OK) return {.what = What::commit_status, .law = &force, .value = static_cast<double>(status)};
+    for (std::uint32_t i = 0; i < force.force->signal_count; ++i)
+        if (!std::isfinite(signals[i])) return {.what = What::signal, .law = &force, .index = i, .value = signals[i]};
     return {};
 }
 

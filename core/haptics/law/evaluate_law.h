@@ -48,4 +48,8 @@ struct Surroundings {
 [[nodiscard]] LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, LawMemory& memory,
                                     const Surroundings& around, CallTimes& times, EvaluatedLaw& result) noexcept;
 
+/// Returns the fault of a call of `commit` that returned `status` and set `signals`, or `What::none`.
+/// [haptic, nonblocking] after the call, on its thread
+[[nodiscard]] LawFault fault_of_commit(const kerf_component& force, kerf_status status, const double* signals) noexcept;
+
 }  // namespace kerf

@@ -32,15 +32,22 @@ std::string text_of(const LawFault& fault) {
     const std::string is = " is " + number_text(fault.value) + ", expected ";
     switch (fault.what) {
         case LawFault::What::status:
-            return law + "`resist` returned " + number_text(fault.value) + name_of_status(fault.value) +
-                   ", expected 0 (KERF_OK).";
+        case LawFault::What::commit_status:
+            return law + (fault.what == LawFault::What::status ? "`resist`" : "`commit`") + " returned " +
+                   number_text(fault.value) + name_of_status(fault.value) + ", expected 0 (KERF_OK).";
         case LawFault::What::count:
             return law + "its law's `count`" + is + "at most " + std::to_string(KERF_MAX_CHANNELS) + ".";
         case LawFault::What::channel:
             return law + "channel " + index + " (id " + std::to_string(fault.id) + "): `" + fault.field + "`" + is +
                    fault.expected + ".";
         case LawFault::What::wrench:
-            return law + "`wrench[" + index + "]`" + is + "a finite number.";
+            return law + "`wrench[" + index + "]`" + is + "a number from -1000 to 1000.";
+        case LawFault::What::signal:
+            return law + "signal " + quoted_plain(fault.law->force->signals[fault.index].id) + is + "a finite number.";
+        case LawFault::What::floating_point:
+            return law +
+                   "a call left another rounding mode, or other traps, of the floating-point unit, expected those that "
+                   "it was called with. Restore them before the call returns.";
         default:
             return law + "no motion balances its law: the solve ended with a residual of " + number_text(fault.value) +
                    ".";

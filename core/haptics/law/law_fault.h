@@ -11,10 +11,20 @@ namespace kerf {
 /// The reason why the host closed the force gate: the faulty value and its law. It owns no memory, so the tick can
 /// store it.
 struct LawFault {
-    enum class What : std::uint8_t { none, status, count, channel, wrench, solve };
+    enum class What : std::uint8_t {
+        none,
+        status,
+        count,
+        channel,
+        wrench,
+        solve,
+        floating_point,
+        commit_status,
+        signal
+    };
     What what = What::none;
     const kerf_component* law = nullptr;
-    std::uint32_t index = 0;    ///< of the channel, or of the wrench's component
+    std::uint32_t index = 0;    ///< of the channel, of the wrench's component, or of the signal
     std::uint32_t id = 0;       ///< of the channel
     const char* field = "";     ///< name of the channel's faulty field; a literal
     const char* expected = "";  ///< range of that field; a literal

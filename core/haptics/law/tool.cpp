@@ -194,7 +194,10 @@ std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacit
     }
     if (const std::string fault = fault_of_bore(shape); !fault.empty()) return fault;
     if (const std::string fault = fault_of_gaps(shape); !fault.empty()) return fault;
-    if (!std::isfinite(shape.grip_z)) return "`grip_z` is " + in_mm(shape.grip_z) + ", expected a finite number.";
+    constexpr double longest = 1.0;  // [m]
+    if (const double tip = shape.profile[0].z; !(shape.grip_z < tip && shape.grip_z > tip - longest))
+        return "`grip_z` is " + in_mm(shape.grip_z) + ", expected a point less than " + in_mm(longest) +
+               " behind the tip at " + in_mm(tip) + ".";
     if (shape.hands > 2) return count("hands", shape.hands, 0, 2);
     return fault_of_bending(shape);
 }

@@ -64,6 +64,7 @@ void HapticLoop::take(LoopChange& change) {
 
 /// Starts the law of the tool in hand and moves the tool out of bone.
 void HapticLoop::start_tool() {
+    ledger_.restart();
     tools_.begin(bodies_.view().query(), period_, tick_);
     if (const double back = bodies_.distance_out_of_bone(now()); back > 0.0) {
         world_from_tool_ = world_from_tool_ * Pose{{0, 0, -back}, {1, 0, 0, 0}};
@@ -112,7 +113,7 @@ TickResult HapticLoop::tick_direct(const DeviceSample& sample) noexcept {
     result.add_bone_wrench(bone, 1.0, world_from_tool_.rotation);
     result.power_hand = -dot(bone, result.rate);
     hand_.command_direct(period_, result);
-    if (!result.is_quarantined) apply({result.rate, lambda, following, period_}, result);
+    if (!result.is_quarantined) result.is_quarantined = !apply({result.rate, lambda, following, period_}, result);
     end_tick(result);
     return result;
 }
@@ -168,7 +169,8 @@ bool HapticLoop::move(TickResult& result) noexcept {
         report(step, 1.0 / result.parts, result);
         following_.update(step.balance, step.motion);
         hand_.credit_motor(step.balance, step.motion, step.dt);
-        apply({step.motion.rate, step.motion.lambda.data(), step.balance.following, step.dt}, result);
+        if (!apply({step.motion.rate, step.motion.lambda.data(), step.balance.following, step.dt}, result))
+            return false;
         if (part == result.parts) break;
         if (!find_motion(hand_.pose_after(part + 1, result.parts), step)) return false;
     }
@@ -240,13 +242,16 @@ void HapticLoop::rest(TickResult& result) noexcept {
     result.thrust = result.torque = result.power_hand = 0.0;
     if (result.is_quarantined) return;
     constexpr double no_force[max_balance_channels] = {};
-    apply({Vec6{}, no_force, Vec6{}, period_}, result);
+    result.is_quarantined = !apply({Vec6{}, no_force, Vec6{}, period_}, result);
 }
 
-/// Lets the plugin update its state, moves the tool and removes the bone that it cut.
-void HapticLoop::apply(const AppliedMotion& applied, TickResult& result) noexcept {
+/// Lets the plugin update its state, moves the tool and removes the bone that it cut. Returns false, and does neither,
+/// if the law's `commit` is unsound.
+bool HapticLoop::apply(const AppliedMotion& applied, TickResult& result) noexcept {
     last_rate_ = applied.rate;
     const CommittedLaw committed = tools_.commit(applied, bodies_.view().query(), tick_);
+    if (!committed.is_sound) return false;
+    if (ledger_.add(tools_.law(), applied, tools_.is_driven())) result.add_event("haptics.law_made_energy");
     if (committed.has_thread && !bodies_.keep(committed.thread) && !std::exchange(reported_.has_full_threads, true))
         result.add_event("haptics.threads_full");
 
@@ -269,6 +274,7 @@ void HapticLoop::apply(const AppliedMotion& applied, TickResult& result) noexcep
     }
     if (is_cutting) result.is_cutting = true;
     bodies_.cut(now(), is_cutting, is_at_front);
+    return true;
 }
 
 void HapticLoop::apply_action(const kerf_action& action, TickResult& result) noexcept {

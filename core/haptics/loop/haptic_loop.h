@@ -12,6 +12,7 @@
 #include "core/haptics/law/guide_wall.h"
 #include "core/haptics/loop/following.h"
 #include "core/haptics/loop/hand_port.h"
+#include "core/haptics/loop/law_ledger.h"
 #include "core/haptics/loop/loop_bodies.h"
 #include "core/haptics/loop/loop_change.h"
 #include "core/haptics/loop/loop_tools.h"
@@ -68,7 +69,9 @@ public:
 
     /// Sets a drive from the next tick on, clamped to its range. Called for a pedal, a trigger or a procedure's step.
     /// [haptic, nonblocking] between ticks
-    void command_drive(std::size_t drive, double value) noexcept { tools_.command_drive(drive, value); }
+    void command_drive(std::size_t drive, double value) noexcept {
+        if (tools_.command_drive(drive, value)) ledger_.change_drive();
+    }
     /// From the next tick on, lets the handle turn about the shaft without turning the tool, or grips the tool again
     /// (false). Used for a hand that regrips and for a device's clutch. `take_tool` always grips.
     /// [haptic, nonblocking] between ticks
@@ -138,6 +141,7 @@ public:
     /// Moves a body; the motion cuts nothing.   [haptic, nonblocking] between ticks
     void place_body(std::size_t body, const Pose& world_from_body) noexcept {
         bodies_.place(body, world_from_body, now());
+        ledger_.restart();
     }
     /// Puts a body into the scene, or takes it out (false).   [haptic, nonblocking] between ticks
     void show_body(std::size_t body, bool is_present) noexcept { bodies_.show(body, is_present, now()); }
@@ -191,6 +195,8 @@ public:
     [[nodiscard]] const LawFault& law_fault() const noexcept { return tools_.fault(); }
     /// Returns the point and depth of the event `haptics.unresisted`. Read it in the tick of the event.
     [[nodiscard]] const Unresisted& unresisted() const noexcept { return unresisted_.last(); }
+    /// Returns the energy of the laws so far: the cause of the event `haptics.law_made_energy`.
+    [[nodiscard]] const LawLedger& ledger() const noexcept { return ledger_; }
     /// Returns one line of text for each law of which more than 1 % of the calls took longer than it declares.   [main]
     [[nodiscard]] std::vector<std::string> laws_over_budget() const { return tools_.laws_over_budget(); }
     [[nodiscard]] const PassivityGuard& passivity() const noexcept { return hand_.passivity(); }
@@ -225,7 +231,7 @@ private:
     void limit_speed(Step& step) noexcept;
     void report(const Step& step, double weight, TickResult& result) noexcept;
     void rest(TickResult& result) noexcept;
-    void apply(const AppliedMotion& applied, TickResult& result) noexcept;
+    [[nodiscard]] bool apply(const AppliedMotion& applied, TickResult& result) noexcept;
     void apply_action(const kerf_action& action, TickResult& result) noexcept;
     void add_contact_events(TickResult& result) noexcept;
     void end_tick(TickResult& result) noexcept;
@@ -249,6 +255,7 @@ private:
     Following following_;
     std::optional<Guide> guide_;
     UnresistedWatch unresisted_;
+    LawLedger ledger_;
     Reported reported_;
 };
 

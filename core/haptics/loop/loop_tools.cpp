@@ -2,6 +2,7 @@
 #include "core/haptics/loop/loop_tools.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -40,10 +41,16 @@ void LoopTools::begin(const kerf_bone_query& bone, double dt, std::uint64_t tick
     call_begin(*setup().force, in, memory_->state());
 }
 
-void LoopTools::command_drive(std::size_t drive, double value) noexcept {
-    if (drive >= setup().drives.size() || !(value == value)) return;
+bool LoopTools::command_drive(std::size_t drive, double value) noexcept {
+    if (drive >= setup().drives.size() || !(value == value)) return false;
     const kerf_drive& range = setup().tool->tool->drives[drive];
-    drives_[drive] = std::clamp(value, range.min, range.max);
+    const double wanted = std::clamp(value, range.min, range.max);
+    return std::exchange(drives_[drive], wanted) != wanted;
+}
+
+bool LoopTools::is_driven() const noexcept {
+    const auto end = drives_.begin() + static_cast<std::ptrdiff_t>(setup().drives.size());
+    return std::any_of(drives_.begin(), end, [](double drive) { return drive != 0.0; });
 }
 
 kerf_tick_in LoopTools::tick_in(const kerf_bone_query& bone, double dt, std::uint64_t tick) const noexcept {
@@ -84,8 +91,13 @@ CommittedLaw LoopTools::commit(const AppliedMotion& applied, const kerf_bone_que
     kerf_commit_out& out = memory_->new_commit_out();
     const kerf_commit_out given = out;  // the plugin may have changed the pointers
     const kerf_tick_in in = tick_in(bone, applied.dt, tick);
-    static_cast<void>(call_commit(*setup().force, in, advance, memory_->state(), out));
+    const kerf_status status = call_commit(*setup().force, in, advance, memory_->state(), out);
     CommittedLaw committed;
+    if (const LawFault fault = fault_of_commit(*setup().force, status, given.signal);
+        fault.what != LawFault::What::none) {
+        committed.is_sound = reject(fault);
+        return committed;
+    }
     committed.action_count = std::min(out.action_count, KERF_MAX_ACTIONS);
     std::copy_n(given.action, committed.action_count, committed.action.begin());
     std::copy_n(given.signal, setup().force->force->signal_count, signals_);

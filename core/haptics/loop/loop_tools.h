@@ -30,6 +30,7 @@ struct CommittedLaw {
     std::uint32_t action_count = 0;
     kerf_thread thread{};
     bool has_thread = false;
+    bool is_sound = true;  ///< false: `LoopTools::fault` has the reason, and there are no actions
 };
 
 /// The tools of a loop. One of them is in hand: this class keeps its drives, the state and signals of its plugin and
@@ -56,15 +57,20 @@ public:
     void take(std::size_t tool) noexcept;
     /// Starts the law of the tool in hand: default drives, zero signals, a new state.   [main] between ticks
     void begin(const kerf_bone_query& bone, double dt, std::uint64_t tick) noexcept;
-    /// Sets a drive, clamped to its range. Ignores NaN and drives that the tool does not have.   [haptic, nonblocking]
-    void command_drive(std::size_t drive, double value) noexcept;
+    /// Sets a drive, clamped to its range. Ignores NaN and drives that the tool does not have. Returns whether the drive
+    /// has changed.   [haptic, nonblocking]
+    bool command_drive(std::size_t drive, double value) noexcept;
+
+    /// Returns whether any drive of the tool in hand is commanded to run.   [haptic, nonblocking]
+    [[nodiscard]] bool is_driven() const noexcept;
 
     /// Evaluates the law for a step of `dt` [s]. Returns false if it is unsound; `fault` then describes it.
     /// [haptic, nonblocking]
     [[nodiscard]] bool evaluate(const Surroundings& around, double dt, std::uint64_t tick) noexcept;
     /// Stores a fault of the law in hand. Always returns false.   [haptic, nonblocking]
     bool reject(LawFault fault) noexcept;
-    /// Calls the plugin's `commit` with an applied motion, and returns its actions and thread.   [haptic, nonblocking]
+    /// Calls the plugin's `commit` with an applied motion, and returns its actions and thread. Keeps the signals of the
+    /// last sound call.   [haptic, nonblocking]
     [[nodiscard]] CommittedLaw commit(const AppliedMotion& applied, const kerf_bone_query& bone,
                                       std::uint64_t tick) noexcept;
 

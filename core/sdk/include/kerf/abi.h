@@ -271,7 +271,7 @@ typedef struct kerf_channel {
     uint32_t kind;
     uint32_t id;      /* constant over ticks for one resistance: the host filters λ for `follow` by id */
     double d[6];      /* linear [-], angular [m] */
-    double follow[6]; /* force [N/N], torque [N·m/N] */
+    double follow[6]; /* force [N/N], torque [N·m/N]; each from -1000 to 1000 */
     double tau;       /* [N] */
     double w;         /* [m/s] ≥ 1e-6 */
     double eta;       /* [N·s/m] ≥ 0 */
@@ -286,8 +286,8 @@ typedef struct kerf_law {
     uint32_t count; /* out, ≤ KERF_MAX_CHANNELS */
     kerf_channel* channel;
     double wrench[6]; /* out: wrench on the tool that is not a resistance, such as a motor's reaction; about its tip,
-                         tool frame [N, N·m]. The host scales the sum of this and all `follow` loads down to half of
-                         the coupling's limits if it is larger */
+                         tool frame [N, N·m], each from -1000 to 1000. The host scales the sum of this and all
+                         `follow` loads down to half of the coupling's limits if it is larger */
     unsigned char note[KERF_NOTE_BYTES]; /* out: values for `commit`, so that it need not query the bone again. The host
                                             copies the bytes of the evaluation that it solved */
 } kerf_law;
@@ -376,10 +376,11 @@ typedef struct kerf_force {
     /* Writes the initial state of the law. The parameters and the resolution of the bone stay the same until the host
        calls `begin` again: compute values that depend on them alone here. [haptic, nonblocking] */
     void (*begin)(const kerf_tick_in* in, void* state);
-    /* Evaluates the law at the present pose. Pure: the host may call it again. [haptic, nonblocking] */
+    /* Evaluates the law at the present pose. Pure: the host may call it again. Another status than KERF_OK releases the
+       force, here and in `commit`. [haptic, nonblocking] */
     kerf_status (*resist)(const kerf_tick_in* in, const void* state, kerf_law* out);
-    /* Updates the state with the motion that happened. Called once for each motion that was solved. [haptic,
-       nonblocking] */
+    /* Updates the state with the motion that happened. Called once for each motion that was solved. Signals are finite
+       numbers. [haptic, nonblocking] */
     kerf_status (*commit)(const kerf_tick_in* in, const kerf_advance* advance, void* state, kerf_commit_out* out);
 } kerf_force;
 

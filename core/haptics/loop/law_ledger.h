@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/haptics/law/evaluate_law.h"
+#include "core/haptics/loop/loop_tools.h"
+
+namespace kerf {
+
+/// What a law gave to the tool beyond what it had taken, over one second.
+struct MadeEnergy {
+    double made = 0.0;     ///< [J] ≥ 0
+    double through = 0.0;  ///< [J] sum of all work that the law did or took, without sign
+};
+
+/// The balance of a law's energy. A law may give back what its springs store, and no more:
+///
+///     W ← min(W + Σ λ s T − w·u T, V),    V = Σ ½ k δ²,    made ← made − min(W, 0)
+///
+/// over its channels of contact and hold, with the rate s along each, and its own wrench and following loads w. The
+/// ceiling V forgets what was spent on bone. A driven tool that touches bone may move the hand by its motor: there w
+/// does not count. A driven tool in air may shake the hand, so there only the sum of a second counts. Where a drive
+/// changes, contact takes over from cutting or ends: for `settling`, W is V. After [hannaford-ryu-2002], as
+/// PassivityGuard, with the law in the role of the loop.
+class LawLedger {
+public:
+    /// Adds a step. Returns true at the end of the first second in which the law made energy: above `floor` and a
+    /// quarter of the work through it, or in air above `floor_in_air` and half of it. Then false until restart().
+    /// [haptic, nonblocking]
+    [[nodiscard]] bool add(const EvaluatedLaw& law, const AppliedMotion& applied, bool is_driven) noexcept;
+    /// Forgets springs and sums; for another tool and other bodies. Totals stay.   [haptic, nonblocking]
+    void restart() noexcept;
+
+    /// A drive changes now.   [haptic, nonblocking]
+    void change_drive() noexcept { to_settle_ = settling; }
+
+    /// Returns the second in which the law made most, of all tools so far.
+    [[nodiscard]] const MadeEnergy& largest() const noexcept { return largest_; }
+    /// Returns the last second that ended.
+    [[nodiscard]] const MadeEnergy& last() const noexcept { return last_; }
+    /// Returns Σ λ T of the law's channels so far, over all tools [N·s].
+    [[nodiscard]] double impulse() const noexcept { return impulse_; }
+    /// Returns Σ λ |s| T so far, over all tools [J].
+    [[nodiscard]] double work() const noexcept { return work_; }
+
+    /// [J] in a second, bone newtons [assumed]. The shipped laws make up to 6 mJ in the slots and holes of the shipped
+    /// operations, and 3 mJ in air.
+    static constexpr double floor = 10e-3, floor_in_air = 5e-3;
+    static constexpr double settling = 1.0;  ///< [s]
+
+private:
+    [[nodiscard]] bool close_second() noexcept;
+
+    double available_ = 0.0;             ///< [J] W
+    double made_ = 0.0, through_ = 0.0;  ///< [J] in this second
+    double in_air_ = 0.0, swung_ = 0.0;  ///< [J] of w in air in this second: its sum, and without sign
+    double elapsed_ = 0.0;               ///< [s]
+    double to_settle_ = 0.0;             ///< [s] after a drive has changed
+    bool is_reported_ = false;
+    MadeEnergy largest_, last_;
+    double impulse_ = 0.0, work_ = 0.0;
+};
+
+}  // namespace kerf
