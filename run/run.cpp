@@ -685,6 +685,8 @@ RunOutcome Run::finish() {
     }
     if (files_ != nullptr) report_progress(1.0, "measuring the bone");
     simulation_.finish();
+    if (simulation_.finish_ledger())
+        add_event("haptics.law_made_energy", event_detail("haptics.law_made_energy", simulation_));
     make_last_changes();
     pass_cuts_on();
     // A tick that never runs: at its end, a replay also takes over the remaining parts.

@@ -9,9 +9,12 @@ namespace {
 
 static_assert(KERF_MAX_CHANNELS == 16 && KERF_MAX_ACTIONS == 8, "the messages have the numbers");
 
+constexpr std::size_t in_front = 64;  // bytes that stay zero
+
 template <class T>
 T* made(GuardedMemory& memory, std::size_t count, const char* beyond) {
-    return static_cast<T*>(memory.allocate(count * sizeof(T), alignof(T), beyond));
+    constexpr std::size_t before = (in_front + sizeof(T) - 1) / sizeof(T);
+    return static_cast<T*>(memory.allocate((before + count) * sizeof(T), alignof(T), beyond)) + before;
 }
 
 }  // namespace
@@ -37,6 +40,26 @@ void LawMemory::fit(const kerf_force& force) noexcept {
     state_ = state_end_ - (force.state_size + alignment - 1) / alignment * alignment;
     signals_ = signals_end_ - force.signal_count;
     std::fill(signals_, signals_end_, 0.0);
+    static_cast<void>(take_underrun());  // of a state and signals of other sizes
+}
+
+const char* LawMemory::take_underrun() noexcept {
+    struct Array {
+        void* begin;
+        const char* name;
+    };
+    const char* found = nullptr;
+    for (const auto& [begin, name] : {Array{channel_, "channel"},
+                                      {state_, "state"},
+                                      {action_, "action"},
+                                      {signals_, "signal"},
+                                      {thread_, "thread"}}) {
+        auto* const front = static_cast<std::byte*>(begin) - in_front;
+        if (std::all_of(front, front + in_front, [](std::byte b) { return b == std::byte{}; })) continue;
+        std::fill_n(front, in_front, std::byte{});
+        found = name;
+    }
+    return found;
 }
 
 kerf_law& LawMemory::new_law() noexcept {

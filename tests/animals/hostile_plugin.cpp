@@ -118,6 +118,8 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
     if (is("thread_in_its_core")) out->thread_radius = 0.1e-3;
     if (is("thread_without_lead")) out->thread_radius = 2e-3;
     if (is("stays_without_thread")) out->stay_count = 1;
+    if (is("gives_another_outline_each_time"))
+        points[1].radius = out->profile[1].radius = 1.5e-3 + 1e-6 * (sink = sink + 1);
     out->grip_z = is("is_gripped_in_air") ? 60e-3 : -60e-3;
     return KERF_OK;
 }
@@ -157,6 +159,9 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     law->count = 1;
     if (!is_time) return KERF_OK;
     misbehave("resist");
+    if (is("underruns_channels")) std::memset(reinterpret_cast<char*>(law->channel) - 16, 0x5a, 16);
+    if (is("reads_a_clock"))
+        c.tau *= 1.0 + 1e-9 * static_cast<double>(clock() % 1000) + 1e-12 * static_cast<double>(sink = sink + 1);
     if (is("overruns_channels")) overrun(law->channel + KERF_MAX_CHANNELS, sizeof(kerf_channel));
     if (is("overruns_note")) overrun(law->note + KERF_NOTE_BYTES, 1);
     if (is("nan_delta")) c.delta = nan_value;
@@ -204,6 +209,7 @@ kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* st
     out->action_count = 1;
     if (is_time && is("overruns_actions")) overrun(out->action + KERF_MAX_ACTIONS, sizeof(kerf_action));
     if (is_time && is("overruns_signals")) overrun(out->signal + 2, 8);
+    if (is_time && is("underruns_state")) std::memset(static_cast<char*>(state) - 8, 0x5a, 8);
     if (is_time && is("overruns_state")) overrun(static_cast<State*>(state) + 1, 16000);
     std::copy(std::begin(advance->rate), std::end(advance->rate), static_cast<State*>(state)->rate);
     if (is_time && is("changes_rounding")) fesetround(FE_UPWARD);

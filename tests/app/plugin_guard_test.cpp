@@ -235,6 +235,13 @@ TEST(PluginGuard, NamesTheOutlineThatIsNoSolid) {
     }
 }
 
+TEST(PluginGuard, NamesAShapeThatIsNoFunctionOfItsParameters) {
+    const Zoo zoo("gives_another_outline_each_time");
+    const Ended validated = zoo.kerf("validate " + zoo.procedure());
+    EXPECT_EQ(validated.exit_code, 2) << validated.out;
+    EXPECT_TRUE(has(validated.out, "tool `burr` gives two outlines for the same parameters")) << validated.out;
+}
+
 TEST(PluginGuard, NamesWhatWasUnsoundInAThread) {
     for (const auto& [how, says] :
          {std::pair<const char*, const char*>{"thread_in_its_core", "`thread_radius` is 0.1 mm, expected 0 mm, or"},
@@ -254,6 +261,9 @@ TEST(PluginGuard, NamesWhatWasUnsoundInALaw) {
           {"nan_wrench", "`wrench[3]` is nan, expected a number from -1000 to 1000."},
           {"pushes", "`wrench[0]` is 1e+06, expected a number from -1000 to 1000."},
           {"follows_by_far", "channel 0 (id 7): `follow[1]` is 1e+09, expected a number from -1000 to 1000."},
+          {"underruns_channels", "a call wrote in front of `channel`, expected no write outside of it."},
+          {"underruns_state", "a call wrote in front of `state`, expected no write outside of it."},
+          {"reads_a_clock", "two calls of `resist` with the same inputs gave two laws, expected one."},
           {"fails_in_commit", "`commit` returned -1 (KERF_FAILED), expected 0 (KERF_OK)."},
           {"nan_signal", "signal `load` is nan, expected a finite number."},
           {"changes_rounding", "a call left another rounding mode, or other traps, of the floating-point unit"},

@@ -56,7 +56,8 @@ ChannelFault fault_of(const kerf_channel& c) noexcept {
     double size = 0.0;
     for (int i = 0; i < 6; ++i) {
         if (!std::isfinite(c.d[i])) return {d_names[i], finite, c.d[i]};
-        if (!(std::abs(c.follow[i]) <= max_follow)) return {follow_names[i], "a number from -1000 to 1000", c.follow[i]};
+        if (!(std::abs(c.follow[i]) <= max_follow))
+            return {follow_names[i], "a number from -1000 to 1000", c.follow[i]};
         size += c.d[i] * c.d[i];
     }
     if (!(size > 0.0)) return {"d", "a direction, which is not zero", size};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 
 #include "core/haptics/law/channel.h"
@@ -39,6 +40,17 @@ LawFault fault_of(const kerf_component& force, kerf_status status, const kerf_la
     return {};
 }
 
+/// Returns whether a second call of `resist` gives the same channels and wrench, to the bit. Not the note: it may have
+/// bytes that nobody set.
+bool gives_again(const kerf_component& force, const kerf_tick_in& in, LawMemory& memory,
+                 const EvaluatedLaw& first) noexcept {
+    kerf_law& law = memory.new_law();
+    const kerf_channel* const channels = law.channel;
+    return call_resist(force, in, memory.state(), law) == KERF_OK && law.count == first.law_count &&
+           std::memcmp(channels, first.channel.data(), law.count * sizeof(kerf_channel)) == 0 &&
+           std::memcmp(law.wrench, first.wrench.data(), sizeof law.wrench) == 0;
+}
+
 void add_walls(const Surroundings& around, EvaluatedLaw& law) noexcept {
     const auto next = [&]() -> kerf_channel* { return law.channel.data() + law.count; };
     const ToolSolid& cutting = around.outline.cutting;
@@ -65,7 +77,7 @@ void add_walls(const Surroundings& around, EvaluatedLaw& law) noexcept {
 }  // namespace
 
 LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, LawMemory& memory,
-                      const Surroundings& around, CallTimes& times, EvaluatedLaw& result) noexcept {
+                      const Surroundings& around, CallTimes& times, bool is_repeated, EvaluatedLaw& result) noexcept {
     kerf_law& law = memory.new_law();
     const kerf_channel* const channels = law.channel;
     const std::uint64_t begun = clock_count();
@@ -75,20 +87,28 @@ LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, LawMe
     result.is_at_region_wall = false;
     result.metal_channel = -1;
     if (const LawFault fault = fault_of(force, status, law, channels); fault.what != LawFault::What::none) return fault;
+    if (const char* array = memory.take_underrun())
+        return {.what = LawFault::What::underrun, .law = &force, .field = array};
     result.count = result.law_count = law.count;
     std::copy_n(channels, law.count, result.channel.begin());
     std::copy(std::begin(law.wrench), std::end(law.wrench), result.wrench.begin());
     std::copy(std::begin(law.note), std::end(law.note), result.note.begin());
+    if (is_repeated && !gives_again(force, in, memory, result)) {
+        result.count = result.law_count = 0;
+        return {.what = LawFault::What::impure, .law = &force};
+    }
     add_walls(around, result);
     return {};
 }
 
-LawFault fault_of_commit(const kerf_component& force, kerf_status status, const double* signals) noexcept {
+LawFault fault_of_commit(const kerf_component& force, kerf_status status, LawMemory& memory) noexcept {
     using What = LawFault::What;
     if (take_changed_floating_point(force)) return {.what = What::floating_point, .law = &force};
     if (status != KERF_OK) return {.what = What::commit_status, .law = &force, .value = static_cast<double>(status)};
+    if (const char* array = memory.take_underrun()) return {.what = What::underrun, .law = &force, .field = array};
     for (std::uint32_t i = 0; i < force.force->signal_count; ++i)
-        if (!std::isfinite(signals[i])) return {.what = What::signal, .law = &force, .index = i, .value = signals[i]};
+        if (const double value = memory.signals()[i]; !std::isfinite(value))
+            return {.what = What::signal, .law = &force, .index = i, .value = value};
     return {};
 }
 

@@ -44,12 +44,14 @@ struct Surroundings {
 
 /// Evaluates the law at the tool's pose and adds the contact channels of region, metal, sleeve and held body. Returns
 /// the law's fault, or `What::none` if it is sound. With a fault, `result` has no channels. Adds the duration of the
-/// plugin's call to `times`. `memory` has the state.   [haptic, nonblocking]
+/// plugin's call to `times`. `memory` has the state. `is_repeated`: calls the plugin twice, and compares the two laws.
+/// [haptic, nonblocking]
 [[nodiscard]] LawFault evaluate_law(const kerf_component& force, const kerf_tick_in& in, LawMemory& memory,
-                                    const Surroundings& around, CallTimes& times, EvaluatedLaw& result) noexcept;
+                                    const Surroundings& around, CallTimes& times, bool is_repeated,
+                                    EvaluatedLaw& result) noexcept;
 
-/// Returns the fault of a call of `commit` that returned `status` and set `signals`, or `What::none`.
+/// Returns the fault of a call of `commit` that returned `status` and wrote to `memory`, or `What::none`.
 /// [haptic, nonblocking] after the call, on its thread
-[[nodiscard]] LawFault fault_of_commit(const kerf_component& force, kerf_status status, const double* signals) noexcept;
+[[nodiscard]] LawFault fault_of_commit(const kerf_component& force, kerf_status status, LawMemory& memory) noexcept;
 
 }  // namespace kerf

@@ -44,6 +44,12 @@ std::string text_of(const LawFault& fault) {
             return law + "`wrench[" + index + "]`" + is + "a number from -1000 to 1000.";
         case LawFault::What::signal:
             return law + "signal " + quoted_plain(fault.law->force->signals[fault.index].id) + is + "a finite number.";
+        case LawFault::What::underrun:
+            return law + "a call wrote in front of `" + fault.field + "`, expected no write outside of it.";
+        case LawFault::What::impure:
+            return law +
+                   "two calls of `resist` with the same inputs gave two laws, expected one. Keep what changes in the "
+                   "state, and write it in `commit`.";
         case LawFault::What::floating_point:
             return law +
                    "a call left another rounding mode, or other traps, of the floating-point unit, expected those that "

@@ -20,13 +20,15 @@ struct LawFault {
         solve,
         floating_point,
         commit_status,
-        signal
+        signal,
+        underrun,
+        impure
     };
     What what = What::none;
     const kerf_component* law = nullptr;
     std::uint32_t index = 0;    ///< of the channel, of the wrench's component, or of the signal
     std::uint32_t id = 0;       ///< of the channel
-    const char* field = "";     ///< name of the channel's faulty field; a literal
+    const char* field = "";     ///< name of the channel's faulty field, or of the array; a literal
     const char* expected = "";  ///< range of that field; a literal
     double value = 0.0;         ///< faulty value; for `solve` the residual
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <numbers>
 #include <optional>
@@ -251,24 +252,58 @@ std::string fault_of_thread(const kerf_tool_shape& shape) {
     return {};
 }
 
+/// The answer of a tool's `shape`.
+struct MadeShape {
+    static constexpr std::uint32_t capacity = 64;
+    kerf_profile_point points[capacity]{};
+    kerf_tool_shape shape{};
+    kerf_status status;
+
+    explicit MadeShape(const ToolSetup& setup) {
+        shape.size = sizeof shape;
+        shape.profile = points;
+        shape.profile_capacity = capacity;
+        shape.kind = KERF_SOLID_REVOLUTION;
+        status = call_shape(*setup.tool, setup.tool_parameters.data(), shape);
+        shape.profile = points;
+    }
+    MadeShape(const MadeShape&) = delete;
+    MadeShape& operator=(const MadeShape&) = delete;
+
+    /// Pre: both are outlines.
+    [[nodiscard]] bool is_same_as(const MadeShape& other) const {
+        const auto values = [](const kerf_tool_shape& s) {
+            kerf_tool_shape copy = s;
+            copy.profile = nullptr;
+            std::fill(std::begin(copy.refusal), std::end(copy.refusal), '\0');
+            return copy;
+        };
+        const kerf_tool_shape a = values(shape), b = values(other.shape);
+        return other.status == status && std::memcmp(&a, &b, sizeof a) == 0 &&
+               std::memcmp(points, other.points, shape.profile_count * sizeof(kerf_profile_point)) == 0;
+    }
+};
+
 }  // namespace
 
 bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
-    constexpr std::uint32_t capacity = 64;
+    constexpr std::uint32_t capacity = MadeShape::capacity;
     constexpr double heaviest = 20.0;  // [kg]
-    kerf_profile_point points[capacity];
-    kerf_tool_shape shape{};
-    shape.size = sizeof shape;
-    shape.profile = points;
-    shape.profile_capacity = capacity;
-    shape.kind = KERF_SOLID_REVOLUTION;
-    if (call_shape(*setup.tool, setup.tool_parameters.data(), shape) != KERF_OK) {
+    const MadeShape made(setup);
+    kerf_tool_shape shape = made.shape;
+    const kerf_profile_point* const points = made.points;
+    if (made.status != KERF_OK) {
         error =
             std::string("tool `") + setup.tool->id + "` cannot be made from these parameters: " + why_refused(shape);
         return false;
     }
     if (const std::string fault = fault_of_outline(shape, capacity); !fault.empty()) {
         error = std::string("tool `") + setup.tool->id + "` gives an outline that is no solid: " + fault;
+        return false;
+    }
+    if (!made.is_same_as(MadeShape(setup))) {
+        error = std::string("tool `") + setup.tool->id +
+                "` gives two outlines for the same parameters, expected one: `shape` depends on something else.";
         return false;
     }
     out.handling = {shape.grip_z, shape.hands == 2 ? 2 : 1, {shape.tip_deflection, shape.tip_slope}};

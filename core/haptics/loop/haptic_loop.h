@@ -197,6 +197,8 @@ public:
     [[nodiscard]] const Unresisted& unresisted() const noexcept { return unresisted_.last(); }
     /// Returns the energy of the laws so far: the cause of the event `haptics.law_made_energy`.
     [[nodiscard]] const LawLedger& ledger() const noexcept { return ledger_; }
+    /// Ends the second of the ledger early. Returns whether the law made energy in it.   [main] after the last tick
+    [[nodiscard]] bool finish_ledger() noexcept { return ledger_.finish(); }
     /// Returns one line of text for each law of which more than 1 % of the calls took longer than it declares.   [main]
     [[nodiscard]] std::vector<std::string> laws_over_budget() const { return tools_.laws_over_budget(); }
     [[nodiscard]] const PassivityGuard& passivity() const noexcept { return hand_.passivity(); }

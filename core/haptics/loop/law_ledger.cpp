@@ -14,7 +14,14 @@ namespace {
 
 constexpr double second = 1.0;     // [s]
 constexpr double max_made = 0.33;  // [–] of the work through the law [assumed]
-constexpr double max_swung = 0.5;  // [–] of the work of a wrench in air [assumed]
+constexpr double max_swung = 0.5;  // [–] of the work of a wrench that no bone carries [assumed]
+
+/// Returns the part of a push that the bone's forces, of this sum, cannot carry.
+double part_beyond(Vec3 push, double forces) noexcept {
+    const double size = length(push), bound = LawLedger::carried * forces;
+    if (forces == 0.0) return 1.0;
+    return size > bound ? 1.0 - bound / size : 0.0;
+}
 
 /// Returns the energy that a channel stores after a step at the rate `s` along it [J].
 double stored_in(const kerf_channel& c, double s, double dt) noexcept {
@@ -44,9 +51,9 @@ bool LawLedger::add(const EvaluatedLaw& law, const AppliedMotion& applied, bool 
     if (!is_driven) {
         taken -= pushed;
         through += std::abs(pushed);
-    } else if (impulse == 0.0) {
-        in_air_ += pushed;
-        swung_ += std::abs(pushed);
+    } else if (const double beyond = part_beyond(linear(applied.following), impulse / applied.dt); beyond > 0.0) {
+        shaken_ += beyond * pushed;
+        swung_ += beyond * std::abs(pushed);
     }
     available_ += taken;
     through_ += through;
@@ -58,16 +65,16 @@ bool LawLedger::add(const EvaluatedLaw& law, const AppliedMotion& applied, bool 
 }
 
 bool LawLedger::close_second() noexcept {
-    const double shaken = in_air_ > max_swung * swung_ ? in_air_ : 0.0;
+    const double shaken = shaken_ > max_swung * swung_ ? shaken_ : 0.0;
     last_ = {made_ + shaken, through_ + swung_};
     if (last_.made > largest_.made) largest_ = last_;
     const bool is_odd = (made_ > floor && made_ > max_made * through_) || shaken > floor_in_air;
-    made_ = through_ = in_air_ = swung_ = elapsed_ = 0.0;
+    made_ = through_ = shaken_ = swung_ = elapsed_ = 0.0;
     return is_odd && !std::exchange(is_reported_, true);
 }
 
 void LawLedger::restart() noexcept {
-    available_ = made_ = through_ = in_air_ = swung_ = elapsed_ = 0.0;
+    available_ = made_ = through_ = shaken_ = swung_ = elapsed_ = 0.0;
     to_settle_ = settling;
     is_reported_ = false;
 }

@@ -17,16 +17,18 @@ struct MadeEnergy {
 ///     W ← min(W + Σ λ s T − w·u T, V),    V = Σ ½ k δ²,    made ← made − min(W, 0)
 ///
 /// over its channels of contact and hold, with the rate s along each, and its own wrench and following loads w. The
-/// ceiling V forgets what was spent on bone. A driven tool that touches bone may move the hand by its motor: there w
-/// does not count. A driven tool in air may shake the hand, so there only the sum of a second counts. Where a drive
+/// ceiling V forgets what was spent on bone. The motor of a driven tool may move the hand by w, as far as bone carries
+/// it: up to `carried` times the forces λ. What is beyond may only shake the hand, so its sum counts. Where a drive
 /// changes, contact takes over from cutting or ends: for `settling`, W is V. After [hannaford-ryu-2002], as
 /// PassivityGuard, with the law in the role of the loop.
 class LawLedger {
 public:
     /// Adds a step. Returns true at the end of the first second in which the law made energy: above `floor` and a
-    /// quarter of the work through it, or in air above `floor_in_air` and half of it. Then false until restart().
+    /// quarter of the work through it, or by w alone above `floor_in_air` and half of it. Then false until restart().
     /// [haptic, nonblocking]
     [[nodiscard]] bool add(const EvaluatedLaw& law, const AppliedMotion& applied, bool is_driven) noexcept;
+    /// Ends the second early, at the end of a run. Returns true as add() does.   [main]
+    [[nodiscard]] bool finish() noexcept { return close_second(); }
     /// Forgets springs and sums; for another tool and other bodies. Totals stay.   [haptic, nonblocking]
     void restart() noexcept;
 
@@ -46,13 +48,14 @@ public:
     /// operations, and 3 mJ in air.
     static constexpr double floor = 10e-3, floor_in_air = 5e-3;
     static constexpr double settling = 1.0;  ///< [s]
+    static constexpr double carried = 10.0;  ///< [–] force along a cut to force against it, at most [assumed]
 
 private:
     [[nodiscard]] bool close_second() noexcept;
 
     double available_ = 0.0;             ///< [J] W
     double made_ = 0.0, through_ = 0.0;  ///< [J] in this second
-    double in_air_ = 0.0, swung_ = 0.0;  ///< [J] of w in air in this second: its sum, and without sign
+    double shaken_ = 0.0, swung_ = 0.0;  ///< [J] of w beyond what bone carries: its sum, and without sign
     double elapsed_ = 0.0;               ///< [s]
     double to_settle_ = 0.0;             ///< [s] after a drive has changed
     bool is_reported_ = false;

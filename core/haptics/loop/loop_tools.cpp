@@ -62,8 +62,9 @@ kerf_tick_in LoopTools::tick_in(const kerf_bone_query& bone, double dt, std::uin
 }
 
 bool LoopTools::evaluate(const Surroundings& around, double dt, std::uint64_t tick) noexcept {
+    constexpr std::uint64_t ticks_to_repeat = 1024;  // a second: it shows in no percentile of the tick
     const LawFault fault = evaluate_law(*setup().force, tick_in(around.view.query(), dt, tick), *memory_, around,
-                                        resist_times_[in_hand_], law_);
+                                        resist_times_[in_hand_], tick % ticks_to_repeat == ticks_to_repeat / 2, law_);
     return fault.what == LawFault::What::none || reject(fault);
 }
 
@@ -93,8 +94,7 @@ CommittedLaw LoopTools::commit(const AppliedMotion& applied, const kerf_bone_que
     const kerf_tick_in in = tick_in(bone, applied.dt, tick);
     const kerf_status status = call_commit(*setup().force, in, advance, memory_->state(), out);
     CommittedLaw committed;
-    if (const LawFault fault = fault_of_commit(*setup().force, status, given.signal);
-        fault.what != LawFault::What::none) {
+    if (const LawFault fault = fault_of_commit(*setup().force, status, *memory_); fault.what != LawFault::What::none) {
         committed.is_sound = reject(fault);
         return committed;
     }

@@ -113,14 +113,26 @@ TEST(LawLedger, CountsAPushAlongTheMotion) {
 }
 
 TEST(LawLedger, LetsAMotorPushWhereItTouches) {
-    const EvaluatedLaw touching = law_of(KERF_CONTACT, 1e5, 20e-6);
-    for (const bool is_driven : {true, false}) {
+    const EvaluatedLaw touching = law_of(KERF_CONTACT, 1e5, 20e-6);  // 3 N
+    const auto made = [&](double push, bool is_driven) {
         LawLedger ledger;
         settle(ledger);
-        bool made = false;
-        for (int i = 0; i < 1000; ++i) made = add(ledger, touching, 10e-3, 30.0, is_driven) || made;
-        EXPECT_EQ(made, !is_driven) << "300 mJ of a wrench, against 30 mJ that the contact took";
-    }
+        bool was_odd = false;
+        for (int i = 0; i < 1000; ++i) was_odd = add(ledger, touching, 10e-3, push, is_driven) || was_odd;
+        return was_odd;
+    };
+    EXPECT_TRUE(made(30.0, false)) << "300 mJ of a wrench, against 30 mJ that the contact took";
+    EXPECT_FALSE(made(30.0, true)) << "bone carries ten times the contact's force";
+    EXPECT_TRUE(made(31.0, true)) << "10 mJ beyond";
+    EXPECT_FALSE(made(30.4, true)) << "4 mJ beyond";
+}
+
+TEST(LawLedger, EndsASecondEarly) {
+    LawLedger ledger;
+    settle(ledger);
+    for (int i = 0; i < 300; ++i) EXPECT_FALSE(add(ledger, EvaluatedLaw{}, 10e-3, 3.0, true));
+    EXPECT_TRUE(ledger.finish());
+    EXPECT_NEAR(ledger.last().made, 300 * 30e-6, 1e-12);
 }
 
 TEST(LawLedger, SumsWhatTheChannelsResisted) {
