@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "app/worker.h"
+#include "core/plugin/state_watch.h"
 
 namespace kerf::app {
 
@@ -28,6 +29,7 @@ void note(int signal, siginfo_t* info, void*) {
 
 Interruption::Interruption() {
     is_noted = 0;
+    const HostChangesHandlers changes;
     struct sigaction action {};
     action.sa_sigaction = &note;
     action.sa_flags = SA_SIGINFO | SA_RESTART;
@@ -40,6 +42,7 @@ Interruption::Interruption() {
 }
 
 Interruption::~Interruption() {
+    const HostChangesHandlers changes;
     for (std::size_t i = 0; i < signals.size(); ++i)
         if (is_taken_[i]) sigaction(signals[i], &before_[i], nullptr);
 }

@@ -2,7 +2,10 @@
 #include "app/plugin_guard.h"
 
 #include <pthread.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
+#include <sys/time.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,8 +15,10 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/plugin/fixed_text.h"
 #include "core/plugin/guarded_memory.h"
 #include "core/plugin/plugin_call.h"
+#include "core/plugin/state_watch.h"
 #include "session/recorder.h"
 
 namespace kerf::app {
@@ -27,6 +32,7 @@ namespace {
 
 constexpr int exit_fault = 3;
 constexpr auto poll_interval = std::chrono::milliseconds(100);
+constexpr int polls_between_states = 10;
 constexpr int polls_until_hung = 50;  // 5 s, counted in polls: a program that was stopped and continued has not hung
 // A law has a fraction of a millisecond. One that takes over 10 ms a call for 10 s makes a run without an end.
 constexpr int polls_of_window = 100, min_calls_of_window = 1000, max_polls_outside = 5;
@@ -35,36 +41,6 @@ constexpr std::size_t stack_size = 256 << 10;
 [[noreturn]] void leave(int status) noexcept {
     for (;;) syscall(SYS_exit_group, status);
 }
-
-/// Text in a fixed buffer; characters that do not fit are left out.
-template <std::size_t size>
-class FixedText {
-public:
-    FixedText& operator<<(const char* more) noexcept {
-        while (*more != '\0' && count_ + 1 < size) {
-            const auto c = static_cast<unsigned char>(*more++);
-            text_[count_++] = c < 0x20 || c == 0x7f ? ' ' : static_cast<char>(c);
-        }
-        text_[count_] = '\0';
-        return *this;
-    }
-    void end_line() noexcept {
-        if (count_ + 1 < size) text_[count_++] = '\n';
-        text_[count_] = '\0';
-    }
-    [[nodiscard]] const char* c_str() const noexcept { return text_; }
-    void print() const noexcept {
-        for (std::size_t at = 0; at < count_;) {
-            const ssize_t written = write(STDERR_FILENO, text_ + at, count_ - at);
-            if (written <= 0) return;
-            at += static_cast<std::size_t>(written);
-        }
-    }
-
-private:
-    char text_[size]{};
-    std::size_t count_ = 0;
-};
 
 const char* name_of_signal(int signal) noexcept {
     switch (signal) {
@@ -81,12 +57,31 @@ const char* name_of_signal(int signal) noexcept {
     }
 }
 
-/// Ends the program because of a call. `words` may be empty.
-[[noreturn]] void end_by(const CallInProgress& now, const char* what, const char* words) noexcept {
+constexpr unsigned max_seconds_of_end = 10;
+std::atomic<std::int64_t> end_of_end{0};  // [s] of the monotonic clock: until then the program ends; 0: it does not
+
+std::int64_t seconds_now() noexcept {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec;
+}
+
+/// From now on the program ends within 10 s, even if a call of its end hangs: see on_timer.
+void limit_the_end() noexcept {
+    end_of_end.store(seconds_now() + max_seconds_of_end);
+    alarm(max_seconds_of_end);  // replaces a timer that a plugin may have set
+}
+
+/// Returns only once, and only to one thread.
+void begin_to_end() noexcept {
     static std::atomic<bool> is_ending{false};
     while (is_ending.exchange(true)) pause();  // another thread ends the program
-    alarm(10);                                 // the program ends even if a call below hangs
+    limit_the_end();
+}
 
+/// Ends the program because of a call, after begin_to_end(). `words` and `values` may be empty; `values` is not
+/// recorded.
+[[noreturn]] void end_now(const CallInProgress& now, const char* what, const char* words, const char* values) noexcept {
     const ComponentName name = name_of(now.component);
     static FixedText<240> detail;  // into the record: no path
     detail << (name.is_known() ? name.plugin : "a plugin") << ": `" << to_text(now.call) << "` of `" << name.component
@@ -97,7 +92,7 @@ const char* name_of_signal(int signal) noexcept {
 
     static FixedText<6000> text;
     text << "kerf: plugin " << name.plugin << " (" << (name.is_known() ? name.path : "of unknown path") << "): `"
-         << to_text(now.call) << "` of `" << name.component << "` " << what;
+         << to_text(now.call) << "` of `" << name.component << "` " << what << values;
     if (*words != '\0') text << ": " << words;
     text << ". Mend it, or take it out of its folder.";
     text.end_line();
@@ -106,9 +101,14 @@ const char* name_of_signal(int signal) noexcept {
              << saved.path << ". Write `kerf report " << saved.path << "` to read it.";
         text.end_line();
     }
-    text.print();
+    text.print(STDERR_FILENO);
     say_last_word(exit_fault);
     leave(exit_fault);
+}
+
+[[noreturn]] void end_by(const CallInProgress& now, const char* what, const char* words) noexcept {
+    begin_to_end();
+    end_now(now, what, words, "");
 }
 
 /// Closes the record of a program that crashed in Kerf's own code, which a plugin may have damaged. The parent names
@@ -116,7 +116,7 @@ const char* name_of_signal(int signal) noexcept {
 void save_after_crash(int signal) noexcept {
     static std::atomic<bool> is_saving{false};
     if (is_saving.exchange(true)) return;  // it has crashed again
-    alarm(10);
+    limit_the_end();
     const CallInProgress last = last_call();
     const ComponentName name = name_of(last.component);
     static FixedText<240> detail;
@@ -137,6 +137,82 @@ void on_signal(int signal, siginfo_t* info, void*) {
     save_after_crash(signal);
     std::signal(signal, SIG_DFL);
     raise(signal);  // delivered when this handler returns
+}
+
+/// Ends the program because a state of the process was changed. In a call, it was this call; else the last one is
+/// named.
+void on_change(const StateChange& change) {
+    begin_to_end();  // which sets a timer: another thread that finds it stops here
+    static FixedText<200> what;
+    static FixedText<1300> values;
+    const bool is_this_call = is_calling_plugin();
+    const CallInProgress call = is_this_call ? call_in_progress() : last_call();
+    if (call.call == PluginCall::none) {
+        values << "kerf: " << change.what.c_str() << " was changed from " << change.before.c_str() << " to "
+               << change.after.c_str() << " while plugins were loaded. Take plugins out of their folders one by one.";
+        values.end_line();
+        values.print(STDERR_FILENO);
+        say_last_word(exit_fault);
+        leave(exit_fault);
+    }
+    what << (is_this_call ? "changed " : "was the last call before Kerf found a change of ") << change.what.c_str();
+    values << " from " << change.before.c_str() << " to " << change.after.c_str() << ", which belongs to Kerf";
+    end_now(call, what.c_str(), "", values.c_str());
+}
+
+/// The signal of a timer, or of the limit of the processor, that came although Kerf has set none.
+std::atomic<int> foreign_signal{0};
+rlim_t processor_limit = RLIM_INFINITY;  // before plugins were loaded
+
+void on_timer(int signal, siginfo_t* info, void*) {
+    if (end_of_end.load() != 0 && signal != SIGXCPU) {
+        if (seconds_now() >= end_of_end.load()) leave(exit_fault);
+        alarm(1);  // a plugin's timer, which may still be set in each of its calls
+        return;
+    }
+    rlimit now{};
+    const bool is_limit_of_user =
+        signal == SIGXCPU && getrlimit(RLIMIT_CPU, &now) == 0 && now.rlim_cur >= processor_limit;
+    if (is_limit_of_user || (info->si_code != SI_KERNEL && info->si_code != SI_TIMER)) {
+        std::signal(signal, SIG_DFL);
+        raise(signal);  // delivered when this handler returns
+        return;
+    }
+    const itimerval off{};
+    if (signal == SIGALRM) setitimer(ITIMER_REAL, &off, nullptr);
+    if (signal == SIGVTALRM) setitimer(ITIMER_VIRTUAL, &off, nullptr);
+    if (signal == SIGPROF) setitimer(ITIMER_PROF, &off, nullptr);
+    foreign_signal.store(signal);
+}
+
+constexpr std::array timer_signals{SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU};
+
+/// Handles the signals of timers that have their default effect: a profiler may have taken one.
+void set_timer_handlers() {
+    for (const int signal : timer_signals) {
+        struct sigaction action {};
+        if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
+        action = {};
+        action.sa_sigaction = &on_timer;
+        action.sa_flags = SA_ONSTACK | SA_SIGINFO | SA_RESTART;
+        sigaction(signal, &action, nullptr);
+    }
+}
+
+void unset_timer_handler(int signal) {
+    struct sigaction action {};
+    if (sigaction(signal, nullptr, &action) == 0 && action.sa_sigaction == &on_timer) std::signal(signal, SIG_DFL);
+}
+
+/// Reports a timer that was on before its signal came.
+void check_foreign_signal() {
+    const int signal = foreign_signal.load();
+    if (signal == 0) return;
+    StateChange change;
+    change.what << (signal == SIGXCPU ? "the limit RLIMIT_CPU" : "a timer");
+    change.before << (signal == SIGXCPU ? "a greater one" : "off");
+    change.after << (signal == SIGXCPU ? "one that is used up" : "on");
+    on_change(change);
 }
 
 void on_exit() {
@@ -169,6 +245,12 @@ void on_terminate() {
 
 }  // namespace
 
+void begin_guarding_state() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_CPU, &limit) == 0) processor_limit = limit.rlim_cur;
+    begin_watching_state(&on_change);
+}
+
 PluginGuard::PluginGuard() : stack_(std::make_unique<std::byte[]>(stack_size)) {
     static const bool is_registered = std::atexit(&on_exit) == 0 && std::at_quick_exit(&on_exit) == 0 &&
                                       pthread_atfork(&on_fork, nullptr, nullptr) == 0;
@@ -181,7 +263,11 @@ PluginGuard::PluginGuard() : stack_(std::make_unique<std::byte[]>(stack_size)) {
     action.sa_sigaction = &on_signal;
     action.sa_flags = SA_ONSTACK | SA_SIGINFO;
     for (const int signal : signals) sigaddset(&action.sa_mask, signal);
-    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
+    {
+        const HostChangesHandlers changes;
+        for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
+        set_timer_handlers();
+    }
     set_throw_handler(&on_throw);
     previous_terminate = terminate_before_ = std::set_terminate(&on_terminate);
     watchdog_ = std::thread([this] { watch(); });
@@ -194,9 +280,11 @@ PluginGuard::~PluginGuard() {
     }
     stop_.notify_all();
     watchdog_.join();
+    end_watching_state();
     std::set_terminate(terminate_before_);
     set_throw_handler(nullptr);
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+    for (const int signal : timer_signals) unset_timer_handler(signal);
     stack_t none{};
     none.ss_flags = SS_DISABLE;
     sigaltstack(&none, nullptr);
@@ -236,9 +324,17 @@ private:
 void PluginGuard::watch() {
     std::array<CallWatch, max_calling_threads> threads{};
     std::unique_lock lock(mutex_);
-    while (!stop_.wait_for(lock, poll_interval, [&] { return is_stopping_; }))
+    for (int polls = 1; !stop_.wait_for(lock, poll_interval, [&] { return is_stopping_; }); ++polls) {
         for (std::size_t thread = 0; thread < threads.size(); ++thread)
             threads[thread].check(call_in_progress_of(thread));
+        check_foreign_signal();
+        if (polls % polls_between_states == 0) check_state();
+    }
+}
+
+void PluginGuard::check() const {
+    check_foreign_signal();
+    check_state();
 }
 
 }  // namespace kerf::app

@@ -12,15 +12,23 @@
 
 namespace kerf::app {
 
+/// Takes the state of the process as the right one: descriptors, limits, timers, handlers of signals, working folder,
+/// decimal point and mask of new files (core/plugin/state_watch.h).   [main, before plugins are loaded]
+void begin_guarding_state();
+
 /// While this lives, a plugin that crashes, throws, aborts, exits or does not return from a call within 5 s ends the
 /// program in order: the guard closes the record of the run, names plugin, path and call on stderr, and exits with 3.
-/// Faults of Kerf's own code end the program as without a guard, after the record is closed.   [main] one at a time
+/// The same happens each second if the state of the process is not the right one. Faults of Kerf's own code end the
+/// program as without a guard, after the record is closed.   [main] one at a time
 class PluginGuard {
 public:
     PluginGuard();
     ~PluginGuard();
     PluginGuard(const PluginGuard&) = delete;
     PluginGuard& operator=(const PluginGuard&) = delete;
+
+    /// Ends the program now if the state of the process is not the right one.   [main]
+    void check() const;
 
 private:
     void watch();

@@ -57,13 +57,16 @@ std::vector<std::string> plugin_folders_of(const Installation& here) {
 
 ExitCode with_plugins(const Installation& here, const std::function<ExitCode(const PluginRegistry&)>& run) {
     return run_in_worker([&] {
+        begin_guarding_state();
         // Never unloaded: what a plugin does then has no say in a result that is written.
         static PluginRegistry& plugins = *new PluginRegistry;
         plugins.scan(plugin_folders_of(here));
         for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
         for (const auto& note : plugins.notes()) print_error(note + "\n");
         const PluginGuard guard;  // after loading, which needs a process of one thread
-        return run(plugins);
+        const ExitCode code = run(plugins);
+        guard.check();
+        return code;
     });
 }
 

@@ -16,7 +16,6 @@
 
 #include "conformance/device_reports.h"
 #include "conformance/device_trial.h"
-#include "conformance/process_state.h"
 #include "conformance/subject.h"
 #include "conformance/test_groups.h"
 #include "conformance/words.h"
@@ -24,6 +23,7 @@
 #include "core/plugin/guarded_memory.h"
 #include "core/plugin/plain_text.h"
 #include "core/plugin/plugin_call.h"
+#include "core/plugin/process_state.h"
 
 namespace kerf::conformance {
 

@@ -12,12 +12,12 @@
 
 #include "conformance/elf_symbols.h"
 #include "conformance/law_walk.h"
-#include "conformance/process_state.h"
 #include "conformance/subject.h"
 #include "conformance/test_groups.h"
 #include "core/plugin/check_tables.h"
 #include "core/plugin/elf_file.h"
 #include "core/plugin/plain_text.h"
+#include "core/plugin/process_state.h"
 
 namespace kerf::conformance {
 
@@ -131,10 +131,10 @@ void leaves_rounding(Examination& exam) {
 
 void leaves_handlers(Examination& exam) {
     leaves(exam, [&](const ProcessState& before, const ProcessState& after) {
-        for (std::size_t i = 0; i < before.handlers.size(); ++i)
-            if (before.handlers[i] != after.handlers[i])
-                return exam.fail("Loading it changes the handler of signal " + std::to_string(i + 1) + " (" +
-                                 strsignal(static_cast<int>(i + 1)) + "), which is the host's.");
+        for (std::size_t i = 0; i < before.shared.handlers.size(); ++i)
+            if (before.shared.handlers[i] != after.shared.handlers[i])
+                return exam.fail("Loading it changes the handler of signal " + std::to_string(i) + " (" +
+                                 strsignal(static_cast<int>(i)) + "), which is the host's.");
     });
 }
 
@@ -150,8 +150,8 @@ void leaves_surroundings(Examination& exam) {
         if (before.locale != after.locale)
             return exam.fail("Loading it changes the locale from " + quoted_plain(before.locale) + " to " +
                              quoted_plain(after.locale) + ".");
-        if (before.folder != after.folder) return exam.fail("Loading it changes the working folder.");
-        if (before.mask != after.mask) return exam.fail("Loading it changes the mask of files that are made (umask).");
+        if (const StateChange change = change_between(before.shared, after.shared); change.has_happened())
+            return exam.fail("Loading it changes " + plain(change.text()) + ".");
         if (const auto more = further(before.environment, after.environment); !more.empty())
             return exam.fail("Loading it changes the environment: " + listed(more) + ".");
     });

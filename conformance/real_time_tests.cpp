@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "conformance/law_walk.h"
-#include "conformance/process_state.h"
 #include "conformance/test_groups.h"
 #include "core/plugin/plugin_call.h"
 

@@ -20,7 +20,6 @@
 #include "bone/remesh/remesh_child.h"
 #include "bone/remesh/removal.h"
 #include "conformance/parameter_sets.h"
-#include "conformance/process_state.h"
 #include "conformance/strategy_scenes.h"
 #include "conformance/subject.h"
 #include "conformance/test_groups.h"
@@ -28,6 +27,7 @@
 #include "core/plugin/guarded_memory.h"
 #include "core/plugin/plain_text.h"
 #include "core/plugin/plugin_call.h"
+#include "core/plugin/process_state.h"
 
 namespace kerf::conformance {
 
@@ -294,7 +294,8 @@ void leaves_its_process(Examination& exam) {
     if (take_changed_floating_point(*exam.subject->strategy))
         return exam.fail("A call leaves another rounding mode. Restore it.");
     if (before.locale != after.locale) return exam.fail("A call leaves another locale. Restore it.");
-    if (before.folder != after.folder) return exam.fail("A call leaves another working folder. Restore it.");
+    if (const StateChange change = change_between(before.shared, after.shared); change.has_happened())
+        return exam.fail("A call changes " + plain(change.text()) + ". Restore it.");
     if (after.files.size() > before.files.size()) return exam.fail("A call leaves a file open. Close it.");
     if (after.threads > before.threads) exam.fail("A call leaves a thread running. Join it.");
 }

@@ -7,6 +7,7 @@
 #include "core/field/surface/bone_surface.h"
 #include "core/haptics/loop/stated_device.h"
 #include "core/plugin/process_notes.h"
+#include "core/plugin/state_watch.h"
 #include "run/exact/exact_files.h"
 #include "session/clock_picture.h"
 #include "session/envelope.h"
@@ -118,6 +119,7 @@ std::string SessionFiles::on_result(const session::RunSummary& summary, const Si
     const auto note = [&](const std::string& error) {
         if (!error.empty()) errors += (errors.empty() ? "" : "\n      ") + error;
     };
+    check_state();  // before anything is written
     begin("writing the session");
     const std::string error = recorder_->finish(summary, session::drawn_surface(all_surfaces(simulation, 2)));
     if (!lock_.is_at(folder_))

@@ -38,6 +38,7 @@ void copy_text(char (&to)[N], const std::string& from) noexcept {
 Recorder::Recorder(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
 
 Recorder::~Recorder() {
+    impl_->wait_if_abandoned();  // the thread that ends the program reads the path
     if (impl_->is_closed) return;
     impl_->stop();
     impl_->close("incomplete");
@@ -85,8 +86,12 @@ Recorder::Created Recorder::create(const std::string& path, const SessionHeader&
     if (std::string why = text::rename_into_position(part, path); !why.empty()) return failed(why);
     if (database.open(path)) impl->open_to_write();
     impl->file = text::identity_of(path);
-    if (database.is_good()) impl->start();
+    if (database.is_good()) {
+        impl->own_files.watch({path, path + "-wal", path + "-shm"});  // before another thread opens them for itself
+        impl->start();
+    }
     if (!database.is_good()) {
+        impl->own_files.release();
         impl->finalize();
         return failed(refusal());
     }
@@ -114,6 +119,7 @@ void Recorder::push_event(const EventRow& event) noexcept {
 }
 
 bool Recorder::wait_for_capacity() {
+    impl_->wait_if_abandoned();
     const auto is_filled = [](const auto& ring, std::size_t parts) { return ring.size() > ring.capacity() / parts; };
     const auto any_filled = [&](std::size_t parts) {
         return is_filled(impl_->ticks, parts) || is_filled(impl_->cuts, parts) || is_filled(impl_->events, parts);
@@ -149,6 +155,7 @@ EventRow Recorder::as_kept(EventRow event) {
 std::string Recorder::finish(const RunSummary& summary, const DrawnSurface& bone_after) {
     if (impl_->is_closed) return "this session is finished already";
     impl_->stop();
+    impl_->wait_if_abandoned();
 
     impl_->database.run("BEGIN");
     impl_->write_results(summary, bone_after);

@@ -225,6 +225,7 @@ bool Recorder::Impl::write_state(const char* state, const RunSummary* summary) {
 
 /// Writes the verdict, if there is one, and the final state, merges the -wal file and closes.
 void Recorder::Impl::close(const char* state, const RunSummary* summary) {
+    own_files.release();
     // A program that cannot continue skips all work that is not needed.
     if (!is_abandoned.load(std::memory_order_acquire)) compress_rest();
     finalize();

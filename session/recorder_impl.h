@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/field/spsc_ring.h"
+#include "core/plugin/own_files.h"
 #include "session/block_writer.h"
 #include "session/recorder.h"
 #include "session/session_tables.h"
@@ -55,6 +56,7 @@ struct Recorder::Impl {
     std::vector<Table> tables;
     std::size_t signal_count = 0;
     SqliteDatabase database;
+    OwnFiles own_files;  ///< those of `database`
     SqliteStatement begin, commit, insert_tick, insert_cut, insert_event;
     std::optional<BlockWriter> tick_blocks, cut_blocks;
 
@@ -91,6 +93,8 @@ struct Recorder::Impl {
     // recorder_writer.cpp
     void start();
     void stop();
+    /// Never returns once another thread ends the program: the record is closed, or about to be.
+    void wait_if_abandoned() const noexcept;
 
 private:
     void set(const char* table, std::string_view key, std::string_view value);

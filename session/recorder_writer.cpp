@@ -200,6 +200,10 @@ void Recorder::Impl::close_abandoned() {
     is_saved.store(true, std::memory_order_release);
 }
 
+void Recorder::Impl::wait_if_abandoned() const noexcept {
+    while (is_abandoned.load(std::memory_order_acquire)) std::this_thread::sleep_for(std::chrono::seconds(1));
+}
+
 void Recorder::Impl::stop() {
     open.store(nullptr);
     {

@@ -24,6 +24,7 @@
 #include <utility>
 
 #include "core/plugin/plain_text.h"
+#include "core/plugin/process_state.h"
 
 namespace kerf {
 
@@ -32,6 +33,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t max_message = 3000;  // [bytes] of text; with its head, a pipe takes it in one write
+constexpr int lost_pipe = 113;             // exit code of a child whose pipe was closed or replaced
 constexpr rlim_t max_written = 1u << 20;   // [bytes] maximum size of a file that the child writes, stderr included
 
 #if defined(__SANITIZE_THREAD__)
@@ -41,7 +43,8 @@ constexpr int own_threads = 1;
 #endif
 
 struct Head {
-    /// 'b' a plugin begins, 'd' its activity, 'n' its id, 'r' its refusal, 't' it threw, 'e' all plugins are done
+    /// 'b' a plugin begins, 'd' its activity, 'n' its id, 'r' its refusal, 't' it threw, 'c' it changed the process, so
+    /// the child ends, 'e' all plugins are done
     char what = 0;
     std::uint32_t size = 0;
 };
@@ -77,6 +80,13 @@ std::string exception_text() {
         return "an exception that is no std::exception";
     }
     return "";
+}
+
+std::string text_of(const StateChange& change) {
+    return "changed " + plain(change.text()) +
+           " while it was loaded, which belongs to Kerf. Its own code did so in a trial: mend it, or take it out of "
+           "its "
+           "folder.";
 }
 
 /// Confines the child: its own process group, so that its children end with it; no core file; no terminal.
@@ -129,7 +139,7 @@ private:
     std::chrono::milliseconds limit_;
     std::vector<Trial> trials_;
     std::string activity_, thrown_;
-    bool has_thrown_ = false, has_finished_ = false;
+    bool has_thrown_ = false, has_changed_ = false, has_finished_ = false;
 };
 
 void TrialChild::work(int pipe, int stderr_fd) const {
@@ -142,14 +152,24 @@ void TrialChild::work(int pipe, int stderr_fd) const {
         std::abort();
     });
     const TrialReport report(pipe);
+    const OpenFile own_pipe = open_file(pipe);
     for (const std::string& path : paths_) {
         report.send('b', "");
+        const SharedState before = shared_state();
+        std::string refusal;
         try {
-            report.send('r', try_one_(path, report));
+            refusal = try_one_(path, report);
         } catch (...) {
             report.send('t', exception_text());
             _exit(1);
         }
+        if (open_file(pipe) != own_pipe) _exit(lost_pipe);
+        const StateChange change = change_between(before, shared_state());
+        if (change.has_happened() && refusal.empty()) refusal = text_of(change);
+        report.send('r', refusal);
+        if (!change.has_happened()) continue;
+        report.send('c', "");  // the others are tried in a process that it has not changed
+        _exit(0);
     }
     report.send('e', "");
     _exit(0);  // the child must not flush or destroy objects of the parent
@@ -173,6 +193,7 @@ bool TrialChild::take_message(int pipe) {
     if (head.what == 'd') activity_ = text;
     if (head.what == 'n') trials_.back().plugin_id = text;
     if (head.what == 'r') trials_.back().refusal = text;
+    if (head.what == 'c') has_changed_ = true;
     if (head.what == 't') {
         has_thrown_ = true;
         thrown_ = text;
@@ -185,6 +206,8 @@ std::string TrialChild::ending(const Ended& ended, int stderr_fd) const {
     std::string what;
     if (ended.has_hung)
         what = "did not come back within " + std::to_string(limit_.count() / 1000) + " s";
+    else if (WIFEXITED(status) && WEXITSTATUS(status) == lost_pipe)
+        what = "closed descriptors that are not its own";
     else if (has_thrown_)
         what = "threw an exception" + (thrown_.empty() ? "" : " (" + quoted_plain(thrown_) + ")");
     else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT)
@@ -217,7 +240,7 @@ std::vector<Trial> TrialChild::run() {
 
     const Ended ended = follow(child, out.get());
     kill(-child, SIGKILL);  // ends the child's own children
-    if (!has_finished_ && !trials_.empty()) trials_.back().refusal = ending(ended, stderr_fd.get());
+    if (!has_finished_ && !has_changed_ && !trials_.empty()) trials_.back().refusal = ending(ended, stderr_fd.get());
     return std::move(trials_);
 }
 

@@ -7,6 +7,8 @@
 
 #include "core/plugin/floating_point.h"
 
+#include "core/plugin/state_watch.h"
+
 namespace kerf {
 
 namespace {
@@ -59,10 +61,20 @@ auto run_call(PluginCall call, const kerf_component& component, const Work& work
     }
 }
 
+/// Runs a call that may wait, and compares the state of the process while the call is still in progress.
+template <class Work>
+auto run_slow_call(PluginCall call, const kerf_component& component, const Work& work) noexcept {
+    return run_call(call, component, [&] {
+        const auto result = work();
+        check_state();
+        return result;
+    });
+}
+
 }  // namespace
 
 kerf_status call_shape(const kerf_component& tool, const double* parameters, kerf_tool_shape& out) noexcept {
-    return run_call(PluginCall::shape, tool, [&] { return tool.tool->shape(parameters, &out); });
+    return run_slow_call(PluginCall::shape, tool, [&] { return tool.tool->shape(parameters, &out); });
 }
 
 void call_begin(const kerf_component& law, const kerf_tick_in& in, void* state) noexcept {
@@ -86,12 +98,13 @@ kerf_status call_remesh(const kerf_component& strategy, const kerf_remesh_in& in
 
 std::uint32_t call_find(const kerf_component& driver, const double* parameters, kerf_device_found* found,
                         std::uint32_t capacity) noexcept {
-    return run_call(PluginCall::find, driver, [&] { return driver.device->find(parameters, found, capacity); });
+    return run_slow_call(PluginCall::find, driver, [&] { return driver.device->find(parameters, found, capacity); });
 }
 
 kerf_status call_open(const kerf_component& driver, const kerf_device_open_in& in, std::int32_t (*is_cancelled)(void*),
                       void* context, kerf_device_open_out& out) noexcept {
-    return run_call(PluginCall::open, driver, [&] { return driver.device->open(&in, is_cancelled, context, &out); });
+    return run_slow_call(PluginCall::open, driver,
+                         [&] { return driver.device->open(&in, is_cancelled, context, &out); });
 }
 
 void call_read(const kerf_component& driver, void* device, kerf_device_state& state) noexcept {

@@ -3,6 +3,7 @@
 // law is one channel along its shaft. A fault of its law comes at tick 1000, when some of a run is recorded.
 #include <fenv.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/time.h>
 #include <time.h>
@@ -42,6 +43,25 @@ bool is_first() { return !std::exchange(has_misbehaved, true); }
 
 [[gnu::noinline]] int fall(int depth) { return depth < 0 ? sink : fall(depth + 1) + sink; }
 
+void lower(__rlimit_resource limit, rlim_t value) {
+    rlimit both{};
+    getrlimit(limit, &both);
+    both.rlim_cur = value;
+    setrlimit(limit, &both);
+}
+
+/// Changes what belongs to the host.
+void change_the_process(const auto& does) {
+    if (does("changes_the_folder")) sink = chdir("/");
+    if (does("closes_stdout")) close(STDOUT_FILENO);
+    if (does("closes_all_files"))
+        for (int file = 3; file < 100; ++file) close(file);
+    if (does("lowers_the_file_size")) lower(RLIMIT_FSIZE, 1000);
+    if (does("lowers_the_open_files")) lower(RLIMIT_NOFILE, 3);
+    if (does("lowers_the_memory")) lower(RLIMIT_AS, 1 << 20);
+    if (does("takes_a_signal")) std::signal(SIGSEGV, SIG_DFL);
+}
+
 /// What ends a process or never returns, for each place of a plugin's code: "crashes_in_resist".
 void misbehave(std::string_view place) {
     const auto does = [&](std::string_view what) {
@@ -79,6 +99,7 @@ void misbehave(std::string_view place) {
         std::memset(memory, 0x5a, 100000);
     }
     if (does("drags")) usleep(50000);
+    change_the_process(does);
 }
 
 /// Writes `size` bytes behind the end of an array.
