@@ -125,6 +125,9 @@ std::string man_page() {
            "The machine or the program failed, or the user interrupted it.\n"
            ".SH ENVIRONMENT\n.TP\n.B KERF_PLUGIN_PATH\n"
            "Folders with plugins, separated by colons. Kerf searches them before its own.\n"
+           ".TP\n.B KERF_PLUGIN_ALLOW\nIds that begin with \"kerf.\", separated by colons, which plugins of other "
+           "folders "
+           "may have in this run.\n"
            ".SH FILES\n.TP\n.I PREFIX/share/kerf/procedures\nShipped procedures and anatomies. A command finds them by "
            "name.\n.TP\n.I PREFIX/lib/kerf\nPlugins.\n.TP\n.I PREFIX/share/doc/kerf\nDocumentation.\n"
            ".SH EXAMPLES\n" +

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +19,38 @@
 #include "app/plugin_guard.h"
 #include "app/standard_streams.h"
 #include "app/worker.h"
+#include "core/plugin/reserved_names.h"
 
 namespace kerf::app {
+
+namespace {
+
+/// Returns the ids in KERF_PLUGIN_ALLOW, which `:` separates as in KERF_PLUGIN_PATH.
+std::vector<std::string> allowed_plugins() {
+    const char* const given = std::getenv("KERF_PLUGIN_ALLOW");
+    std::istringstream words(given != nullptr ? given : "");
+    std::vector<std::string> ids;
+    for (std::string id; std::getline(words, id, ':');)
+        if (!id.empty()) ids.push_back(id);
+    return ids;
+}
+
+/// Loads the plugins of all folders, and prints what it refused.
+void load(PluginRegistry& plugins, const Installation& here) {
+    const std::vector<std::string> allowed = allowed_plugins();
+    reserve_names(here.plugins(), allowed);
+    plugins.scan(plugin_folders_of(here));
+    for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
+    for (const auto& note : plugins.notes()) print_error(note + "\n");
+    for (const auto& id : allowed)
+        if (!is_foreign_name(id))
+            print_error("kerf: KERF_PLUGIN_ALLOW names `" + id +
+                        "`, which has no effect: no plugin of this id, which must begin with `kerf.`, is in another "
+                        "folder than "
+                        "Kerf's own.\n");
+}
+
+}  // namespace
 
 int run_program(int argc, char** argv, const std::function<ExitCode(const CommandLine&, const Invocation&)>& run) {
     std::setlocale(LC_NUMERIC, "C");  // a library may have set another; text/plain_numbers.h
@@ -60,9 +91,7 @@ ExitCode with_plugins(const Installation& here, const std::function<ExitCode(con
         begin_guarding_state();
         // Never unloaded: what a plugin does then has no say in a result that is written.
         static PluginRegistry& plugins = *new PluginRegistry;
-        plugins.scan(plugin_folders_of(here));
-        for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
-        for (const auto& note : plugins.notes()) print_error(note + "\n");
+        load(plugins, here);
         const PluginGuard guard;  // after loading, which needs a process of one thread
         const ExitCode code = run(plugins);
         guard.check();

@@ -366,7 +366,9 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (recorded)
         if (const std::string error = repeat(*recorded, options.replay, request); !error.empty())
             return complain(error, exit_bad_input);
-    request.out = out;
+    std::error_code no_folder;
+    request.out = std::filesystem::absolute(out, no_folder).string();  // a plugin may change the working folder
+    if (no_folder) request.out = out;
     if (const std::string refusal = refusal_to_overwrite(options, out); !refusal.empty())
         return complain(refusal, exit_bad_input);
 
@@ -384,7 +386,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
                                          is_by_mouse(options) ? &mouse : nullptr, interruption, *with.display, run)
                              : run(request);
     shown_run.end_work();
-    return print_outcome(outcome, request.out, recorded);
+    return print_outcome(outcome, out, recorded);
 }
 
 ExitCode watch(const RunOptions& options, const Invocation& call) {

@@ -9,6 +9,7 @@
 
 #include "bone/exact/exact_follower.h"
 #include "core/field/cut/removed_volume.h"
+#include "core/plugin/reserved_names.h"
 #include "run/arm_views.h"
 #include "run/body_ownership.h"
 #include "run/exact/exact_files.h"
@@ -46,6 +47,9 @@ bool is_resisted(const TickResult& result, const Tool& tool) {
     return (result.thrust > 0.0 || (tool.outline.has_thread() && result.is_cutting)) && !result.is_at_metal;
 }
 
+/// In the version of a plugin that has a name of Kerf's own plugins; it comes from another folder.
+constexpr const char* allowed_for_this_run = " of another folder, allowed for this run";
+
 std::string surface_file(std::size_t body, bool is_metal) {
     return body == 0 ? "bone.stl" : (is_metal ? "implant-" : "bone-") + std::to_string(body) + ".stl";
 }
@@ -80,7 +84,9 @@ session::RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins
     summary.coupling_stiffness = scene.procedure.is_direct ? 0.0 : scene.gains.stiffness;
     summary.versions.emplace_back("kerf", KERF_VERSION);
     for (const auto& plugin : plugins.plugins())
-        summary.versions.emplace_back(plugin->entry().plugin_id, plugin->entry().plugin_version);
+        summary.versions.emplace_back(plugin->entry().plugin_id,
+                                      std::string(plugin->entry().plugin_version) +
+                                          (is_foreign_name(plugin->entry().plugin_id) ? allowed_for_this_run : ""));
     for (const auto& material : scene.body.materials) summary.tissues.push_back(material.id);
     summary.signals = signals.columns;
     summary.anatomy_notes = scene.import.notes;

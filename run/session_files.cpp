@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/session_files.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "bone/surface/write_stl.h"
@@ -18,6 +21,20 @@
 namespace kerf::run {
 
 namespace {
+
+/// Returns a sentence about an error of a session whose file was damaged while it was open; empty for another error.
+std::string note_of_damage(const std::string& error) {
+    constexpr std::array<std::string_view, 4> damages{"malformed", "no such table", "not a database", "disk I/O error"};
+    const bool is_damage = std::any_of(damages.begin(), damages.end(), [&](std::string_view damage) {
+        return error.find(damage) != std::string::npos;
+    });
+    const ComponentName last = name_of(last_call().component);
+    return is_damage && last.is_known()
+               ? std::string(" Another program may have written over it, or the plugin that was "
+                             "called last: ") +
+                     last.plugin + " (" + last.path + ")."
+               : "";
+}
 
 /// Writes the page of the session in a folder. Returns the error as text, empty on success.
 std::string write_report(const std::string& folder) {
@@ -127,7 +144,7 @@ std::string SessionFiles::on_result(const session::RunSummary& summary, const Si
                " is no longer there: it was removed, renamed, unmounted or replaced during the run. No results are "
                "written. If it was renamed, keep its session.db and session.db-wal together: they have the recorded "
                "rows.";
-    note(error);
+    note(error + note_of_damage(error));
     note(text::write_file(folder_ + "/summary.json", session::summary_json(summary)));
     begin("writing the report");
     if (!recorder_->is_removed()) note(write_report(folder_));

@@ -17,6 +17,7 @@
 #include "core/plugin/plain_text.h"
 #include "core/plugin/plugin_call.h"
 #include "core/plugin/plugin_host.h"
+#include "core/plugin/reserved_names.h"
 #include "kerf/remesh.h"
 
 namespace kerf {
@@ -29,6 +30,11 @@ struct OpenLibrary {
     const kerf_entry* entry = nullptr;
     std::string fault;
 };
+
+/// Returns the begin of a refusal, with the plugin's id if that is known.
+std::string named_plugin(const std::string& path, const std::string& plugin_id) {
+    return plugin_id.empty() ? kerf::named_plugin(path) : "plugin " + plain(plugin_id) + " (" + plain(path) + "): ";
+}
 
 /// Returns the dynamic linker's last error without the path, which the refusal names already.
 std::string linker_error(const std::string& path) {
@@ -102,13 +108,13 @@ PluginLoad load_tried_plugin(const std::string& path) {
         opened.fault = fault_of(*opened.entry);
     }
     if (!opened.fault.empty()) {
-        load.refusal = named_plugin(path) + opened.fault;
+        load.refusal = named_plugin(path, load.plugin_id) + opened.fault;
         if (opened.handle != nullptr) dlclose(opened.handle);
         return load;
     }
     auto host = std::make_unique<PluginHost>(load.plugin_id);
     if (const std::string fault = host->open(*opened.entry); !fault.empty()) {
-        load.refusal = named_plugin(path) + fault;
+        load.refusal = named_plugin(path, load.plugin_id) + fault;
         dlclose(opened.handle);
         return load;
     }
@@ -135,7 +141,7 @@ std::vector<PluginLoad> load_plugins(const std::vector<std::string>& paths) {
         if (trial.refusal.empty())
             loads[i] = load_tried_plugin(paths[i]);
         else
-            loads[i] = {nullptr, named_plugin(paths[i]) + trial.refusal, trial.plugin_id};
+            loads[i] = {nullptr, named_plugin(paths[i], trial.plugin_id) + trial.refusal, trial.plugin_id};
     }
     return loads;
 }
@@ -217,18 +223,19 @@ void PluginRegistry::scan(const std::vector<std::string>& folders) {
 void PluginRegistry::take(const std::string& file, PluginLoad load) {
     const auto refuse = [&](const std::string& why) {
         refusals_.push_back(why);
-        const std::string named = named_plugin(file);
+        const std::string named = named_plugin(file, load.plugin_id);
         refused_.push_back({file, load.plugin_id, why.starts_with(named) ? why.substr(named.size()) : why});
     };
     if (load.plugin == nullptr) return refuse(load.refusal);
     const std::string id = load.plugin_id = load.plugin->entry().plugin_id;
     if (id == core_instruments().plugin_id)
-        return refuse(named_plugin(file) + "its id is `" + id + "`, which is Kerf's own. Give it another id.");
+        return refuse(named_plugin(file, id) + "its id is `" + id + "`, which is Kerf's own. Give it another id.");
     const auto twin =
         std::find_if(catalog_.begin(), catalog_.end(), [&](const ComponentInfo& c) { return id == c.plugin; });
     if (twin != catalog_.end())
         return refuse("plugin " + id + " is found twice: " + plain(twin->module) + " (used) and " + plain(file) +
                       ". Remove one.");
+    if (const std::string why = refusal_of_name(id, file); !why.empty()) return refuse(named_plugin(file, id) + why);
     const kerf_entry& entry = load.plugin->entry();
     list(entry, file);
     // Strategies run in another process. A library with strategies alone is closed in this one.

@@ -50,6 +50,19 @@ void lower(__rlimit_resource limit, rlim_t value) {
     setrlimit(limit, &both);
 }
 
+/// Writes zeros over the session, whose file is open in this process.
+void write_over_the_record() {
+    const std::string zeros(100000, '\0');
+    for (int file = 3; file < 100; ++file) {
+        char name[4096]{};
+        const std::string link = "/proc/self/fd/" + std::to_string(file);
+        if (readlink(link.c_str(), name, sizeof name - 1) <= 0 || !std::string_view(name).ends_with("/session.db"))
+            continue;
+        sink = static_cast<int>(pwrite(file, zeros.data(), zeros.size(), 0));
+        return;
+    }
+}
+
 /// Changes what belongs to the host.
 void change_the_process(const auto& does) {
     if (does("changes_the_folder")) sink = chdir("/");
@@ -60,6 +73,7 @@ void change_the_process(const auto& does) {
     if (does("lowers_the_open_files")) lower(RLIMIT_NOFILE, 3);
     if (does("lowers_the_memory")) lower(RLIMIT_AS, 1 << 20);
     if (does("takes_a_signal")) std::signal(SIGSEGV, SIG_DFL);
+    if (does("writes_over_the_record") && is_first()) write_over_the_record();
 }
 
 /// What ends a process or never returns, for each place of a plugin's code: "crashes_in_resist".
@@ -318,6 +332,7 @@ void fill_signals_and_events() {
     events[0] = {"hostile.happened", "It happened."};
     events[1] = {is("twin_events") ? "hostile.happened" : "hostile.ended", "It ended."};
     if (is("foreign_event")) events[0].id = "haptics.held_back";
+    if (is("bears_a_name_of_kerf")) events[0].id = "drilling.happened", events[1].id = "drilling.ended";
 }
 
 void fill_tool() {
@@ -400,7 +415,7 @@ kerf_entry filled_entry() {
     entry.size = sizeof entry;
     entry.component_count = is("huge_component_count") ? 1000000000u : std::size(components);
     entry.layout = KERF_LAYOUT_INIT;
-    entry.plugin_id = "test.hostile";
+    entry.plugin_id = is("bears_a_name_of_kerf") ? "kerf.drilling" : "test.hostile";
     entry.plugin_version = "0.1.0";
     entry.licence = is("null_licence") ? nullptr : "Apache-2.0";
     entry.toolchain = is("null_toolchain") ? nullptr : "any";

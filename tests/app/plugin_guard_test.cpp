@@ -50,8 +50,8 @@ rehearsals:
     path: [{depth: -20 mm}, {depth: 2 mm}, {depth: -20 mm}]
 )";
     }
-    [[nodiscard]] Ended kerf(const std::string& command) const {
-        return test::kerf(command, "KERF_PLUGIN_PATH=" + (folder_ / "plugins"));
+    [[nodiscard]] Ended kerf(const std::string& command, const std::string& environment = "") const {
+        return test::kerf(command, environment + " KERF_PLUGIN_PATH=" + (folder_ / "plugins"));
     }
     [[nodiscard]] Ended run() const { return kerf("run " + procedure() + " --out " + out()); }
     [[nodiscard]] std::string procedure() const { return folder_ / "procedure.yaml"; }
@@ -156,6 +156,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Change{"takes_a_signal_in_resist", "the handler of SIGSEGV", " from a function to the default,"},
                     Change{"sets_an_alarm_in_resist", "a timer", " from off to on,"}),
     [](const auto& tested) { return std::string(tested.param.how); });
+
+TEST(PluginGuard, NamesThePluginThatWroteOverTheRecord) {
+    const Zoo zoo("writes_over_the_record_in_resist");
+    const Ended run = zoo.run();
+    EXPECT_EQ(run.exit_code, 3) << run.out << run.err;
+    EXPECT_TRUE(has(run.err, "called last: test.hostile (" + zoo.plugin() + ").")) << run.err;
+}
 
 TEST(PluginGuard, NamesTheCallThatChangesTheProcess) {
     const Zoo zoo("changes_the_folder_in_shape");
@@ -326,7 +333,7 @@ TEST(PluginGuard, NamesWhatWasUnsoundInALaw) {
         const Zoo zoo(how);
         const Ended run = zoo.run();
         EXPECT_EQ(run.exit_code, 1) << how << run.err;
-        const std::string named = std::string("`burring` of test.hostile: ") + says;
+        const std::string named = "`burring` of test.hostile (plugin_that_" + std::string(how) + ".so): " + says;
         EXPECT_TRUE(has(run.out, named)) << run.out;
         EXPECT_TRUE(has(contents_of(zoo.out() + "/summary.json"), named)) << how;
         const std::string session = contents_of(zoo.out() + "/session.db");
@@ -356,7 +363,7 @@ TEST(PluginGuard, MakesTheVerdictOfAnOddLawInvalid) {
 TEST(PluginGuard, NamesALawThatIsSlowerThanItDeclares) {
     const Zoo zoo("slow");
     const Ended run = zoo.run();
-    EXPECT_TRUE(has(run.err, "`burring` of test.hostile: ")) << run.err;
+    EXPECT_TRUE(has(run.err, "`burring` of test.hostile (plugin_that_slow.so): ")) << run.err;
     EXPECT_TRUE(has(run.err, " calls of `resist` took longer than its budget of 20 us: 99.9 % within ")) << run.err;
 }
 
@@ -367,6 +374,28 @@ TEST(PluginGuard, ShowsARefusalWhereThePluginIsMissed) {
     EXPECT_TRUE(has(validated.out, "E0301")) << validated.out;
     EXPECT_TRUE(has(validated.out, "because of " + zoo.plugin() + ": component `burr`: drive 0: `id` is null"))
         << validated.out;
+}
+
+TEST(PluginGuard, RefusesANameOfKerfsOwnElsewhereUnlessItIsAllowed) {
+    const Zoo zoo("bears_a_name_of_kerf");
+    const Ended refused = zoo.kerf("list");
+    EXPECT_EQ(refused.exit_code, 0);
+    EXPECT_TRUE(has(refused.err, "plugin kerf.drilling (" + zoo.plugin() + "): its id begins with `kerf.`"))
+        << refused.err;
+    EXPECT_TRUE(has(refused.err, "write `KERF_PLUGIN_ALLOW=kerf.drilling`")) << refused.err;
+
+    const std::string procedure = zoo.procedure();
+    std::string text = contents_of(procedure);
+    text.replace(text.find("test.hostile"), 12, "kerf.drilling");
+    std::ofstream(procedure) << text;
+    EXPECT_EQ(zoo.run().exit_code, 2) << "the shipped plugin has no burr";
+    const Ended run = zoo.kerf("run " + procedure + " --out " + zoo.out(), "KERF_PLUGIN_ALLOW=kerf.drilling");
+    EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+    EXPECT_TRUE(has(contents_of(zoo.out() + "/summary.json"),
+                    "\"kerf.drilling\": \"0.1.0 of another folder, allowed for this run\""));
+    EXPECT_TRUE(
+        has(contents_of(zoo.out() + "/report.html"), "kerf.drilling 0.1.0 of another folder, allowed for this run"));
+    EXPECT_TRUE(has(zoo.kerf("list", "KERF_PLUGIN_ALLOW=kerf.sawing").err, "names `kerf.sawing`, which has no effect"));
 }
 
 TEST(PluginGuard, ListGoesOnWithoutAPluginThatCrashes) {

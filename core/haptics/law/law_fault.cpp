@@ -23,7 +23,7 @@ std::string name_of_status(double status) {
 
 std::string name_of_law(const kerf_component& law) {
     const ComponentName name = name_of(&law);
-    return quoted_plain(law.id) + (name.is_known() ? std::string(" of ") + name.plugin : "");
+    return quoted_plain(law.id) + (name.is_known() ? std::string(" of ") + name.plugin + " (" + name.file + ")" : "");
 }
 
 std::string text_of(const LawFault& fault) {

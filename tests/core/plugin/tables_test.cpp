@@ -32,9 +32,7 @@ TEST_P(RefusedTables, NameComponentFieldValueAndRemedy) {
     const auto& [how, says] = GetParam();
     const PluginLoad load = load_plugin(file_of(how));
     EXPECT_FALSE(load.plugin);
-    EXPECT_NE(load.refusal.find("plugin plugin_that_" + std::string(how) + ".so (" + file_of(how) + "): "),
-              std::string::npos)
-        << load.refusal;
+    EXPECT_NE(load.refusal.find(" (" + file_of(how) + "): "), std::string::npos) << load.refusal;
     EXPECT_NE(load.refusal.find(says), std::string::npos) << load.refusal;
     EXPECT_TRUE(is_plain(load.refusal)) << load.refusal;
     EXPECT_EQ(load.refusal.find("trial"), std::string::npos) << "found before it did harm: " << load.refusal;
