@@ -15,7 +15,9 @@
 #include <system_error>
 
 #include "app/standard_streams.h"
+#include "core/plugin/own_streams.h"
 #include "core/plugin/process_notes.h"
+#include "core/plugin/state_watch.h"
 #include "text/system_reason.h"
 
 namespace kerf::app {
@@ -26,7 +28,7 @@ constexpr rlim_t min_stack = 512 * 1024;
 
 void write_plain(const char* text) {
     for (std::size_t left = std::strlen(text); left > 0;) {
-        const ssize_t count = write(STDERR_FILENO, text, left);
+        const ssize_t count = write(own_error_file(), text, left);
         if (count <= 0) return;
         text += count;
         left -= static_cast<std::size_t>(count);
@@ -35,6 +37,17 @@ void write_plain(const char* text) {
 
 // Written without the heap: there may be no memory left.
 void write_out_of_memory() {
+    if (const StateChange change = change_of_state(); change.has_happened()) {
+        const ComponentName last = name_of(last_call().component);
+        FixedText<6000> text;
+        text << "kerf: out of memory: " << change.what.c_str() << " was changed from " << change.before.c_str()
+             << " to " << change.after.c_str() << ". Kerf does not do this. The plugin that was called last is "
+             << (last.is_known() ? last.plugin : "unknown") << " (" << (last.is_known() ? last.path : "of unknown path")
+             << "). Mend it, or take it out of its folder.";
+        text.end_line();
+        write_plain("\n");
+        return text.print(own_error_file());
+    }
     write_plain("\nkerf: out of memory: a request for more was refused. Free some, raise the limit (`");
     write_plain(text::memory_limit_command());
     write_plain("`), or take a coarser `accuracy.spacing`.\n");

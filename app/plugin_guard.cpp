@@ -17,6 +17,7 @@
 
 #include "core/plugin/fixed_text.h"
 #include "core/plugin/guarded_memory.h"
+#include "core/plugin/own_streams.h"
 #include "core/plugin/plugin_call.h"
 #include "core/plugin/state_watch.h"
 #include "session/recorder.h"
@@ -91,8 +92,11 @@ void begin_to_end() noexcept {
         session::Recorder::save_what_is_open(session::plugin_failed_event, detail.c_str());
 
     static FixedText<6000> text;
-    text << "kerf: plugin " << name.plugin << " (" << (name.is_known() ? name.path : "of unknown path") << "): `"
-         << to_text(now.call) << "` of `" << name.component << "` " << what << values;
+    if (name.is_known())
+        text << "kerf: plugin " << name.plugin << " (" << name.path << "): ";
+    else
+        text << "kerf: a plugin whose tables were overwritten: ";
+    text << "`" << to_text(now.call) << "` of `" << (name.is_known() ? name.component : "?") << "` " << what << values;
     if (*words != '\0') text << ": " << words;
     text << ". Mend it, or take it out of its folder.";
     text.end_line();
@@ -101,8 +105,9 @@ void begin_to_end() noexcept {
              << saved.path << ". Write `kerf report " << saved.path << "` to read it.";
         text.end_line();
     }
-    text.print(STDERR_FILENO);
-    say_last_word(exit_fault);
+    text.print(own_error_file());
+    // Without its stderr, which a plugin has closed, the parent names the plugin.
+    if (open_file(own_error_file()) != OpenFile{}) say_last_word(exit_fault);
     leave(exit_fault);
 }
 
@@ -151,7 +156,7 @@ void on_change(const StateChange& change) {
         values << "kerf: " << change.what.c_str() << " was changed from " << change.before.c_str() << " to "
                << change.after.c_str() << " while plugins were loaded. Take plugins out of their folders one by one.";
         values.end_line();
-        values.print(STDERR_FILENO);
+        values.print(own_error_file());
         say_last_word(exit_fault);
         leave(exit_fault);
     }

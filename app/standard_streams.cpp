@@ -11,6 +11,7 @@
 #include <cstring>
 #include <mutex>
 
+#include "core/plugin/own_streams.h"
 #include "text/plain_numbers.h"
 #include "text/printable_lines.h"
 
@@ -40,14 +41,14 @@ Copied& copied() {
 
 void print(std::string_view text) {
     errno = 0;
-    write_to(stdout, text);
-    if (std::ferror(stdout) != 0 && first_error == 0) first_error = errno;
+    write_to(own_output(), text);
+    if (std::ferror(own_output()) != 0 && first_error == 0) first_error = errno;
 }
 
 void print_error(std::string_view text) {
-    std::fflush(stdout);  // keeps the order if both streams go to one file
-    if (std::ferror(stdout) != 0 && first_error == 0) first_error = errno;
-    write_to(stderr, text);
+    std::fflush(own_output());  // keeps the order if both streams go to one file
+    if (std::ferror(own_output()) != 0 && first_error == 0) first_error = errno;
+    write_to(own_errors(), text);
     const std::lock_guard lock(copied().mutex);
     if (copied().is_on) copied().text += text::printable_lines(text);
 }
@@ -96,12 +97,12 @@ void occupy_closed_streams() {
 
 ExitCode close_stdout(ExitCode code) {
     errno = 0;
-    const bool has_failed = std::ferror(stdout) != 0;
-    if (std::fclose(stdout) == 0 && !has_failed) return code;
+    const bool has_failed = std::ferror(own_output()) != 0;
+    if (std::fclose(own_output()) == 0 && !has_failed) return code;
     if (first_error == 0) first_error = errno;
     const char* why = first_error == EBADF ? "it is closed" : first_error != 0 ? std::strerror(first_error) : "unknown";
-    std::fprintf(stderr, "kerf: stdout could not be written: %s. The output is incomplete. Write it to another file.\n",
-                 why);
+    std::fprintf(own_errors(),
+                 "kerf: stdout could not be written: %s. The output is incomplete. Write it to another file.\n", why);
     return exit_fault;
 }
 

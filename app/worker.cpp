@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "app/last_resort.h"
+#include "app/plugin_output.h"
 #include "app/standard_streams.h"
 #include "core/plugin/process_notes.h"
 #include "text/shell.h"
@@ -104,11 +105,13 @@ pid_t fork_worker() {
     return child;
 }
 
-[[noreturn]] void work_as_child(const std::function<ExitCode()>& work, pid_t parent) {
+[[noreturn]] void work_as_child(const std::function<ExitCode()>& work, pid_t parent, PluginOutput& printed) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // the worker ends with its parent
     if (getppid() != parent) _exit(exit_fault);
     allow_last_word(getpid());
+    printed.separate();
     const ExitCode code = close_stdout(run_guarded(work));
+    std::fflush(nullptr);  // text of plugins that is in a buffer
     say_last_word(code);
     // Exit handlers and destructors of plugins have no say in a result that is written.
     if (KERF_HAS_SANITIZER) std::exit(code);
@@ -232,18 +235,21 @@ ExitCode run_in_worker(const std::function<ExitCode()>& work) {
         return complain(std::string("the system refused memory: ") + std::strerror(errno) + ".", exit_fault);
     std::fflush(nullptr);  // or the child prints it again
     passed_count = 0;
+    PluginOutput printed;
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     pass_signals_on();
     const pid_t parent = getpid();
     const pid_t child = fork_worker();
-    if (child == 0) work_as_child(work, parent);
+    if (child == 0) work_as_child(work, parent, printed);
     if (child < 0)
         return complain(
             std::string("the system refused a process: ") + std::strerror(errno) + ". " + text::thread_advice() + ".",
             exit_fault);
+    printed.begin();
     const ExitCode code = wait_for_worker();
     stop_passing_signals_on();
     end_copies();
+    printed.report();
     return code;
 }
 

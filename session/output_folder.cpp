@@ -37,8 +37,8 @@ bool is_session(const fs::path& file) {
 
 /// Returns all files that a run writes, the session last: it identifies the others as a run's until they are removed.
 std::vector<std::string> files_of_a_run() {
-    std::vector<std::string> whole{"summary.json",   "report.html", "bone.stl",
-                                   "bone-exact.stl", "remesh.json", "clock.svg"},
+    std::vector<std::string> whole{"summary.json", "report.html", "bone.stl",   "bone-exact.stl",
+                                   "remesh.json",  "clock.svg",   "plugins.log"},
         all;
     for (std::size_t body = 1; body < max_bodies; ++body)
         for (const char* of : {"bone-", "implant-", "bone-exact-"}) whole.push_back(of + std::to_string(body) + ".stl");

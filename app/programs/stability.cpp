@@ -7,6 +7,7 @@
 #include "app/program.h"
 #include "app/programs/printed_laws.h"
 #include "app/standard_streams.h"
+#include "core/plugin/own_streams.h"
 #include "session/recorder.h"
 #include "studies/stability/atlas.h"
 #include "studies/stability/suite.h"
@@ -23,7 +24,7 @@ ExitCode run_stability(const StabilityOptions& options, const PluginRegistry& pl
     print(std::string(session::notice_line) + ".\n" + table_head() + "\n");
     const stability::Report print_line = [](const Finding& finding) {
         print(table_line(finding) + "\n");
-        std::fflush(stdout);
+        std::fflush(own_output());
     };
     std::string error;
     const auto findings = run_suite(plugins, printed, options.plugin, options.is_quick, print_line, error);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/plugin/own_streams.h"
 #include "core/plugin/process_notes.h"
 
 namespace kerf {
@@ -26,7 +27,7 @@ volatile std::sig_atomic_t note_size = 0;
 void show(const char* what) noexcept {
     const auto write_all = [](const char* text, std::size_t size) {
         while (size > 0) {
-            const ssize_t written = write(STDERR_FILENO, text, size);
+            const ssize_t written = write(own_error_file(), text, size);
             if (written <= 0) return;
             text += written;
             size -= static_cast<std::size_t>(written);

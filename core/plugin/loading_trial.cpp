@@ -23,6 +23,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/plugin/own_streams.h"
 #include "core/plugin/plain_text.h"
 #include "core/plugin/process_state.h"
 
@@ -101,6 +102,7 @@ void confine(int stderr_fd) {
         dup2(nothing, STDOUT_FILENO);
         dup2(stderr_fd >= 0 ? stderr_fd : nothing, STDERR_FILENO);
     }
+    unite_streams();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/plugin/own_streams.h"
 #include "core/plugin/plain_text.h"
 
 namespace kerf {
@@ -37,7 +38,7 @@ void PluginHost::write(const kerf_host* host, std::uint32_t level, const char* t
     const bool is_last = ++self.lines_ > max_lines;
     const std::string line = is_last ? "has printed " + std::to_string(max_lines) + " lines, and prints no more"
                                      : plain(std::string_view(text, strnlen(text, max_line)));
-    std::fprintf(stderr, "plugin %s: %s%s\n", self.plugin_id_.c_str(),
+    std::fprintf(own_errors(), "plugin %s: %s%s\n", self.plugin_id_.c_str(),
                  level == KERF_LOG_WARNING && !is_last ? "warning: " : "", line.c_str());
 }
 

@@ -15,9 +15,7 @@
 #include <system_error>
 #include <thread>
 
-#if defined(__x86_64__)
-#include <emmintrin.h>
-#endif
+#include "core/plugin/floating_point.h"
 
 extern "C" char** environ;
 

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
@@ -74,6 +75,12 @@ void change_the_process(const auto& does) {
     if (does("lowers_the_memory")) lower(RLIMIT_AS, 1 << 20);
     if (does("takes_a_signal")) std::signal(SIGSEGV, SIG_DFL);
     if (does("writes_over_the_record") && is_first()) write_over_the_record();
+    if (does("prints") && is_first()) {
+        std::puts("verdict: pass");
+        std::fputs("kerf: all is well\n", stderr);
+    }
+    if (does("prints_for_ever"))
+        for (int i = 0; i < 1000; ++i) std::puts("again and again and again and again and again and again");
 }
 
 /// What ends a process or never returns, for each place of a plugin's code: "crashes_in_resist".

@@ -164,6 +164,42 @@ TEST(PluginGuard, NamesThePluginThatWroteOverTheRecord) {
     EXPECT_TRUE(has(run.err, "called last: test.hostile (" + zoo.plugin() + ").")) << run.err;
 }
 
+TEST(PluginGuard, KeepsTextOfPluginsOutOfItsOwn) {
+    const Zoo zoo("prints_in_resist");
+    const Ended run = zoo.run();
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.out.find("verdict: pass"), run.out.rfind("verdict: pass")) << run.out;
+    EXPECT_FALSE(has(run.err, "all is well")) << run.err;
+    const std::string file = zoo.out() + "/plugins.log";
+    EXPECT_TRUE(has(run.err, "kerf: plugin test.hostile (" + zoo.plugin() +
+                                 ") or a library printed 32 bytes to stdout or stderr, "
+                                 "which belong to Kerf: see " +
+                                 file))
+        << run.err;
+    const std::string kept = contents_of(file);
+    EXPECT_TRUE(kept.starts_with("For training and research; not for diagnosis")) << kept;
+    EXPECT_TRUE(has(kept, "verdict: pass\n") && has(kept, "kerf: all is well\n")) << kept;
+    EXPECT_EQ(zoo.run().exit_code, 0) << "the file is a run's and may be replaced";
+}
+
+TEST(PluginGuard, BoundsTheTextOfPlugins) {
+    const Zoo zoo("prints_for_ever_in_resist");
+    const Ended run = zoo.run();
+    EXPECT_TRUE(run.out.starts_with("verdict: pass")) << run.out.substr(0, 500);
+    const std::string kept = contents_of(zoo.out() + "/plugins.log");
+    EXPECT_GT(kept.size(), 1u << 20);
+    EXPECT_LT(kept.size(), (1u << 20) + 500);
+    EXPECT_TRUE(has(kept.substr(1 << 20), " bytes more.\n"));
+}
+
+TEST(PluginGuard, ShowsTextOfPluginsBehindItsOwnWithoutARecord) {
+    const Zoo zoo("prints_in_shape");
+    const Ended validated = zoo.kerf("validate " + zoo.procedure());
+    EXPECT_FALSE(has(validated.out, "verdict")) << validated.out;
+    EXPECT_TRUE(has(validated.err, "Text of plugins:\n")) << validated.err;
+    EXPECT_TRUE(has(validated.err, "kerf: all is well\n")) << validated.err;
+}
+
 TEST(PluginGuard, NamesTheCallThatChangesTheProcess) {
     const Zoo zoo("changes_the_folder_in_shape");
     const Ended validated = zoo.kerf("validate " + zoo.procedure());
