@@ -83,8 +83,11 @@ struct Burring {
                               .gap = found[i].gap,
                               .follow = rate_at(at[i], -cross(Vec3{0, 0, 1}, out[i]))});
             if (!state.cutter.cutting.removes_bone() && s.is_within(0.3_mm))  // it takes over as the teeth stop
-                channels.contact(
-                    {.id = 10 + i, .at = at[i], .along = -s.normal, .stiffness = 5e5, .depth = -s.distance});
+                channels.contact({.id = 10 + i,
+                                  .at = at[i],
+                                  .along = -s.normal,
+                                  .stiffness = 5e5 * (1 - state.cutter.cutting.fraction),
+                                  .depth = -s.distance});
         }
     }
     void commit(const Held<RoundBurr>& burr, const BoneQuery&, const Advance& advance, State& state, Signals& signals,
