@@ -206,7 +206,9 @@ void knows_no_ghosts(Examination& exam) {
 
 void hands_over(Examination& exam) {
     if (!has_drives(*exam.subject)) return exam.skip("the tool has no drive");
-    constexpr double max_step = 0.1;                                    // [–] of the push
+    constexpr double max_step = 0.1;  // [–] of the push
+    // A hand that comes on at 2 mm/s meets the contact that takes over within a tick.
+    constexpr double stiffness = 750e3, min_step = feed_rate * Simulation::dt * stiffness;  // [N/m], [N]
     const double push = std::min(30.0, fed(*exam.subject, {}).thrust);  // [N] so that it cuts at about 2 mm/s
     if (push < slight) return exam.skip("it makes no thrust in bone");
     ToolRig rig(*exam.subject, {});
@@ -224,7 +226,7 @@ void hands_over(Examination& exam) {
         return largest;
     };
     for (const double fraction : {0.0, 1.0})
-        if (const double step = largest_step(fraction); step > max_step * push)
+        if (const double step = largest_step(fraction); step > std::max(min_step, max_step * push))
             return exam.fail(std::string("Switched ") + (fraction > 0.0 ? "on" : "off") + " under a push of " +
                              number(push) + " N, its force steps by " + number(step) +
                              " N from one tick to the next. Let the cut fade while contact takes over "

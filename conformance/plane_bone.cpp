@@ -30,9 +30,12 @@ void PlaneBone::sample(const Vec3* points, std::uint32_t count, kerf_bone_sample
         kerf_bone_sample& s = out[i] = kerf_bone_sample{};
         s.engagement = std::clamp(0.5 - distance_at(points[i], nullptr) / ramp, 0.0, 1.0);
         for (std::uint32_t t = 0; t < settings_.tissues; ++t) {
-            s.weight[t] = t == 0 ? settings_.share_of_first : t == 1 ? 1.0 - settings_.share_of_first : 0.0;
-            s.density[t] = t == 0 ? settings_.density : 0.5 * settings_.density;
+            const std::uint32_t rank = (t + settings_.tissues - settings_.first) % settings_.tissues;
+            s.weight[t] = rank == 0 ? settings_.fraction_of_first : rank == 1 ? 1.0 - settings_.fraction_of_first : 0.0;
+            s.density[t] = (rank == 0 ? 1.0 : settings_.others) * settings_.density;
         }
+        if (s.engagement > 0.0) s.gap = settings_.gap;
+        s.body = s.engagement > 0.0 ? settings_.body : -1;
     }
 }
 
@@ -42,7 +45,7 @@ void PlaneBone::nearest(const Vec3* points, std::uint32_t count, kerf_surface_po
         Vec3 normal{};
         const double distance = distance_at(points[i], &normal);
         s.distance = std::clamp(distance, -query_.reach, query_.reach);
-        s.body = distance > -query_.reach && distance < query_.reach ? 0 : -1;
+        s.body = distance > -query_.reach && distance < query_.reach ? settings_.body : -1;
         s.normal = s.body < 0 ? Vec3{} : normal;
     }
 }
@@ -65,7 +68,7 @@ void PlaneBone::nearest_entry(const kerf_bone* bone, const kerf_vec3* points, st
 
 std::uint32_t PlaneBone::threads_entry(const kerf_bone* bone, kerf_thread* out, std::uint32_t capacity) {
     const auto& self = *reinterpret_cast<const PlaneBone*>(bone);
-    const ToolInBody here{0, self.bone_from_tool_};
+    const ToolInBody here{self.settings_.body, self.bone_from_tool_};
     return self.threads_.write({&here, 1}, out, capacity);
 }
 

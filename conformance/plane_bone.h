@@ -16,11 +16,15 @@ public:
     enum class Shape { plate, air, endless };
     struct Settings {
         Shape shape = Shape::plate;
-        double thickness = 1.0;       ///< [m]
-        double density = 1850.0;      ///< [kg/m³]
-        double voxel = 0.25e-3;       ///< [m] edges of bone are as soft as on such a grid
-        std::uint32_t tissues = 2;    ///< the first as dense as said, the others half as dense
-        double share_of_first = 1.0;  ///< [–]
+        double thickness = 1.0;          ///< [m]
+        double density = 1850.0;         ///< [kg/m³]
+        double voxel = 0.25e-3;          ///< [m] edges of bone are as soft as on such a grid
+        std::uint32_t tissues = 2;       ///< the first as dense as said, the others by `others`
+        double fraction_of_first = 1.0;  ///< [–] the rest is the next tissue
+        double others = 0.5;             ///< [–] their density divided by that of the first
+        std::uint32_t first = 0;         ///< index of the first tissue
+        double gap = 0.0;                ///< [m] to uncut bone, of every sample
+        std::uint16_t body = 0;          ///< index of the body
     };
     explicit PlaneBone(const Settings& settings);
     PlaneBone(const PlaneBone&) = delete;
@@ -32,7 +36,7 @@ public:
 
     /// Keeps a thread that a law has left in it. Returns whether it can be kept.
     bool leave(const kerf_thread& thread) noexcept {
-        const ToolInBody here{0, bone_from_tool_};
+        const ToolInBody here{settings_.body, bone_from_tool_};
         return threads_.leave(thread, {&here, 1});
     }
     void forget_threads() noexcept { threads_ = {}; }

@@ -72,7 +72,7 @@ void takes_any_bone(Examination& exam) {
         try_bone({.density = density}, "bone of " + number(density) + " kg/m³");
     for (const std::uint32_t tissues : {1u, 3u, 4u})
         try_bone({.tissues = tissues}, std::to_string(tissues) + " tissue(s)");
-    for (const double share : {0.0, 0.5}) try_bone({.share_of_first = share}, "mixed tissues");
+    for (const double share : {0.0, 0.5}) try_bone({.fraction_of_first = share}, "mixed tissues");
     for (const double voxel : {0.05e-3, 1e-3}) try_bone({.voxel = voxel}, "voxels of " + number(1e3 * voxel) + " mm");
     for (const double thickness : {0.2e-3, 1e-3})
         try_bone({.thickness = thickness}, "a plate of " + number(1e3 * thickness) + " mm");

@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <functional>
 #include <kerf/plugin.hpp>
 #include <limits>
 #include <string_view>
@@ -166,6 +167,57 @@ kerf_channel* further_channel(kerf_law* law, std::uint32_t kind, std::uint32_t i
     return c;
 }
 
+void change_each(kerf_law* law, std::uint32_t kind, auto change) {
+    for (std::uint32_t i = 0; i < law->count; ++i)
+        if (law->channel[i].kind == kind) change(law->channel[i]);
+}
+void scale_cut(kerf_law* law, double by) {
+    change_each(law, KERF_CUT, [&](kerf_channel& c) {
+        c.tau *= by;
+        c.eta *= by;
+    });
+}
+
+/// Faults in some directions only.
+void misbehave_in_some_direction(const kerf_tick_in* in, kerf_law* law) {
+    const auto each = [&](std::uint32_t kind, auto change) { change_each(law, kind, change); };
+    if (is("pulls_itself_along_y")) each(KERF_CUT, [](kerf_channel& c) { c.follow[1] += 1.5 * std::max(0.0, c.d[1]); });
+    if (is("is_harder_on_one_side")) each(KERF_CUT, [](kerf_channel& c) { c.eta *= c.d[0] > 0.5 ? 1.3 : 1.0; });
+    if (is("turns_the_wrong_way"))
+        each(KERF_CUT, [](kerf_channel& c) { std::transform(c.follow, c.follow + 6, c.follow, std::negate()); });
+    if (is("cuts_at_its_tip"))
+        each(KERF_CUT, [](kerf_channel& c) {
+            std::fill(c.d + 3, c.d + 6, 0.0);
+            std::fill(c.follow + 3, c.follow + 6, 0.0);
+        });
+    if (is("is_pulled_into_a_corner"))
+        each(KERF_CONTACT, [](kerf_channel& c) {
+            if (c.d[0] < -0.4 && c.d[1] < -0.4 && c.d[2] < -0.4) std::transform(c.d, c.d + 6, c.d, std::negate());
+        });
+    if (is("rests_on_its_tip") && !(in->drive[0] > 0.0))
+        each(KERF_CONTACT, [](kerf_channel& c) { c.k *= c.id == 10 ? 1.0 : 0.0; });
+    if (is("is_softer_on_one_side")) each(KERF_CONTACT, [](kerf_channel& c) { c.k *= c.d[1] > 0.4 ? 0.5 : 1.0; });
+    if (is("rests_by_the_voxel")) each(KERF_CONTACT, [&](kerf_channel& c) { c.k *= in->bone->reach / 1e-3; });
+    if (is("rests_at_its_tip")) each(KERF_CONTACT, [](kerf_channel& c) { std::fill(c.d + 3, c.d + 6, 0.0); });
+    if (is("removes_sideways_for_nothing")) each(KERF_CUT, [](kerf_channel& c) { c.eta *= std::abs(c.d[2]); });
+    if (is("ignores_gaps")) each(KERF_CUT, [](kerf_channel& c) { c.gap = 0.0; });
+}
+
+/// Faults in some bone only.
+void misbehave_in_some_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law) {
+    const kerf_bone_sample tip = at_tip(in);
+    if (is("knows_one_body") && tip.body > 0) law->count = 0;
+    if (tip.engagement > 0.0) {
+        if (is("knows_one_tissue")) scale_cut(law, tip.weight[0]);
+        if (is("adds_tissues_up") && tip.weight[0] > 0.0 && tip.weight[0] < 1.0) scale_cut(law, 3.0);
+        if (is("takes_soft_bone_for_nothing") && tip.density[0] < 800.0) scale_cut(law, 1e-3);
+    }
+    if (is("remembers_bone") && extra.value > 0.0) {
+        kerf_channel* const c = further_channel(law, KERF_FRICTION, 93);
+        c->tau = 1.0;
+    }
+}
+
 /// What only a test of physics notices.
 void misbehave_in_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law) {
     const bool is_running = in->drive[0] > 0.0;
@@ -174,16 +226,7 @@ void misbehave_in_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law
         c->tau = force;
         c->w = 1e-4;
     };
-    const auto each = [&](std::uint32_t kind, auto change) {
-        for (std::uint32_t i = 0; i < law->count; ++i)
-            if (law->channel[i].kind == kind) change(law->channel[i]);
-    };
-    const auto scale_cut = [&](double by) {
-        each(KERF_CUT, [&](kerf_channel& c) {
-            c.tau *= by;
-            c.eta *= by;
-        });
-    };
+    const auto each = [&](std::uint32_t kind, auto change) { change_each(law, kind, change); };
     if (is("touches_from_afar")) each(KERF_CONTACT, [](kerf_channel& c) { c.delta += 0.25e-3; });
     if (is("gives_energy") && extra.value < 0.0) each(KERF_CONTACT, [](kerf_channel& c) { c.k *= 1.3; });
     if (is("pulls_to_one_side"))
@@ -201,8 +244,8 @@ void misbehave_in_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law
         const double ratio = std::max(0.0, extra.value) / 0.5e-3;
         rub(is_running ? 5.0 * at_tip(in).engagement / (1.0 + ratio * ratio) : 0.0);
     }
-    if (is("thinks_in_ticks")) scale_cut(in->dt / 1e-3);
-    if (is("thinks_in_voxels")) scale_cut(in->bone->reach / 1e-3);
+    if (is("thinks_in_ticks")) scale_cut(law, in->dt / 1e-3);
+    if (is("thinks_in_voxels")) scale_cut(law, in->bone->reach / 1e-3);
     if (is("likes_the_grid")) {
         const kerf_vec3 at{3.5e-3, 0.0, -3e-3};  // by the face, when the burr is as deep as the kit feeds it
         kerf_surface_point s{};
@@ -212,7 +255,13 @@ void misbehave_in_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law
     if (is("feels_ghosts") && extra.value > 0.0) rub(2.0);
     if (is("differs_by_process"))
         law->wrench[5] += 1e-6 * static_cast<double>(reinterpret_cast<std::uintptr_t>(&counter) >> 12 & 0xffffu);
-    if (is("stops_at_once") && extra.value > 0.0 && extra.value < 40.0) law->count = 0;
+    misbehave_in_some_direction(in, law);
+    misbehave_in_some_bone(in, extra, law);
+    if (is("thinks_in_millimetres_if_wide") && in->tool_params[0] > 6e-3) scale_cut(law, 1000.0);
+    if (is("caps_a_parameter")) scale_cut(law, std::min(1.0, 0.5 * sound_law.params[0].max / in->force_params[0]));
+    if (is("does_not_feel_its_speed")) scale_cut(law, in->drive[0] / (40000.0 / 60.0));
+    if (is("yields_to_fast_feed") && extra.value > 5e-3) scale_cut(law, 25e-6 / (extra.value * extra.value));
+    if (is("stops_at_once") && extra.value > 1.0 && extra.value < 400.0) law->count = 0;
 }
 
 kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
@@ -265,15 +314,24 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
 }
 
 kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* state, kerf_commit_out* out) {
-    const kerf_status status = sound_law.force->commit(in, advance, state, out);
+    kerf_tick_in changed = *in;
+    if (is("counts_ticks_as_milliseconds")) changed.dt = 1e-3;
+    const kerf_status status = sound_law.force->commit(&changed, advance, state, out);
     if (is("counts_for_ever") || is("shares_between_instances")) counter += 1.0;
     Extra& extra = extra_of(state);
     if (is("gives_energy") || is("yields_to_speed")) extra.value = std::clamp(advance->rate[2], -1.0, 1.0);
+    if (is("yields_to_fast_feed")) extra.value = std::clamp(std::abs(advance->rate[2]), 0.0, 1.0);
     if (is("grows_blunt_in_air")) extra.value += in->dt;
+    if (is("remembers_bone")) extra.value = std::max(0.0, extra.value - in->dt);
+    for (std::uint32_t i = 0; is("remembers_bone") && i < advance->channel_count; ++i)
+        if (advance->channel[i].kind == KERF_CUT && advance->lambda[i] > 0.01) extra.value = 30e-3;
+    if (is("reports_millinewtons")) out->signal[0] *= 1e3;
+    if (is("reports_a_set_speed") && in->drive[0] > 0.0) out->signal[1] = 40000.0 / 60.0;
+    if (is("reports_its_largest_force")) out->signal[0] = extra.value = std::max(extra.value, out->signal[0]);
     if (is("feels_ghosts"))
         for (std::uint32_t i = 0; i < advance->channel_count; ++i)
             if (advance->channel[i].kind == KERF_CUT && advance->lambda[i] > 0.1) extra.value = 1.0;
-    if (is("stops_at_once")) extra.value = in->drive[0] > 0.0 ? 0.0 : extra.value + 1.0;
+    if (is("stops_at_once")) extra.value = in->drive[0] > 0.0 ? 1.0 : extra.value > 0.0 ? extra.value + 1.0 : 0.0;
     if (is("cuts_nothing"))
         for (std::uint32_t i = 0; i < out->action_count; ++i)
             if (out->action[i].kind == KERF_ACTION_CUT) out->action[i] = out->action[--out->action_count];
