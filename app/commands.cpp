@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/anatomy_text.h"
+#include "app/badges/plugin_verdict.h"
 #include "app/completion.h"
 #include "app/describe.h"
 #include "app/findings.h"
@@ -39,6 +40,21 @@
 #include "text/write_file.h"
 
 namespace kerf::app::commands {
+
+namespace {
+
+/// Returns a function that reads the badge of a plugin, and prints why one is ignored.
+BadgeWords badge_words(const Environment& with) {
+    return [&with, store = BadgeStore::of_environment()](const std::string& plugin) {
+        const std::string file = file_of_plugin(with.plugins, plugin);
+        if (file.empty()) return std::string();
+        const PluginVerdict verdict = verdict_on(plugin, file, with.here, store);
+        if (!verdict.fault.empty()) print_error("kerf: " + verdict.fault + "\n");
+        return store.is_off() && !verdict.is_shipped ? std::string() : verdict.words();
+    };
+}
+
+}  // namespace
 
 ExitCode validate(const ValidateOptions& options, const Environment& with) {
     std::vector<Findings> all;
@@ -77,7 +93,7 @@ ExitCode describe(const DescribeOptions& options, const Environment& with) {
         return exit_pass;
     }
     if (!error.empty()) return complain(error, exit_bad_input);
-    const auto text = description_of(with.plugins, options.component, error);
+    const auto text = description_of(with.plugins, options.component, error, badge_words(with));
     if (!text && std::filesystem::is_regular_file(options.component, ignored))
         if (const text::RecognisedFile file = text::recognise(options.component); !file.name.empty())
             error = "`" + options.component + "` is a file: " +
@@ -253,7 +269,7 @@ ExitCode begin_folder(const NewOptions& options, const Environment& /*with*/) {
 }
 
 ExitCode list(const ListOptions& /*options*/, const Environment& with) {
-    print(list_of_components(with.plugins));
+    print(list_of_components(with.plugins, badge_words(with)));
     return exit_pass;
 }
 

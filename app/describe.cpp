@@ -95,21 +95,26 @@ std::string about(const ComponentInfo& component) {
     return text;
 }
 
-std::string about(const PluginText& plugin) {
-    return "plugin " + plugin.id + " " + plugin.version + ", licence " + plugin.licence + "\n";
+std::string about(const PluginText& plugin, const BadgeWords& badge) {
+    const std::string words = badge ? badge(plugin.id) : "";
+    return "plugin " + plugin.id + " " + plugin.version + ", licence " + plugin.licence + "\n" +
+           (words.empty() ? "" : "  " + words + "\n");
 }
 
 }  // namespace
 
-std::string list_of_components(const PluginRegistry& plugins) {
+std::string list_of_components(const PluginRegistry& plugins, const BadgeWords& badge) {
     std::string text;
     for (const ComponentInfo& component : plugins.catalog())
         text += padded(kind_of(component), 9) + full_id(component) + "  " + component.help + "\n";
+    for (const PluginText& plugin : plugins.listed())
+        if (const std::string words = badge ? badge(plugin.id) : ""; !words.empty())
+            text += padded("plugin", 9) + plugin.id + "  " + words + "\n";
     return shown_text(text);
 }
 
-std::optional<std::string> description_of(const PluginRegistry& plugins, const std::string& wanted,
-                                          std::string& error) {
+std::optional<std::string> description_of(const PluginRegistry& plugins, const std::string& wanted, std::string& error,
+                                          const BadgeWords& badge) {
     std::string text;
     for (const PluginText& plugin : plugins.listed()) {
         const std::string& id = plugin.id;
@@ -117,7 +122,7 @@ std::optional<std::string> description_of(const PluginRegistry& plugins, const s
         for (const ComponentInfo& component : plugins.catalog())
             if (component.plugin == id && (wanted.empty() || names_plugin(id, wanted) || names(component, wanted)))
                 components += "\n" + about(component);
-        if (!components.empty()) text += (text.empty() ? "" : "\n") + about(plugin) + components;
+        if (!components.empty()) text += (text.empty() ? "" : "\n") + about(plugin, badge) + components;
     }
     if (!text.empty()) return shown_text(text) + "\n" + session::notice_line + ".\n";
 

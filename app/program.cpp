@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/badges/loaded_files.h"
 #include "app/file_limit.h"
 #include "app/last_resort.h"
 #include "app/plugin_folders.h"
@@ -92,6 +93,11 @@ ExitCode with_plugins(const Installation& here, const std::function<ExitCode(con
         // Never unloaded: what a plugin does then has no say in a result that is written.
         static PluginRegistry& plugins = *new PluginRegistry;
         load(plugins, here);
+        const std::vector<std::string> folders = plugin_folders_of(here);
+        note_files_to_load(folders);
+        plugins.scan(folders);
+        for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
+        for (const auto& note : plugins.notes()) print_error(note + "\n");
         const PluginGuard guard;  // after loading, which needs a process of one thread
         const ExitCode code = run(plugins);
         guard.check();

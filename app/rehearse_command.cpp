@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/badges/used_plugins.h"
 #include "app/commands.h"
 #include "app/program.h"
 #include "app/read_scene.h"
@@ -105,9 +106,11 @@ private:
     std::set<std::pair<std::size_t, std::size_t>> broken_;  ///< step, limit
 };
 
-ExitCode rehearse_file(const std::string& file, const RehearseOptions& options, const Environment& with) {
+ExitCode rehearse_file(const std::string& file, const RehearseOptions& options, const Environment& with,
+                       UsedPlugins& used) {
     const auto scene = read_scene(file, options, with);
     if (!scene) return exit_bad_input;
+    used.add(scene->procedure);
     if (scene->procedure.rehearsals.empty())
         return complain(file + " has no rehearsals. Add one under `rehearsals:`.", exit_bad_input);
 
@@ -134,9 +137,11 @@ ExitCode rehearse_file(const std::string& file, const RehearseOptions& options, 
 }
 
 /// Runs the standing bad hands against a procedure. None may pass.
-ExitCode cheat_file(const std::string& file, const RehearseOptions& options, const Environment& with) {
+ExitCode cheat_file(const std::string& file, const RehearseOptions& options, const Environment& with,
+                    UsedPlugins& used) {
     auto scene = read_scene(file, options, with);
     if (!scene) return exit_bad_input;
+    used.add(scene->procedure);
     const std::vector<run::Cheat> cheats = run::cheats_of(scene->procedure, with.plugins.catalog());
     if (cheats.empty())
         return complain(file + " has no rehearsal that expects to pass, of which a bad hand could be made. Add one "
@@ -227,7 +232,7 @@ ExitCode run_person(const std::string& head, const run::Scene& scene, const std:
 /// Runs the first hand that expects to pass on the bones of several people, and prints a table. A person whose bone the
 /// procedure does not suit counts as refused, which is no failure.
 ExitCode seeds_file(const std::string& file, const Seeds& seeds, const RehearseOptions& options,
-                    const Environment& with) {
+                    const Environment& with, UsedPlugins& used) {
     const auto documents = run::check_documents(request_of(file, options, with.here), with.plugins);
     if (!documents) {
         print_error(to_text(documents.diagnostics()));
@@ -243,6 +248,7 @@ ExitCode seeds_file(const std::string& file, const Seeds& seeds, const RehearseO
         return complain(file + " has no rehearsal that expects to pass. Add one under `rehearsals:`, with `expect: "
                                "pass`.",
                         exit_bad_input);
+    used.add(documents->procedure);
     SeedCounts counts;
     print("    seed  verdict   score  bone\n");
     for (std::uint32_t seed = seeds.first; seed <= seeds.last; ++seed) {
@@ -270,6 +276,7 @@ ExitCode rehearse(const RehearseOptions& options, const Environment& with) {
         return complain("`--coverage` is of the rehearsals, which `--cheats` does not run. Write one of them.",
                         exit_bad_input);
     ExitCode worst = exit_pass;
+    UsedPlugins used(with);
     if (!options.seeds.empty()) {
         const std::optional<Seeds> seeds = read_seeds(options.seeds);
         if (!seeds)
@@ -282,12 +289,15 @@ ExitCode rehearse(const RehearseOptions& options, const Environment& with) {
         if (options.is_with_cheats || options.is_with_coverage)
             return complain("`--seeds` runs one good hand. Write it without `--cheats` and `--coverage`.",
                             exit_bad_input);
-        for (const auto& file : options.procedures) worst = std::max(worst, seeds_file(file, *seeds, options, with));
+        for (const auto& file : options.procedures)
+            worst = std::max(worst, seeds_file(file, *seeds, options, with, used));
+        used.warn_of_replaced();
         return worst;
     }
     for (const auto& file : options.procedures)
-        worst = std::max(worst,
-                         options.is_with_cheats ? cheat_file(file, options, with) : rehearse_file(file, options, with));
+        worst = std::max(worst, options.is_with_cheats ? cheat_file(file, options, with, used)
+                                                       : rehearse_file(file, options, with, used));
+    used.warn_of_replaced();
     return worst;
 }
 

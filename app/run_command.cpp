@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/badges/used_plugins.h"
 #include "app/commands.h"
 #include "app/interruption.h"
 #include "app/language.h"
@@ -21,6 +22,7 @@
 #include "app/progress.h"
 #include "app/read_scene.h"
 #include "app/replay.h"
+#include "app/replay_result.h"
 #include "app/seconds.h"
 #include "app/shown_in_window.h"
 #include "app/shown_run.h"
@@ -34,7 +36,6 @@
 #include "session/content_hash.h"
 #include "session/output_folder.h"
 #include "session/read_session.h"
-#include "session/record_checksum.h"
 #include "session/recorder.h"
 
 namespace kerf::app {
@@ -168,28 +169,6 @@ ExitCode choose_device(const RunOptions& options, const std::optional<session::R
                : open_leading_device(options.device, with.plugins, interruption, chosen.own);
 }
 
-/// Prints whether a replay ended as its recording did, and whether the recording is unchanged.
-ExitCode compare(const session::RecordedInputs& recorded, const session::RunSummary& replayed) {
-    ExitCode code = exit_pass;
-    const auto report = [&](const char* what, ExitCode result) {
-        print(std::string("  replay: ") + what + "\n");
-        code = std::max(code, result);
-    };
-    if (recorded.hash.empty())
-        report("nothing to compare with: the recording ends without a result", exit_not_passed);
-    else if (recorded.hash == session::hex16(replayed.hash))
-        report("the same bits", exit_pass);
-    else
-        report("NOT the same bits", exit_fault);
-    if (recorded.rows == session::RecordCheck::changed)
-        report("the recording was CHANGED after its run wrote it: its rows do not give its checksum", exit_fault);
-    if (recorded.rows == session::RecordCheck::unknown && recorded.is_old)
-        report("the rows of the recording were not checked: this old session has no checksum", exit_pass);
-    else if (recorded.rows == session::RecordCheck::unknown && !recorded.hash.empty())
-        report("the rows of the recording were not checked: it is incomplete", exit_not_passed);
-    return code;
-}
-
 /// Reads the session of `--replay`, if there is one. Returns why it cannot be repeated, for people; empty if it can.
 std::string read_recording(const RunOptions& options, const documents::Procedure& procedure,
                            std::optional<session::RecordedInputs>& recorded) {
@@ -288,17 +267,16 @@ std::string open_window(const RunOptions& options, const documents::Procedure& p
     return with.display->open(procedure.translations.of(procedure.title, language_for(options.language)));
 }
 
-/// Prints the result of a run. Returns how the program ends.
-ExitCode print_outcome(const run::RunOutcome& outcome, const std::string& folder,
-                       const std::optional<session::RecordedInputs>& recorded) {
+/// Prints the result of a run. Returns how the program ends, without a comparison of a replay.
+ExitCode print_outcome(const run::RunOutcome& outcome, const std::string& folder, const UsedPlugins& used) {
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print_summary(outcome.summary);
+    print(used.lines());
     if (outcome.summary.clock) print(text_of(*outcome.summary.clock));
     for (const std::string& message : outcome.over_budget) print_error("kerf: " + message + "\n");
     print("  " + folder + "/report.html\n");
     if (outcome.was_interrupted) return complain("interrupted; the results up to now are written", exit_fault);
-    const ExitCode judged = outcome.summary.verdict == session::Verdict::pass ? exit_pass : exit_not_passed;
-    return recorded ? std::max(judged, compare(*recorded, outcome.summary)) : judged;
+    return outcome.summary.verdict == session::Verdict::pass ? exit_pass : exit_not_passed;
 }
 
 }  // namespace
@@ -329,6 +307,8 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     const std::string rehearsal = earlier.rehearsal(options);
     if (const std::string refusal = run::refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
         return complain(refusal, exit_bad_input);
+    UsedPlugins used(with);
+    used.add(documents->procedure, is_by_mouse(options) ? "" : options.device);
     // Started while this process has one thread and little memory.
     run::ExactStrategies strategies(with.here.strategies(with.plugins));
     start(strategies, documents->procedure);
@@ -387,6 +367,12 @@ ExitCode run(const RunOptions& options, const Environment& with) {
                              : run(request);
     shown_run.end_work();
     return print_outcome(outcome, out, recorded);
+    used.warn_of_replaced();
+    const ExitCode code = print_outcome(outcome, request.out, used);
+    if (!recorded || !outcome.error.empty() || outcome.was_interrupted) return code;
+    const std::string session = request.out + "/session.db";
+    return std::max(code,
+                    compare({*recorded, options.replay, outcome.summary, session, scene->procedure, with.plugins}));
 }
 
 ExitCode watch(const RunOptions& options, const Invocation& call) {

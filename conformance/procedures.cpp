@@ -57,7 +57,9 @@ struct Ran {
 
 Ran run(const CheckRequest& request, const fs::path& plugins, const std::vector<std::string>& arguments) {
     ChildProgram::Settings settings{
-        .arguments = {request.program}, .environment = {"KERF_PLUGIN_PATH=" + plugins.string()}, .with_errors = true};
+        .arguments = {request.program},
+        .environment = {"KERF_PLUGIN_PATH=" + plugins.string(), "KERF_BADGES=off"},  // the verdict is not known yet
+        .with_errors = true};
     settings.arguments.insert(settings.arguments.end(), arguments.begin(), arguments.end());
     ChildProgram program(settings);
     Ran ran;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/interruption.h"
+#include "app/programs/keep_badge.h"
 #include "app/progress.h"
 #include "app/standard_streams.h"
 #include "conformance/acceptance.h"
@@ -104,7 +105,9 @@ ExitCode check_plugins(const CheckOptions& options, const Installation& here) {
         if (shows_text) print(more);
     };
     show(std::string(session::notice_line) + ".\n");
+    const BadgeStore badges = BadgeStore::of_environment();
     for (const std::string& file : options.plugins) {
+        const BadgeKeeper badge(badges, file);
         reports.push_back(check_plugin(file, request, [&](const TestResult& result) {
             show_work(result.id);
             if (const std::string one = text_of(result, file); !one.empty()) show(one);
@@ -116,6 +119,7 @@ ExitCode check_plugins(const CheckOptions& options, const Installation& here) {
                                 std::to_string(options.level) + ". `kerf check --help` explains the levels.",
                             exit_bad_input);
         show(summary_of(reports.back()));
+        if (options.only.empty()) badge.keep(reports.back(), options.level);
     }
     const std::string report = options.format == "json"    ? json_text(reports)
                                : options.format == "junit" ? junit_text(reports)

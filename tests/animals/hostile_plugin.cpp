@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plugin with one fault, `kerf_how`, which each library brings along; "nothing_wrong" is sound. A burr of 3 mm whose
 // law is one channel along its shaft. A fault of its law comes at tick 1000, when some of a run is recorded.
+#include <dlfcn.h>
 #include <fenv.h>
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -17,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -125,6 +127,15 @@ void misbehave(std::string_view place) {
 
 /// Writes `size` bytes behind the end of an array.
 void overrun(void* end, std::size_t size) { std::memset(end, 0x5a, size); }
+
+/// Puts another file into the position of this library, as a build does while a run has it open.
+void replace_own_file() {
+    Dl_info self{};
+    if (dladdr(static_cast<const void*>(kerf_how), &self) == 0) return;
+    const std::string file = self.dli_fname, other = file + ".new";
+    std::ofstream(other, std::ios::binary) << "another build";
+    std::rename(other.c_str(), file.c_str());
+}
 
 void wait_for(double seconds) {
     timespec start, now;
@@ -239,6 +250,8 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     }
     if (is("writes_const_state")) static_cast<State*>(const_cast<void*>(state))->cut = 1.0;
     if (is("slow")) wait_for(2e-4);
+    if (is("replaces_its_file") && is_first()) replace_own_file();
+    if (is("reads_the_environment") && std::getenv("HOSTILE_FORCE") != nullptr) c.tau *= 2.0;
     return KERF_OK;
 }
 
