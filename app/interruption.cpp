@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "app/plugin_guard.h"
 #include "app/worker.h"
 #include "core/plugin/state_watch.h"
 
@@ -17,6 +18,7 @@ volatile std::sig_atomic_t is_noted = 0;  // a signal handler can only reach glo
 volatile std::sig_atomic_t came_directly[NSIG], was_passed_on[NSIG];
 
 void note(int signal, siginfo_t* info, void*) {
+    end_if_raised_by_plugin(signal, *info);
     volatile std::sig_atomic_t& count = is_passed_on(*info) ? was_passed_on[signal] : came_directly[signal];
     count = count + 1;
     is_noted = 1;

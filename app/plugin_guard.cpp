@@ -342,6 +342,16 @@ void PluginGuard::check() const {
     check_state();
 }
 
+void end_if_raised_by_plugin(int signal, const siginfo_t& info) noexcept {
+    const bool is_own = (info.si_code == SI_USER || info.si_code == SI_TKILL) && info.si_pid == getpid();
+    if (!is_own || !is_calling_plugin()) return;
+    const char* const what = signal == SIGINT    ? "raised SIGINT, which is the user's"
+                             : signal == SIGTERM ? "raised SIGTERM, which is the user's"
+                             : signal == SIGHUP  ? "raised SIGHUP, which is the user's"
+                                                 : "raised a signal that is the user's";
+    end_by(call_in_progress(), what, "");
+}
+
 }  // namespace kerf::app
 
 // A plugin that calls one of these reaches Kerf's version; the system's would end a run as if it had passed.

@@ -43,4 +43,8 @@ private:
     std::thread watchdog_;
 };
 
+/// Ends the program in order, as for a crash, if the signal of `info` was raised by a plugin in a call. Else returns.
+/// [any] async-signal-safe
+void end_if_raised_by_plugin(int signal, const siginfo_t& info) noexcept;
+
 }  // namespace kerf::app

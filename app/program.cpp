@@ -40,7 +40,9 @@ std::vector<std::string> allowed_plugins() {
 void load(PluginRegistry& plugins, const Installation& here) {
     const std::vector<std::string> allowed = allowed_plugins();
     reserve_names(here.plugins(), allowed);
-    plugins.scan(plugin_folders_of(here));
+    const std::vector<std::string> folders = plugin_folders_of(here);
+    note_files_to_load(folders);
+    plugins.scan(folders);
     for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
     for (const auto& note : plugins.notes()) print_error(note + "\n");
     for (const auto& id : allowed)
@@ -93,11 +95,6 @@ ExitCode with_plugins(const Installation& here, const std::function<ExitCode(con
         // Never unloaded: what a plugin does then has no say in a result that is written.
         static PluginRegistry& plugins = *new PluginRegistry;
         load(plugins, here);
-        const std::vector<std::string> folders = plugin_folders_of(here);
-        note_files_to_load(folders);
-        plugins.scan(folders);
-        for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
-        for (const auto& note : plugins.notes()) print_error(note + "\n");
         const PluginGuard guard;  // after loading, which needs a process of one thread
         const ExitCode code = run(plugins);
         guard.check();

@@ -366,11 +366,10 @@ ExitCode run(const RunOptions& options, const Environment& with) {
                                          is_by_mouse(options) ? &mouse : nullptr, interruption, *with.display, run)
                              : run(request);
     shown_run.end_work();
-    return print_outcome(outcome, out, recorded);
     used.warn_of_replaced();
-    const ExitCode code = print_outcome(outcome, request.out, used);
+    const ExitCode code = print_outcome(outcome, out, used);
     if (!recorded || !outcome.error.empty() || outcome.was_interrupted) return code;
-    const std::string session = request.out + "/session.db";
+    const std::string session = out + "/session.db";
     return std::max(code,
                     compare({*recorded, options.replay, outcome.summary, session, scene->procedure, with.plugins}));
 }

@@ -12,6 +12,7 @@
 
 #include "core/plugin/core_instruments.h"
 #include "core/plugin/elf_file.h"
+#include "core/plugin/floating_point.h"
 #include "core/plugin/loading_note.h"
 #include "core/plugin/loading_trial.h"
 #include "core/plugin/plain_text.h"
@@ -47,14 +48,21 @@ std::string linker_error(const std::string& path) {
 OpenLibrary open_library(const std::string& path) {
     OpenLibrary opened;
     dlerror();
+    const FloatingPoint before = floating_point();
     opened.handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const bool has_other_rounding = floating_point() != before;
+    set_floating_point(before);
     if (opened.handle == nullptr) {
         opened.fault =
             "cannot be loaded: " + linker_error(path) + ". Build it again on this system, and against this Kerf.";
         return opened;
     }
     opened.entry = static_cast<const kerf_entry*>(dlsym(opened.handle, KERF_ENTRY_SYMBOL));
-    if (opened.entry == nullptr)
+    if (has_other_rounding)
+        opened.fault =
+            "changes the rounding of numbers, or other control words of the floating-point unit, while it is loaded. "
+            "Its static constructors may not; `-ffast-math` of some compilers does so too: build it without.";
+    else if (opened.entry == nullptr)
         opened.fault =
             "exports no `" KERF_ENTRY_SYMBOL
             "`. In a plugin, declare it visible: `extern \"C\" __attribute__((visibility(\"default\"))) const "

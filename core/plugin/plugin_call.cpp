@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/plugin/floating_point.h"
-
 #include "core/plugin/state_watch.h"
 
 namespace kerf {

@@ -8,8 +8,8 @@
 #include "kerf/device.h"
 #include "kerf/remesh.h"
 
-/// Functions for calls into plugins, so that a crash, an exit or a loop in a call can be attributed to its plugin. After
-/// each call, rounding, traps and the other control words of the floating-point unit are as before it.
+/// Functions for calls into plugins, so that a crash, an exit or a loop in a call can be attributed to its plugin.
+/// After each call, rounding, traps and the other control words of the floating-point unit are as before it.
 namespace kerf {
 
 /// Calls a tool's `shape`.   [main]

@@ -106,6 +106,7 @@ void misbehave(std::string_view place) {
     if (does("becomes_another_program")) execl("/bin/true", "true", nullptr);
     if (does("kills_itself")) raise(SIGKILL);
     if (does("stops_itself")) raise(SIGSTOP);
+    if (does("interrupts_itself")) raise(SIGINT);
     if (does("forks") && is_first() && fork() == 0) _exit(0);
     if (does("copies_itself") && is_first()) syscall(SYS_fork);
     if (does("leaves_on_a_thread")) std::thread([] { _exit(0); }).join();
@@ -213,8 +214,7 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     if (!is_time) return KERF_OK;
     misbehave("resist");
     if (is("underruns_channels")) std::memset(reinterpret_cast<char*>(law->channel) - 16, 0x5a, 16);
-    if (is("reads_a_clock"))
-        c.tau *= 1.0 + 1e-9 * static_cast<double>(clock() % 1000) + 1e-12 * static_cast<double>(sink = sink + 1);
+    if (is("counts_in_static_data")) c.eta = 1e-12 * (sink = sink + 1);
     if (is("overruns_channels")) overrun(law->channel + KERF_MAX_CHANNELS, sizeof(kerf_channel));
     if (is("overruns_note")) overrun(law->note + KERF_NOTE_BYTES, 1);
     if (is("nan_delta")) c.delta = nan_value;
@@ -423,6 +423,7 @@ kerf_status open(const kerf_host* host) {
 
 kerf_entry filled_entry() {
     misbehave("load");
+    if (is("changes_rounding_in_load")) fesetround(FE_UPWARD);
     fill_parameters();
     fill_drives();
     fill_signals_and_events();

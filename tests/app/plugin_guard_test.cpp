@@ -123,6 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
                     InARun{"overruns_signals", "`commit` of `burring` touched memory beyond `signal`"},
                     InARun{"overruns_state", "`commit` of `burring` touched memory beyond its state"},
                     InARun{"forks_in_resist", "`resist` of `burring` made a copy of the program (`fork`)"},
+                    InARun{"interrupts_itself_in_resist", "`resist` of `burring` raised SIGINT, which is the user's"},
                     InARun{"drags_in_resist", "`resist` of `burring` took over 10 ms a call for 10 s"},
                     InARun{"loops_in_resist", "`resist` of `burring` did not come back within 5 s"},
                     InARun{"sleeps_in_commit", "`commit` of `burring` did not come back within 5 s"}),
@@ -210,6 +211,7 @@ TEST(PluginGuard, NamesTheCallThatChangesTheProcess) {
 TEST(PluginGuard, RefusesAPluginThatChangesTheProcessWhenLoaded) {
     for (const auto& [how, says] :
          {std::pair<const char*, const char*>{"changes_the_folder_in_load", ": changed the working folder from "},
+          {"changes_rounding_in_load", ": changes the rounding of numbers, or other control words"},
           {"lowers_the_open_files_in_load", ": changed the limit RLIMIT_NOFILE from "},
           {"closes_stdout_in_load", ": changed the descriptor of stdout from open to closed while it was loaded"},
           {"closes_all_files_in_load", ": closed descriptors that are not its own"}}) {
@@ -355,7 +357,7 @@ TEST(PluginGuard, NamesWhatWasUnsoundInALaw) {
           {"follows_by_far", "channel 0 (id 7): `follow[1]` is 1e+09, expected a number from -1000 to 1000."},
           {"underruns_channels", "a call wrote in front of `channel`, expected no write outside of it."},
           {"underruns_state", "a call wrote in front of `state`, expected no write outside of it."},
-          {"reads_a_clock", "two calls of `resist` with the same inputs gave two laws, expected one."},
+          {"counts_in_static_data", "two calls of `resist` with the same inputs gave two laws, expected one."},
           {"fails_in_commit", "`commit` returned -1 (KERF_FAILED), expected 0 (KERF_OK)."},
           {"nan_signal", "signal `load` is nan, expected a finite number."},
           {"changes_rounding", "a call left another rounding mode, or other traps, of the floating-point unit"},
