@@ -96,9 +96,14 @@ ExitCode with_plugins(const Installation& here, const std::function<ExitCode(con
         static PluginRegistry& plugins = *new PluginRegistry;
         load(plugins, here);
         const PluginGuard guard;  // after loading, which needs a process of one thread
-        const ExitCode code = run(plugins);
-        guard.check();
-        return code;
+        try {
+            const ExitCode code = run(plugins);
+            guard.check();
+            return code;
+        } catch (...) {
+            guard.check();  // a limit that a plugin has lowered may be the reason
+            throw;
+        }
     });
 }
 
