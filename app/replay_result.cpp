@@ -9,6 +9,7 @@
 #include "session/content_hash.h"
 #include "session/first_difference.h"
 #include "session/record_checksum.h"
+#include "session/recorded_versions.h"
 #include "text/shell.h"
 
 namespace kerf::app {
@@ -16,6 +17,16 @@ namespace kerf::app {
 namespace {
 
 void report(const std::string& what) { print("  replay: " + what + "\n"); }
+
+/// Prints each part whose version, or whose file, is not the recorded one. Badges have no effect on the bits.
+void report_other_versions(const EndedReplay& replay) {
+    const auto before = session::recorded_versions(replay.recorded_file),
+               now = session::recorded_versions(replay.replayed_file);
+    for (const auto& [part, version] : before)
+        if (const auto found = now.find(part);
+            found != now.end() && found->second != version && !part.ends_with(" badge") && !part.ends_with(" file"))
+            report("it was recorded with other code: " + part + " was " + version + ", and is " + found->second);
+}
 
 /// Prints the law of a step, and how to test it. `step` −1: no step ran.
 void report_law(const EndedReplay& replay, int step) {
@@ -61,6 +72,7 @@ ExitCode compare(const EndedReplay& replay) {
         report_result("the same bits", exit_pass);
     } else {
         report_result("NOT the same bits", exit_fault);
+        report_other_versions(replay);
         report_first_difference(replay);
     }
     if (recorded.rows == session::RecordCheck::changed)

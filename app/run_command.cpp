@@ -349,6 +349,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     std::error_code no_folder;
     request.out = std::filesystem::absolute(out, no_folder).string();  // a plugin may change the working folder
     if (no_folder) request.out = out;
+    request.parts = used.parts();
     if (const std::string refusal = refusal_to_overwrite(options, out); !refusal.empty())
         return complain(refusal, exit_bad_input);
 

@@ -47,9 +47,11 @@ struct RunRequest {
     std::shared_ptr<const RunBeginning> beginning{};
     /// Name of the device that leads the tool; the rehearsal then only gives the start and the actions of its steps.
     /// Empty: the rehearsal's hand leads it.
-    std::string leader, leader_setup;             ///< the latter as in RunSummary
-    bool is_led_by_mouse = false;                 ///< the leader is a mouse
-    std::vector<RunObserver*> observers;          ///< they must outlive the run
+    std::string leader, leader_setup;     ///< the latter as in RunSummary
+    bool is_led_by_mouse = false;         ///< the leader is a mouse
+    std::vector<RunObserver*> observers;  ///< they must outlive the run
+    /// Properties of its parts for the session alone, as "example.peck badge": "never checked".
+    std::vector<std::pair<std::string, std::string>> parts{};
     const ExactStrategies* strategies = nullptr;  ///< of the procedure's instruments, started; null: no exact surface
 };
 

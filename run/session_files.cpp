@@ -87,6 +87,7 @@ session::SessionHeader header_of(const Scene& scene, const RunRequest& request, 
     header.anatomy_hash = scene.anatomy_hash;
     header.anatomy_notes = scene.import.notes;
     header.versions = summary.versions;
+    header.versions.insert(header.versions.end(), request.parts.begin(), request.parts.end());
     header.envelope.uuid = session::random_uuid();
     header.envelope.start = session::utc_now();
     header.envelope.learner = request.learner;

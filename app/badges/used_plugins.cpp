@@ -77,6 +77,17 @@ std::string UsedPlugins::lines() const {
     return lines;
 }
 
+std::vector<std::pair<std::string, std::string>> UsedPlugins::parts() const {
+    std::vector<std::pair<std::string, std::string>> parts;
+    for (const Used& used : used_) {
+        if (used.is_shipped) continue;
+        parts.emplace_back(used.id + " file", file_name(used.file));
+        parts.emplace_back(used.id + " SHA-256", used.digest);
+        if (!used.badge.empty()) parts.emplace_back(used.id + " badge", used.badge);
+    }
+    return parts;
+}
+
 void UsedPlugins::warn_of_replaced() const {
     for (const Used& used : used_)
         if (is_replaced(used))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/badges/badge_store.h"
@@ -22,6 +23,9 @@ public:
 
     /// Returns a line for each plugin that is not shipped, with its badge: "  example.peck (peck.so): never checked".
     [[nodiscard]] std::string lines() const;
+    /// Returns file, SHA-256 and badge of each plugin that is not shipped, for the session: "example.peck badge" and
+    /// "never checked".
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> parts() const;
     /// Prints a warning for each plugin whose file was replaced after it was loaded.   [main] after the last tick
     void warn_of_replaced() const;
 

@@ -107,6 +107,10 @@ TEST_F(PluginBadge, IsMissedOncePerRunWithoutAnEffect) {
     EXPECT_EQ(unchecked.exit_code, 0) << unchecked.out << unchecked.err;
     EXPECT_EQ(count_of(unchecked.err, warning()), 1) << unchecked.err;
     EXPECT_TRUE(has(unchecked.out, "  test.hostile (bad.so): never checked\n")) << unchecked.out;
+    EXPECT_EQ(value_in(session, "version.test.hostile file"), "bad.so");
+    EXPECT_EQ(value_in(session, "version.test.hostile SHA-256"), digest());
+    EXPECT_EQ(value_in(session, "version.test.hostile badge"), "never checked");
+    EXPECT_TRUE(has(contents_of(out + "/report.html"), "test.hostile badge never checked"));
     const std::string hash = value_in(session, "hash"), summary = contents_of(out + "/summary.json");
 
     pass(3);
@@ -183,6 +187,15 @@ TEST_F(PluginBadge, ComesWithTheNameOfALawThatDoesNotReplay) {
     EXPECT_TRUE(has(other.out, "  replay: the law in hand there is `burring` of `test.hostile` (" + plugin +
                                    "). Run `kerf check " + plugin + "`"))
         << other.out;
+
+    // Given another build of the plugin, its digest is named first
+    const std::string recorded = digest();
+    use("pushes");
+    const Ended rebuilt = run(replay);
+    EXPECT_TRUE(has(rebuilt.out, "  replay: NOT the same bits\n  replay: it was recorded with other code: test.hostile "
+                                 "SHA-256 was " +
+                                     recorded + ", and is " + digest() + "\n"))
+        << rebuilt.out;
 }
 
 TEST_F(PluginBadge, IsKeptByKerfCheck) {
