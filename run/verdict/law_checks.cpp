@@ -13,8 +13,8 @@ namespace {
 
 // Below these, nothing resisted. Both [assumed]; bone that is crushed takes 1 mJ/mm³ and more, and a cutter that runs
 // at 100 m/s and takes 10 mJ/mm³ is resisted with 1e-4 N·s/mm³.
-constexpr double least_impulse = 1e-6 / 1e-9;  // [N·s/m³]
-constexpr double least_work = 1e-4 / 1e-9;     // [J/m³] of a tool without a drive
+constexpr double min_impulse = 1e-6 / 1e-9;  // [N·s/m³]
+constexpr double min_work = 1e-4 / 1e-9;     // [J/m³] of a tool without a drive
 
 session::MetricRow row(std::string id, double value, std::string unit, double per_unit, bool is_ok, std::string help) {
     session::MetricRow row;
@@ -37,12 +37,12 @@ std::optional<std::string> LawChecks::follow(double removed, const LawLedger& le
     const double volume = removed - before_.removed, impulse = ledger.impulse() - before_.impulse,
                  work = ledger.work() - before_.work;
     const bool is_second = before_.removed < last_.removed;
-    const bool is_odd = is_second && (impulse < least_impulse * volume || (!is_driven && work < least_work * volume));
+    const bool is_odd = is_second && (impulse < min_impulse * volume || (!is_driven && work < min_work * volume));
     before_ = std::exchange(last_, {removed, ledger.impulse(), ledger.work()});
     if (!is_odd) return std::nullopt;
     of_tool_ += removed - before_.removed;
     largest_ = std::max(largest_, of_tool_);
-    if (of_tool_ < most || of_tool_ < largest_share * (removed - start_) || std::exchange(is_reported_, true))
+    if (of_tool_ < max_volume || of_tool_ < max_fraction * (removed - start_) || std::exchange(is_reported_, true))
         return std::nullopt;
     was_reported_ = true;
     return law + ": it removed " + text::quantity_text(std::round(1e10 * of_tool_) * 1e-10, "mm3") +

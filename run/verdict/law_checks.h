@@ -18,7 +18,7 @@ public:
 
     /// Compares the bone removed so far [m³] with what the laws resisted so far. Bone went without force if a tool has
     /// removed `interval` twice in succession and its law resisted neither. Returns the detail of the event `forceless`
-    /// once this is more than `most` and a share `largest_share` of what the tool has removed; once a tool.
+    /// once this is more than `max_volume` and `max_fraction` of what the tool has removed; once a tool.
     /// @param is_driven  a drive turns the tool: its motor does the work, so only the absence of any force is odd
     /// @param law        its name, with its plugin's
     [[nodiscard]] std::optional<std::string> follow(double removed, const LawLedger& ledger, bool is_driven,
@@ -41,7 +41,7 @@ private:
         double work = 0.0;     ///< [J]
     };
     // A running saw that is drawn out of its kerf shaves up to 3 mm³ off the walls.
-    static constexpr double interval = 1e-9, most = 5e-9, largest_share = 0.05;  // [m³], [m³], [–] [assumed]
+    static constexpr double interval = 1e-9, max_volume = 5e-9, max_fraction = 0.05;  // [m³], [m³], [–] [assumed]
 
     Passed last_, before_;                             ///< the last comparison, and the one before
     double start_ = 0.0;                               ///< [m³] removed before the tool
