@@ -11,6 +11,12 @@ file(REMOVE_RECURSE "${alone}")
 file(COPY "${PLUGIN}" DESTINATION "${alone}")
 set(ENV{KERF_PLUGIN_PATH} "${alone}")
 
+# A copy of a plugin of Kerf's own is in another folder than Kerf's.
+execute_process(COMMAND ${PROGRAM} list OUTPUT_QUIET ERROR_VARIABLE complaint)
+if(complaint MATCHES "`KERF_PLUGIN_ALLOW=(kerf[a-z0-9._]+)`")
+  set(ENV{KERF_PLUGIN_ALLOW} "${CMAKE_MATCH_1}")
+endif()
+
 function(ask out)
   execute_process(COMMAND ${PROGRAM} ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE complaint)
   string(REPLACE "${alone}/${file} (used)" "" refusal "${complaint}")   # its twin is in the way, not it

@@ -352,9 +352,9 @@ TEST(PluginGuard, NamesWhatWasUnsoundInALaw) {
     for (const auto& [how, says] :
          {std::pair<const char*, const char*>{"nan_delta",
                                               "channel 0 (id 7): `delta` is nan, expected a finite number."},
-          {"nan_wrench", "`wrench[3]` is nan, expected a number from -1000 to 1000."},
-          {"pushes", "`wrench[0]` is 1e+06, expected a number from -1000 to 1000."},
-          {"follows_by_far", "channel 0 (id 7): `follow[1]` is 1e+09, expected a number from -1000 to 1000."},
+          {"nan_wrench", "`wrench[3]` is nan, expected a number from -1e+05 to 1e+05."},
+          {"pushes", "`wrench[0]` is 1e+06, expected a number from -1e+05 to 1e+05."},
+          {"follows_by_far", "channel 0 (id 7): `follow[1]` is 1e+09, expected a number from -1e+06 to 1e+06."},
           {"underruns_channels", "a call wrote in front of `channel`, expected no write outside of it."},
           {"underruns_state", "a call wrote in front of `state`, expected no write outside of it."},
           {"counts_in_static_data", "two calls of `resist` with the same inputs gave two laws, expected one."},

@@ -13,7 +13,7 @@ cd -- "${1:-$(dirname -- "${BASH_SOURCE[0]}")/../..}"
 
 # Sources that may: the start of the programs; the window, whose program has started so; the watch, which passes calls on;
 # the checks of what plugins do with the locale.
-allowed='app/program.cpp app/window/window_text.cpp core/haptics/watch/watch.cpp conformance/process_state.cpp
+allowed='app/program.cpp app/window/window_text.cpp core/haptics/watch/watch.cpp core/plugin/process_state.cpp
     conformance/zoo/animal.cpp conformance/zoo/device_animal.cpp text/plain_numbers.h'
 mapfile -t sources < <(find app bone conformance core devices documents plugins run session studies text \
     \( -name '*.cpp' -o -name '*.h' -o -name '*.hpp' \) | sort)

@@ -52,12 +52,12 @@ ChannelFault fault_of(const kerf_channel& c) noexcept {
                                             "follow[3]", "follow[4]", "follow[5]"};
     if (c.kind > KERF_HOLD)
         return {"kind", "0 (cut), 1 (contact), 2 (friction) or 3 (hold)", static_cast<double>(c.kind)};
-    constexpr double max_follow = 1000.0;  // [–] or [m]: far beyond any cutter
+    constexpr double max_follow = 1e6;  // [–] or [m]: far beyond any cutter, of which a channel may take a small part
     double size = 0.0;
     for (int i = 0; i < 6; ++i) {
         if (!std::isfinite(c.d[i])) return {d_names[i], finite, c.d[i]};
         if (!(std::abs(c.follow[i]) <= max_follow))
-            return {follow_names[i], "a number from -1000 to 1000", c.follow[i]};
+            return {follow_names[i], "a number from -1e+06 to 1e+06", c.follow[i]};
         size += c.d[i] * c.d[i];
     }
     if (!(size > 0.0)) return {"d", "a direction, which is not zero", size};

@@ -15,7 +15,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double max_wrench = 1000.0;  // [N] or [N·m]: far beyond any tool that is held in hands
+constexpr double max_wrench = 1e5;  // [N] or [N·m]: far beyond any tool that is held in hands
 
 /// Returns the first fault in the plugin's answer, or `What::none`.
 LawFault fault_of(const kerf_component& force, kerf_status status, const kerf_law& law,
@@ -41,7 +41,7 @@ LawFault fault_of(const kerf_component& force, kerf_status status, const kerf_la
 }
 
 /// Returns whether a second call of `resist` gives the same channels and wrench, to the bit. Not the note: it may have
-/// bytes that nobody set.
+/// bytes that no one set.
 bool gives_again(const kerf_component& force, const kerf_tick_in& in, LawMemory& memory,
                  const EvaluatedLaw& first) noexcept {
     kerf_law& law = memory.new_law();

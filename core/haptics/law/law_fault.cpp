@@ -41,7 +41,7 @@ std::string text_of(const LawFault& fault) {
             return law + "channel " + index + " (id " + std::to_string(fault.id) + "): `" + fault.field + "`" + is +
                    fault.expected + ".";
         case LawFault::What::wrench:
-            return law + "`wrench[" + index + "]`" + is + "a number from -1000 to 1000.";
+            return law + "`wrench[" + index + "]`" + is + "a number from -1e+05 to 1e+05.";
         case LawFault::What::signal:
             return law + "signal " + quoted_plain(fault.law->force->signals[fault.index].id) + is + "a finite number.";
         case LawFault::What::underrun:

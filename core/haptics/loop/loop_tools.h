@@ -57,8 +57,8 @@ public:
     void take(std::size_t tool) noexcept;
     /// Starts the law of the tool in hand: default drives, zero signals, a new state.   [main] between ticks
     void begin(const kerf_bone_query& bone, double dt, std::uint64_t tick) noexcept;
-    /// Sets a drive, clamped to its range. Ignores NaN and drives that the tool does not have. Returns whether the drive
-    /// has changed.   [haptic, nonblocking]
+    /// Sets a drive, clamped to its range. Ignores NaN and drives that the tool does not have. Returns whether the
+    /// drive has changed.   [haptic, nonblocking]
     bool command_drive(std::size_t drive, double value) noexcept;
 
     /// Returns whether any drive of the tool in hand is commanded to run.   [haptic, nonblocking]

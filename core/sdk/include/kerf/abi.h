@@ -271,7 +271,7 @@ typedef struct kerf_channel {
     uint32_t kind;
     uint32_t id;      /* constant over ticks for one resistance: the host filters λ for `follow` by id */
     double d[6];      /* linear [-], angular [m] */
-    double follow[6]; /* force [N/N], torque [N·m/N]; each from -1000 to 1000 */
+    double follow[6]; /* force [N/N], torque [N·m/N]; each from -1e6 to 1e6 */
     double tau;       /* [N] */
     double w;         /* [m/s] ≥ 1e-6 */
     double eta;       /* [N·s/m] ≥ 0 */
@@ -286,7 +286,7 @@ typedef struct kerf_law {
     uint32_t count; /* out, ≤ KERF_MAX_CHANNELS */
     kerf_channel* channel;
     double wrench[6]; /* out: wrench on the tool that is not a resistance, such as a motor's reaction; about its tip,
-                         tool frame [N, N·m], each from -1000 to 1000. The host scales the sum of this and all
+                         tool frame [N, N·m], each from -1e5 to 1e5. The host scales the sum of this and all
                          `follow` loads down to half of the coupling's limits if it is larger */
     unsigned char note[KERF_NOTE_BYTES]; /* out: values for `commit`, so that it need not query the bone again. The host
                                             copies the bytes of the evaluation that it solved */
