@@ -384,10 +384,10 @@ TEST(PluginGuard, MakesTheVerdictOfAnOddLawInvalid) {
         const char *how, *event, *says;
     };
     for (const auto& [how, event, says] :
-         {Odd{"ratchets", "haptics.law_made_energy", "`burring` of test.hostile: within a second it gave the tool "},
+         {Odd{"ratchets", "haptics.law_made_energy", ": within a second it gave the tool "},
           {"flips_its_stiffness", "haptics.law_made_energy", " mJ that it had never taken; its work in all was "},
-          {"pushes_along", "haptics.law_made_energy", "`burring` of test.hostile: within a second it gave the tool "},
-          {"cuts_without_force", "bone.went_without_force", "`burring` of test.hostile: it removed "}}) {
+          {"pushes_along", "haptics.law_made_energy", ": within a second it gave the tool "},
+          {"cuts_without_force", "bone.went_without_force", ": it removed "}}) {
         const Zoo zoo(how);
         const Ended run = zoo.run();
         EXPECT_EQ(run.exit_code, 1) << how << run.out << run.err;

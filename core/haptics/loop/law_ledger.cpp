@@ -13,7 +13,7 @@ namespace kerf {
 namespace {
 
 constexpr double second = 1.0;     // [s]
-constexpr double max_made = 0.33;  // [–] of the work through the law [assumed]
+constexpr double max_made = 0.4;   // [–] of the work through the law [assumed]
 constexpr double max_swung = 0.5;  // [–] of the work of a wrench that no bone carries [assumed]
 
 /// Returns the part of a push that the bone's forces, of this sum, cannot carry.
