@@ -267,8 +267,26 @@ std::string open_window(const RunOptions& options, const documents::Procedure& p
     return with.display->open(procedure.translations.of(procedure.title, language_for(options.language)));
 }
 
+/// Returns the request of the options alone.
+run::RunRequest requested_by(const RunOptions& options, const std::string& rehearsal) {
+    run::RunRequest request;
+    request.learner = options.learner;
+    request.mode = options.mode;
+    request.assist = documents::assist_of(options.assist);
+    request.rehearsal = rehearsal;
+    return request;
+}
+
+/// Returns a path that stays the same where a plugin changes the working folder.
+std::string absolute_path(const std::string& path) {
+    std::error_code no_folder;
+    std::string whole = std::filesystem::absolute(path, no_folder).string();
+    return no_folder ? path : whole;
+}
+
 /// Prints the result of a run. Returns how the program ends, without a comparison of a replay.
 ExitCode print_outcome(const run::RunOutcome& outcome, const std::string& folder, const UsedPlugins& used) {
+    used.warn_of_replaced();
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print_summary(outcome.summary);
     print(used.lines());
@@ -293,7 +311,6 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         with_findings(std::nullopt, diagnostics);
         return exit_bad_input;
     }
-
     if (const std::string refusal = refusal_of(options, documents->procedure); !refusal.empty())
         return complain(refusal, exit_bad_input);
     // Checked before the bone is made, which may take minutes.
@@ -333,26 +350,18 @@ ExitCode run(const RunOptions& options, const Environment& with) {
         return complain("ended before anything was cut; nothing is written", exit_fault);
     if (const std::string refusal = earlier.refusal_of(*scene, options); !refusal.empty())
         return complain(refusal, exit_bad_input);
-
-    run::RunRequest request;
+    run::RunRequest request = requested_by(options, rehearsal);
     request.beginning = earlier.beginning;
     ShownRun shown_run(interruption);
     request.observers = {&shown_run};
     request.strategies = &strategies;
-    request.learner = options.learner;
-    request.mode = options.mode;
-    request.assist = documents::assist_of(options.assist);
-    request.rehearsal = rehearsal;
     if (recorded)
         if (const std::string error = repeat(*recorded, options.replay, request); !error.empty())
             return complain(error, exit_bad_input);
-    std::error_code no_folder;
-    request.out = std::filesystem::absolute(out, no_folder).string();  // a plugin may change the working folder
-    if (no_folder) request.out = out;
+    request.out = absolute_path(out);
     request.parts = used.parts();
     if (const std::string refusal = refusal_to_overwrite(options, out); !refusal.empty())
         return complain(refusal, exit_bad_input);
-
     if (of_run.own.opened != nullptr) fit_to_workspace(*scene, rehearsal, of_run.own);
     run::MouseBox mouse;
     const auto run = [&](const run::RunRequest& requested) {
@@ -367,7 +376,6 @@ ExitCode run(const RunOptions& options, const Environment& with) {
                                          is_by_mouse(options) ? &mouse : nullptr, interruption, *with.display, run)
                              : run(request);
     shown_run.end_work();
-    used.warn_of_replaced();
     const ExitCode code = print_outcome(outcome, out, used);
     if (!recorded || !outcome.error.empty() || outcome.was_interrupted) return code;
     const std::string session = out + "/session.db";
