@@ -166,16 +166,6 @@ void is_as_large_as_a_tool(Examination& exam) {
     exam.note(number(1e3 * length) + " mm long, " + number(2e3 * radius) + " mm wide");
 }
 
-void is_gripped_behind_its_tip(Examination& exam) {
-    ToolOutline outline;
-    std::string error;
-    if (!outline_of(exam.subject->setup(), outline, error)) return exam.skip(error);
-    const double grip = outline.handling.grip_z, tip = outline.profile.front().z;
-    if (!(grip < tip && grip > -1.0))
-        exam.fail("By default `grip_z` is " + number(1e3 * grip) + " mm, expected a point behind the tip at " +
-                  number(1e3 * tip) + " mm and within 1 m: there the hand holds the tool.");
-}
-
 void weighs_as_a_tool(Examination& exam) {
     ToolOutline outline;
     std::string error;
@@ -206,7 +196,6 @@ constexpr Test tests[] = {
     {"shape.parameters", 2, Scope::tool, "It reads its own parameters alone and writes none.",
      &reads_only_its_parameters, "shape.default"},
     {"shape.size", 2, Scope::tool, "It is as large as a tool.", &is_as_large_as_a_tool, "shape.default"},
-    {"shape.grip", 2, Scope::tool, "The hand holds it behind its tip.", &is_gripped_behind_its_tip, "shape.default"},
     {"shape.mass", 2, Scope::tool, "It weighs as much as a tool.", &weighs_as_a_tool, "shape.default"},
 };
 

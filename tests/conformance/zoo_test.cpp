@@ -87,7 +87,7 @@ const std::vector<Animal>& zoo() {
         {"ignores_the_capacity", "shape.capacity", "`profile_capacity`"},
         {"reads_beyond_its_parameters", "shape.parameters", "beyond the end of `params`"},
         {"thinks_in_kilometres", "shape.size", "mm long"},
-        {"is_gripped_in_front", "shape.grip", "`grip_z` is 90 mm"},
+        {"is_gripped_in_front", "shape.default", "`grip_z` is 90 mm"},
         {"weighs_too_much", "shape.mass", "12 kg"},
         {"plugin_that_crashes_in_begin", "law.answers", "in `begin` of `burring`"},
         {"plugin_that_crashes_in_resist", "law.answers", "in `resist` of `burring`"},
