@@ -57,4 +57,13 @@ private:
 /// Rotates force and torque.
 [[nodiscard]] Vec6 rotated(Quat by, const Vec6& wrench);
 
+/// Returns the settings of a walk through bone without end.
+[[nodiscard]] inline WalkSettings solid_bone() {
+    WalkSettings settings;
+    settings.bone.shape = PlaneBone::Shape::endless;
+    return settings;
+}
+
+inline constexpr double probe_speed = 0.5e-3;  ///< [m/s] slow enough for any motor
+
 }  // namespace kerf::conformance

@@ -12,23 +12,15 @@ namespace kerf::conformance {
 
 namespace {
 
-constexpr double speed = 0.5e-3;  // [m/s] slow enough for any motor
-
-WalkSettings solid() {
-    WalkSettings settings;
-    settings.bone.shape = PlaneBone::Shape::endless;
-    return settings;
-}
-
 std::string moved(Vec3 direction) { return "Running in solid bone and moved along " + name_of_direction(direction); }
 
 void opposes_each_motion(Examination& exam) {
-    LawProbe probe(*exam.subject, solid());
+    LawProbe probe(*exam.subject, solid_bone());
     if (!probe.refusal().empty()) return exam.skip(probe.refusal());
     double largest = 0.0, helps = 0.0;
     Vec3 force{}, along{};
     for (const Vec3 v : all_directions()) {
-        const Vec3 f = probe.move(at_depth(0), make_vec6(speed * v, {})).force();
+        const Vec3 f = probe.move(at_depth(0), make_vec6(probe_speed * v, {})).force();
         largest = std::max(largest, length(f));
         if (dot(f, v) > helps) helps = dot(f, v), force = f, along = v;
     }
@@ -39,14 +31,14 @@ void opposes_each_motion(Examination& exam) {
 
 void cuts_alike_on_both_sides(Examination& exam) {
     if (exam.subject->tool->tool->feed == KERF_FEED_SIDE) return exam.skip("the tool is fed to one side");
-    LawProbe probe(*exam.subject, solid());
+    LawProbe probe(*exam.subject, solid_bone());
     if (!probe.refusal().empty()) return exam.skip(probe.refusal());
     constexpr double tolerance = 0.2;  // [–] whirl, and points that are spread unevenly
     const Quat half_turn{0, 0, 0, 1};
-    double largest = length(probe.move(at_depth(0), probe.feed(speed)).force());
+    double largest = length(probe.move(at_depth(0), probe.feed(probe_speed)).force());
     for (const Vec3 v : {Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
-        const Vec3 one = probe.move(at_depth(0), make_vec6(speed * v, {})).force(),
-                   other = probe.move(at_depth(0), make_vec6(-speed * v, {})).force();
+        const Vec3 one = probe.move(at_depth(0), make_vec6(probe_speed * v, {})).force(),
+                   other = probe.move(at_depth(0), make_vec6(-probe_speed * v, {})).force();
         const double size = std::max(length(one), length(other));
         largest = std::max(largest, size);
         if (length(one - rotate(half_turn, other)) > tolerance * size + 0.01 * largest)
@@ -67,7 +59,7 @@ void pays_for_its_spin(Examination& exam) {
     const kerf_tool& tool = *exam.subject->tool->tool;
     if (tool.drive_count == 0 && tool.feed != KERF_FEED_TURN) return exam.skip("the tool has no drive");
     const auto try_drives = [&](double fraction) {
-        WalkSettings settings = solid();
+        WalkSettings settings = solid_bone();
         settings.drives = drives_at(*exam.subject->tool, fraction);
         LawProbe probe(*exam.subject, settings);
         if (!probe.refusal().empty()) return exam.skip(probe.refusal());
@@ -77,18 +69,19 @@ void pays_for_its_spin(Examination& exam) {
             const double torque = fraction * r.wrench[5], max_torque = reach * r.loaded;  // [N·m]
             if (torque > 0.03 * max_torque)
                 exam.fail(std::string("With its drives ") + (fraction > 0.0 ? "forwards" : "in reverse") +
-                          " and moved along " + name_of_direction((1.0 / speed) * linear(rate)) +
+                          " and moved along " + name_of_direction((1.0 / probe_speed) * linear(rate)) +
                           ", bone turns it onwards with " + number(1e3 * torque) +
                           " N mm about its shaft, expected none: bone brakes what turns in it. A tool whose drive is "
                           "positive turns about +z.");
             else if (-torque > 4.0 * max_torque)
-                exam.fail("Moved along " + name_of_direction((1.0 / speed) * linear(rate)) + ", bone brakes it with " +
-                          number(-1e3 * torque) + " N mm about its shaft, but all its forces, " + number(r.loaded) +
-                          " N, act within " + number(1e3 * reach) + " mm of the shaft.");
+                exam.fail("Moved along " + name_of_direction((1.0 / probe_speed) * linear(rate)) +
+                          ", bone brakes it with " + number(-1e3 * torque) +
+                          " N mm about its shaft, but all its forces, " + number(r.loaded) + " N, act within " +
+                          number(1e3 * reach) + " mm of the shaft.");
         };
-        if (tool.drive_count == 0) return check(probe.feed(speed));
+        if (tool.drive_count == 0) return check(probe.feed(probe_speed));
         for (const Vec3 v : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}})
-            check(make_vec6(speed * v, {}));
+            check(make_vec6(probe_speed * v, {}));
     };
     try_drives(1.0);
     for (std::uint32_t i = 0; i < tool.drive_count; ++i)
@@ -130,7 +123,7 @@ void acts_where_bone_is(Examination& exam) {
                 const kerf_channel& c = probe.law().channels()[i];
                 double lambda = 0.0;
                 for (const Vec3 v : directions) {
-                    const double s = dot(direction(c), make_vec6(speed * v, {}));
+                    const double s = dot(direction(c), make_vec6(probe_speed * v, {}));
                     lambda = std::max(lambda, std::abs(channel_force(c, s, probe.law().dt()).lambda));
                 }
                 if (is_first) largest = std::max(largest, lambda);

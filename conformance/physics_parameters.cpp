@@ -16,14 +16,6 @@ namespace kerf::conformance {
 
 namespace {
 
-constexpr double speed = 0.5e-3;  // [m/s] slow enough for any motor
-
-WalkSettings solid() {
-    WalkSettings settings;
-    settings.bone.shape = PlaneBone::Shape::endless;
-    return settings;
-}
-
 double against(const Response& response, const Vec6& rate) {
     return -dot(response.force(), (1.0 / length(linear(rate))) * linear(rate));
 }
@@ -44,7 +36,7 @@ public:
     [[nodiscard]] const kerf_param& row() const { return component().params[index_]; }
     /// Returns whether the tool can be made with it.
     bool at(double value, Sizes& sizes) const {
-        WalkSettings settings = solid();
+        WalkSettings settings = solid_bone();
         std::vector<double> values;
         for (std::uint32_t i = 0; i < component().param_count; ++i) values.push_back(component().params[i].def);
         values[index_] = value;
@@ -55,8 +47,8 @@ public:
             const Response r = running.move(at_depth(0), rate, 2);  // a motor stalls later
             return subject_.tool->tool->drive_count > 0 && r.cut_ticks < r.ticks ? -1.0 : length(r.force());
         };
-        sizes[0] = size(running.feed(speed));
-        sizes[1] = size({speed, 0, 0, 0, 0, 0});
+        sizes[0] = size(running.feed(probe_speed));
+        sizes[1] = size({probe_speed, 0, 0, 0, 0, 0});
         settings.bone.shape = PlaneBone::Shape::plate;
         settings.drives = drives_at_rest(*subject_.tool);
         LawProbe resting(subject_, settings);
@@ -208,10 +200,10 @@ void knows_its_drives(Examination& exam) {
     const double slow = std::max(0.5, 1.1 * lowest);
     if (slow > 0.9) return exam.skip("the tool cuts near its default drive alone");
     const auto response = [&](double fraction) {
-        WalkSettings settings = solid();
+        WalkSettings settings = solid_bone();
         settings.drives = drives_at(*exam.subject->tool, fraction);
         LawProbe probe(*exam.subject, settings);
-        return std::pair{probe.move(at_depth(0), probe.feed(speed)), probe.feed(speed)};
+        return std::pair{probe.move(at_depth(0), probe.feed(probe_speed)), probe.feed(probe_speed)};
     };
     const auto [full, rate] = response(1.0);
     const Response half = response(slow).first;
@@ -233,7 +225,7 @@ void knows_its_drives(Examination& exam) {
 
 void resists_all_feeds(Examination& exam) {
     constexpr double rates[] = {0.1e-3, 0.3e-3, 1e-3, 2e-3, 4e-3, 7e-3, 10e-3, 15e-3, 20e-3, 40e-3};  // [m/s]
-    LawProbe probe(*exam.subject, solid());
+    LawProbe probe(*exam.subject, solid_bone());
     if (!probe.refusal().empty()) return exam.skip(probe.refusal());
     std::vector<Vec6> motions{probe.feed(1.0)};
     if (exam.subject->tool->tool->feed == KERF_FEED_AXIS && !probe.is_threaded())
