@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include "conformance/kit_version.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 #include "text/file_digest.h"
@@ -93,8 +94,9 @@ rehearsals:
     void pass(int level) const {
         fs::create_directories(badges);
         std::ofstream(badge_file()) << R"({"schema": 1, "digest": ")" << digest()
-                                    << R"(", "plugin": "test.hostile 1.0.0", "kit": 1, "requested": )" << level
-                                    << R"(, "level": )" << level << R"(, "tests": 60, "failed": 0, "excluded": 0})";
+                                    << R"(", "plugin": "test.hostile 1.0.0", "kit": )" << conformance::kit_version
+                                    << R"(, "requested": )" << level << R"(, "level": )" << level
+                                    << R"(, "tests": 60, "failed": 0, "excluded": 0})";
     }
     [[nodiscard]] std::string warning() const {
         return "kerf: `test.hostile` (bad.so) never passed `kerf check` at level 3 on this machine. Run `kerf check " +
