@@ -362,6 +362,10 @@ std::string fault_of_law(const kerf_force* force, std::string_view plugin_id) {
         !fault.empty())
         return fault;
     if (std::string fault = fault_of_needs(*force); !fault.empty()) return fault;
+    if (force->does_not > KERF_DOES_NOT_ALL)
+        return got("force.does_not", std::to_string(force->does_not),
+                   "a sum of KERF_DOES_NOT_…, 0 to " + std::to_string(KERF_DOES_NOT_ALL),
+                   "Write what the law leaves out.");
     return fault_of_event_names(*force, plugin_id);
 }
 

@@ -63,6 +63,7 @@ struct ComponentInfo {
     std::vector<NeedInfo> needs;          ///< forces only: requirements on any tool; then `tools` is empty
     std::vector<std::string> strategies;  ///< tools only: remeshing strategies by full id, best first
     uint32_t feed = KERF_FEED_AXIS;       ///< tools only: KERF_FEED_…
+    std::vector<std::string> does_not;    ///< forces only: what it leaves out: "resist sideways"
     uint32_t scope = 0;                   ///< strategies only: KERF_REMESH_PATCH or KERF_REMESH_WHOLE
     std::string kernel;                   ///< strategies only: library, version and flags on which its results depend
     std::string module;                   ///< path of its shared library; empty for the core's own components

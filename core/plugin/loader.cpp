@@ -156,6 +156,15 @@ std::vector<PluginLoad> load_plugins(const std::vector<std::string>& paths) {
 
 PluginLoad load_plugin(const std::string& path) { return load_plugins({path}).front(); }
 
+std::vector<std::string> words_of_does_not(std::uint32_t bits) {
+    std::vector<std::string> words;
+    if ((bits & KERF_DOES_NOT_RESIST_SIDEWAYS) != 0) words.emplace_back("resist sideways");
+    if ((bits & KERF_DOES_NOT_RESIST_BACKWARDS) != 0) words.emplace_back("resist backwards");
+    if ((bits & KERF_DOES_NOT_BRAKE_TURNING) != 0) words.emplace_back("brake turning");
+    if ((bits & KERF_DOES_NOT_REST_ON_BONE) != 0) words.emplace_back("rest on bone");
+    return words;
+}
+
 ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
     ComponentInfo info;
     info.plugin = plugin_id;
@@ -195,6 +204,7 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
             const kerf_need& n = c.force->needs[i];
             info.needs.push_back({n.id, n.help, n.dimension, n.kind});
         }
+        info.does_not = words_of_does_not(c.force->does_not);
     }
     return info;
 }

@@ -100,6 +100,9 @@ private:
     std::vector<PluginRefusal> refused_;  ///< one for each text in refusals_
 };
 
+/// Returns what the bits of `kerf_force::does_not` name, as verbs: "resist sideways".   [any]
+[[nodiscard]] std::vector<std::string> words_of_does_not(std::uint32_t bits);
+
 /// Returns the self-description of a component as plain values.   [any]
 [[nodiscard]] ComponentInfo describe(const std::string& plugin_id, const kerf_component& component);
 

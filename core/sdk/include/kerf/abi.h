@@ -355,6 +355,16 @@ typedef struct kerf_need {
     uint32_t kind; /* KERF_NEED_… */
 } kerf_need;
 
+/* What a law leaves out on purpose, as bits of `does_not`. `kerf check` then skips the tests of that; `kerf describe` and
+ * the plugin's badge show it. */
+enum {
+    KERF_DOES_NOT_RESIST_SIDEWAYS = 1,  /* no force across its feed */
+    KERF_DOES_NOT_RESIST_BACKWARDS = 2, /* no force when it is withdrawn */
+    KERF_DOES_NOT_BRAKE_TURNING = 4,    /* no torque about the shaft */
+    KERF_DOES_NOT_REST_ON_BONE = 8,     /* no contact of a tool at rest */
+    KERF_DOES_NOT_ALL = 15
+};
+
 /* A law takes the tools of its own plugin that `tools` lists; without `tools`, any tool that has all of `needs`. */
 typedef struct kerf_force {
     uint32_t size;
@@ -373,6 +383,7 @@ typedef struct kerf_force {
     uint32_t max_channels;
     uint32_t max_points; /* of all its queries together */
     uint32_t max_queries;
+    uint32_t does_not; /* KERF_DOES_NOT_…, or 0 */
     /* Writes the initial state of the law. The parameters and the resolution of the bone stay the same until the host
        calls `begin` again: compute values that depend on them alone here. [haptic, nonblocking] */
     void (*begin)(const kerf_tick_in* in, void* state);

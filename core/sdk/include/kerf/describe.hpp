@@ -116,6 +116,10 @@ struct Work {
     std::uint32_t points = 0;   ///< of all its queries together
     std::uint32_t queries = 0;  ///< of the bone
 };
+/// What a law leaves out on purpose.
+struct DoesNot {
+    std::uint32_t bits = 0;  ///< KERF_DOES_NOT_…
+};
 /// Remeshing strategies that suit the cut of a tool.
 struct Strategies {
     static constexpr std::size_t max_count = 8;
@@ -185,6 +189,9 @@ template <class T>
 [[nodiscard]] constexpr Budget budget_us(std::uint32_t microseconds) noexcept { return {1000 * microseconds}; }
 /// States the maximum work of one evaluation of a law. `kerf check` prints the numbers to write.
 [[nodiscard]] constexpr Work work(Work max_work) noexcept { return max_work; }
+/// States what a law leaves out on purpose: the sum of KERF_DOES_NOT_…. `kerf check` skips the tests of that, and the
+/// plugin's badge shows it.
+[[nodiscard]] constexpr DoesNot does_not(std::uint32_t bits) noexcept { return {bits}; }
 /// States the remeshing strategies that suit the cut of a tool, by full id: best first, the one of highest accuracy
 /// last. The host tries the next one where a strategy is not installed or declines a cut.
 template <class... Id>

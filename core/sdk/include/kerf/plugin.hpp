@@ -122,6 +122,7 @@ struct ComponentTable<Law> {
                                       .max_channels = max_work.channels,
                                       .max_points = max_work.points,
                                       .max_queries = max_work.queries,
+                                      .does_not = find_item<Law>(DoesNot{}).bits,
                                       .begin = &L::begin,
                                       .resist = &L::resist,
                                       .commit = &L::commit};
