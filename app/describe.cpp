@@ -77,6 +77,7 @@ std::string about(const ComponentInfo& component) {
                 (component.kernel.empty() ? "" : "; results depend on " + component.kernel) + "\n";
     if (component.feed == KERF_FEED_SIDE) text += "  fed across its axis, towards its x\n";
     if (component.feed == KERF_FEED_TURN) text += "  fed by turning\n";
+    if (!component.does_not.empty()) text += "  does not " + documents::listed(component.does_not) + "\n";
     if (!component.strategies.empty())
         text += "  strategies that suit it: " + documents::listed(component.strategies) + "\n";
     text += about_values("parameters, with default and range", component.parameters);

@@ -19,6 +19,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int schema = 1, max_level = 5, max_count = 1'000'000;
 constexpr std::size_t max_name = 200;  ///< characters of id and version
+constexpr char plain[] = "abcdefghijklmnopqrstuvwxyz0123456789_ ,()";
+constexpr std::size_t max_does_not = 1000;  ///< characters of what its laws leave out
 
 struct Number {
     const char* key;
@@ -55,6 +57,7 @@ std::string text_of(const Badge& badge) {
     Json document{
         {"schema", schema}, {"notice", session::notice_line}, {"digest", badge.digest}, {"plugin", badge.plugin}};
     for (const Number& number : numbers) document[number.key] = badge.*number.member;
+    if (!badge.does_not.empty()) document["does_not"] = badge.does_not.substr(0, max_does_not);
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -81,6 +84,12 @@ std::optional<Badge> read_badge(std::string_view text, const std::string& digest
         if (!value) return refuse("its `" + std::string(number.key) + "` is out of range");
         badge.*number.member = *value;
     }
+    if (document.contains("does_not")) {
+        const auto left_out = text_in(document, "does_not");
+        if (!left_out || left_out->size() > max_does_not || left_out->find_first_not_of(plain) != std::string::npos)
+            return refuse("its `does_not` is no text of its laws");
+        badge.does_not = *left_out;
+    }
     if (badge.level > badge.requested || badge.failed + badge.excluded > badge.tests ||
         (badge.failed > 0 && badge.level == badge.requested))
         return refuse("its numbers contradict each other");
@@ -98,6 +107,7 @@ std::string words_of(const Badge& badge) {
         words +=
             (badge.excluded > 0 ? std::to_string(badge.tests - badge.excluded) : std::string("all")) + " of " + all;
     if (badge.excluded > 0) words += ", " + std::to_string(badge.excluded) + " excluded";
+    if (!badge.does_not.empty()) words += "; does not " + badge.does_not;
     return words;
 }
 
