@@ -159,7 +159,7 @@ PluginLoad load_plugin(const std::string& path) { return load_plugins({path}).fr
 std::vector<std::string> words_of_does_not(std::uint32_t bits) {
     std::vector<std::string> words;
     if ((bits & KERF_DOES_NOT_RESIST_SIDEWAYS) != 0) words.emplace_back("resist sideways");
-    if ((bits & KERF_DOES_NOT_RESIST_BACKWARDS) != 0) words.emplace_back("resist backwards");
+    if ((bits & KERF_DOES_NOT_DEPEND_ON_DENSITY) != 0) words.emplace_back("depend on density");
     if ((bits & KERF_DOES_NOT_BRAKE_TURNING) != 0) words.emplace_back("brake turning");
     if ((bits & KERF_DOES_NOT_REST_ON_BONE) != 0) words.emplace_back("rest on bone");
     return words;

@@ -358,10 +358,10 @@ typedef struct kerf_need {
 /* What a law leaves out on purpose, as bits of `does_not`. `kerf check` then skips the tests of that; `kerf describe` and
  * the plugin's badge show it. */
 enum {
-    KERF_DOES_NOT_RESIST_SIDEWAYS = 1,  /* no force across its feed */
-    KERF_DOES_NOT_RESIST_BACKWARDS = 2, /* no force when it is withdrawn */
-    KERF_DOES_NOT_BRAKE_TURNING = 4,    /* no torque about the shaft */
-    KERF_DOES_NOT_REST_ON_BONE = 8,     /* no contact of a tool at rest */
+    KERF_DOES_NOT_RESIST_SIDEWAYS = 1,   /* no force across its feed */
+    KERF_DOES_NOT_DEPEND_ON_DENSITY = 2, /* the same force in soft and dense bone */
+    KERF_DOES_NOT_BRAKE_TURNING = 4,     /* no torque about the shaft */
+    KERF_DOES_NOT_REST_ON_BONE = 8,      /* no contact of a tool at rest */
     KERF_DOES_NOT_ALL = 15
 };
 
