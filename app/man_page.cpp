@@ -128,6 +128,8 @@ std::string man_page() {
            ".TP\n.B KERF_PLUGIN_ALLOW\nIds that begin with \"kerf.\", separated by colons, which plugins of other "
            "folders "
            "may have in this run.\n"
+           ".TP\n.B KERF_BADGES\nFolder with the badges of plugins; \"off\" switches badges and their warning "
+           "off.\n"
            ".SH FILES\n.TP\n.I PREFIX/share/kerf/procedures\nShipped procedures and anatomies. A command finds them by "
            "name.\n.TP\n.I PREFIX/lib/kerf\nPlugins.\n.TP\n.I PREFIX/share/doc/kerf\nDocumentation.\n"
            ".SH EXAMPLES\n" +

@@ -85,6 +85,7 @@ PluginReport check_plugin(const std::string& path, const CheckRequest& request,
         if (!said.is_object()) continue;
         has_ended = said.contains("end");
         if (said.contains("plugin")) report.plugin = said["plugin"];
+        if (said.contains("does_not")) report.does_not = said["does_not"];
         if (!said.contains("id")) continue;
         report.results.push_back({said.value("id", ""), said.value("level", 0), said.value("subject", ""),
                                   said.value("sentence", ""), static_cast<Status>(said.value("status", 2)),

@@ -59,6 +59,21 @@ Vec6 LawProbe::feed(double speed) const {
     return {0, 0, speed, 0, 0, speed * turn_of_feed(subject.setup(), law_.outline())};
 }
 
+std::vector<std::pair<std::string, Vec6>> LawProbe::motions(double speed) const {
+    const Subject& subject = law_.subject();
+    std::vector<std::pair<std::string, Vec6>> motions{{"fed", feed(speed)}};
+    if (subject.tool->tool->feed != KERF_FEED_AXIS || is_threaded() ||
+        (subject.force->force->does_not & KERF_DOES_NOT_RESIST_SIDEWAYS) != 0)
+        return motions;
+    for (const Vec3 v : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}})
+        motions.emplace_back("moved along " + name_of_direction(v), make_vec6(speed * v, {}));
+    return motions;
+}
+
+double against(const Response& response, const Vec6& rate) {
+    return -dot(response.force(), (1.0 / length(linear(rate))) * linear(rate));
+}
+
 std::vector<double> drives_at(const kerf_component& tool, double fraction) {
     std::vector<double> drives;
     for (std::uint32_t i = 0; i < tool.tool->drive_count; ++i) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "conformance/law_walk.h"
@@ -38,6 +40,9 @@ public:
     [[nodiscard]] LawWalk& law() noexcept { return law_; }
     /// The rate of the tool that is fed as it declares, at `speed` [m/s].
     [[nodiscard]] Vec6 feed(double speed) const;
+    /// How it is moved in solid bone at `speed` [m/s]: as it is fed, then across its feed in four directions unless it
+    /// is turned, fed to one side, or declares that it does not resist that.
+    [[nodiscard]] std::vector<std::pair<std::string, Vec6>> motions(double speed) const;
     [[nodiscard]] bool is_threaded() const noexcept { return law_.outline().has_thread(); }
 
 private:
@@ -46,6 +51,8 @@ private:
     std::vector<unsigned char> ready_;
 };
 
+/// The force against a steady motion [N].   [any]
+[[nodiscard]] double against(const Response& response, const Vec6& rate);
 /// The drives of a tool at a fraction of their defaults, within their ranges.   [any]
 [[nodiscard]] std::vector<double> drives_at(const kerf_component& tool, double fraction);
 /// The 26 directions to the faces, edges and corners of a cube, unit.   [any]
@@ -58,8 +65,9 @@ private:
 [[nodiscard]] Vec6 rotated(Quat by, const Vec6& wrench);
 
 /// Returns the settings of a walk through bone without end.
-[[nodiscard]] inline WalkSettings solid_bone() {
+[[nodiscard]] inline WalkSettings solid_bone(const PlaneBone::Settings& bone = {}) {
     WalkSettings settings;
+    settings.bone = bone;
     settings.bone.shape = PlaneBone::Shape::endless;
     return settings;
 }

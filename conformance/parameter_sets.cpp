@@ -14,7 +14,7 @@ namespace kerf::conformance {
 namespace {
 
 template <class Row>
-std::string named(const Row& row, double value) {
+std::string name_of(const Row& row, double value) {
     const auto unit = parse_unit(row.display_unit);
     const std::string in_unit = number(unit ? value / unit->factor : value);
     return "`" + std::string(row.id) + "` " + in_unit + (*row.display_unit != '\0' ? " " : "") + row.display_unit;
@@ -46,13 +46,24 @@ void add_ends(const Row* rows, std::uint32_t count, std::vector<ParameterSet>& s
     for (std::uint32_t i = 0; i < count; ++i)
         for (const double end : {rows[i].min, rows[i].max}) {
             if (end == rows[i].def) continue;
-            ParameterSet set{named(rows[i], end), defaults};
+            ParameterSet set{name_of(rows[i], end), defaults};
             set.values[i] = end;
             sets.push_back(std::move(set));
         }
 }
 
 }  // namespace
+
+std::string named(const kerf_param& row, double value) { return name_of(row, value); }
+
+bool is_count(const kerf_param& row) {
+    return *row.display_unit == '\0' && std::trunc(row.min) == row.min && std::trunc(row.max) == row.max &&
+           std::trunc(row.def) == row.def;
+}
+
+std::vector<double> default_parameters(const kerf_component& component) {
+    return defaults_of(component.params, component.param_count);
+}
 
 std::vector<ParameterSet> parameter_sets(const kerf_component& component, int random) {
     const std::uint32_t count = component.param_count;
@@ -74,7 +85,7 @@ std::vector<ParameterSet> parameter_sets(const kerf_component& component, int ra
                                         primes[i % std::size(primes)]);
             set.values.push_back(
                 std::clamp(rows[i].min + share * (rows[i].max - rows[i].min), rows[i].min, rows[i].max));
-            if (i < 6) set.name += (i > 0 ? ", " : "") + named(rows[i], set.values.back());
+            if (i < 6) set.name += (i > 0 ? ", " : "") + name_of(rows[i], set.values.back());
         }
         if (count > 6) set.name += " …";
         sets.push_back(std::move(set));

@@ -14,6 +14,13 @@ struct ParameterSet {
     std::vector<double> values;
 };
 
+/// "`diameter` 3.2 mm", in the unit that it is shown in.   [any]
+[[nodiscard]] std::string named(const kerf_param& row, double value);
+/// Whether a parameter counts things: its range and default are whole numbers without a unit.   [any]
+[[nodiscard]] bool is_count(const kerf_param& row);
+/// The defaults of a component's parameters.   [any]
+[[nodiscard]] std::vector<double> default_parameters(const kerf_component& component);
+
 /// The defaults, each parameter at either end of its range, all of them at theirs, and `random` sets spread over all
 /// ranges. The same in every run.   [any]
 [[nodiscard]] std::vector<ParameterSet> parameter_sets(const kerf_component& component, int random);

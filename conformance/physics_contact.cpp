@@ -211,15 +211,15 @@ void rests_on_its_sides(Examination& exam) {
 constexpr int long_time = 40;  // [s] of processor time
 constexpr Test tests[] = {
     {"physics.contact", 4, Scope::law, "At rest, bone pushes it out along the normal, whatever that is.",
-     &is_never_pulled_in, "law.sound", long_time},
+     &is_never_pulled_in, "law.sound", long_time, KERF_DOES_NOT_REST_ON_BONE},
     {"physics.rest_mirror", 4, Scope::law, "At rest it is the same against mirrored faces.",
-     &rests_alike_on_mirrored_faces, "law.sound", long_time},
+     &rests_alike_on_mirrored_faces, "law.sound", long_time, KERF_DOES_NOT_REST_ON_BONE},
     {"physics.rest_spacing", 4, Scope::law, "At rest, its force does not depend on the spacing of the grid.",
-     &does_not_know_the_grid_at_rest, "law.sound", long_time},
+     &does_not_know_the_grid_at_rest, "law.sound", long_time, KERF_DOES_NOT_REST_ON_BONE},
     {"physics.rest_lever", 4, Scope::law, "At rest, its forces act where it touches bone.", &rests_where_it_touches,
-     "law.sound", long_time},
+     "law.sound", long_time, KERF_DOES_NOT_REST_ON_BONE},
     {"physics.rest_sides", 4, Scope::law, "At rest it rests on each side of its cutting part.", &rests_on_its_sides,
-     "law.sound", long_time},
+     "law.sound", long_time, KERF_DOES_NOT_REST_ON_BONE},
 };
 
 }  // namespace

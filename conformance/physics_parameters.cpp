@@ -5,78 +5,18 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "conformance/law_probe.h"
 #include "conformance/parameter_sets.h"
+#include "conformance/sweep.h"
 #include "conformance/test_groups.h"
-#include "core/plugin/unit.h"
 
 namespace kerf::conformance {
 
 namespace {
 
-double against(const Response& response, const Vec6& rate) {
-    return -dot(response.force(), (1.0 / length(linear(rate))) * linear(rate));
-}
-
 // ---- parameters ---------------------------------------------------------------------------------------------------
-
-/// What a law makes with one set of parameters [N]: fed, moved across, pressed on at rest. Negative where it does not
-/// cut, as with a motor that is too weak.
-using Sizes = std::array<double, 3>;
-constexpr const char* name_of_size[] = {"fed in solid bone", "moved along +x in solid bone",
-                                        "pressed 0.1 mm into bone at rest"};
-
-/// A parameter of the tool or the law, and what the law makes of its values.
-class Sweep {
-public:
-    Sweep(const Subject& subject, bool is_of_tool, std::uint32_t index)
-        : subject_(subject), is_of_tool_(is_of_tool), index_(index) {}
-    [[nodiscard]] const kerf_param& row() const { return component().params[index_]; }
-    /// Returns whether the tool can be made with it.
-    bool at(double value, Sizes& sizes) const {
-        WalkSettings settings = solid_bone();
-        std::vector<double> values;
-        for (std::uint32_t i = 0; i < component().param_count; ++i) values.push_back(component().params[i].def);
-        values[index_] = value;
-        (is_of_tool_ ? settings.tool_parameters : settings.force_parameters) = values;
-        LawProbe running(subject_, settings);
-        if (!running.refusal().empty()) return false;
-        const auto size = [&](const Vec6& rate) {
-            const Response r = running.move(at_depth(0), rate, 2);  // a motor stalls later
-            return subject_.tool->tool->drive_count > 0 && r.cut_ticks < r.ticks ? -1.0 : length(r.force());
-        };
-        sizes[0] = size(running.feed(probe_speed));
-        sizes[1] = size({probe_speed, 0, 0, 0, 0, 0});
-        settings.bone.shape = PlaneBone::Shape::plate;
-        settings.drives = drives_at_rest(*subject_.tool);
-        LawProbe resting(subject_, settings);
-        sizes[2] = resting.evaluate(at_depth(0.1e-3)) ? length(linear(resting.law().force_at({}))) : 0.0;
-        return true;
-    }
-    [[nodiscard]] std::string named(double value) const {
-        const auto unit = parse_unit(row().display_unit);
-        return "`" + std::string(row().id) + "` " + number(unit ? value / unit->factor : value) +
-               (*row().display_unit != '\0' ? " " : "") + row().display_unit;
-    }
-
-private:
-    [[nodiscard]] const kerf_component& component() const { return is_of_tool_ ? *subject_.tool : *subject_.force; }
-    const Subject& subject_;
-    bool is_of_tool_;
-    std::uint32_t index_;
-};
-
-bool is_count(const kerf_param& row) {
-    return *row.display_unit == '\0' && std::trunc(row.min) == row.min && std::trunc(row.max) == row.max &&
-           std::trunc(row.def) == row.def;
-}
-
-/// How often one size is the other, if both are worth it: more than `slight` [N].
-double ratio_of(double a, double b, double slight) {
-    return std::max({a, b, slight}) / std::max(std::min(a, b), slight);
-}
 
 /// Values of a parameter from its least to its most, at even ratios where the range is wide.
 std::vector<double> values_over(const kerf_param& row) {
@@ -91,54 +31,19 @@ std::vector<double> values_over(const kerf_param& row) {
     return values;
 }
 
-/// Two values of a parameter and their sizes.
-struct Interval {
-    double low, high;
-    Sizes of_low, of_high;
-
-    [[nodiscard]] double ratio(std::size_t which, double slight) const {
-        return ratio_of(of_low[which], of_high[which], slight);
-    }
-};
-
-/// Narrows an interval down on a jump of the force. Returns its text, empty without one.
-std::string jump_in(const Sweep& sweep, std::size_t which, Interval in, double slight) {
-    constexpr double jump = 2.5;  // [–] in the narrowest interval: more than a motor that stalls makes
-    for (int i = 0; i < 9 && in.ratio(which, slight) > jump; ++i) {
-        Sizes between{};
-        const double middle =
-            in.low > 0.0 && in.high > 20.0 * in.low ? std::sqrt(in.low * in.high) : 0.5 * (in.low + in.high);
-        if (!sweep.at(middle, between) || between[which] < 0.0) return {};
-        const bool is_below =
-            ratio_of(in.of_low[which], between[which], slight) > ratio_of(between[which], in.of_high[which], slight);
-        (is_below ? in.high : in.low) = middle;
-        (is_below ? in.of_high : in.of_low) = between;
-    }
-    if (in.ratio(which, slight) <= jump || std::min(in.of_low[which], in.of_high[which]) < 0.0) return {};
-    return "With " + sweep.named(in.low) + " it makes " + number(in.of_low[which]) + " N, and with " +
-           sweep.named(in.high) + " " + number(in.of_high[which]) + " N, " + name_of_size[which] +
-           ", expected no jump.";
-}
-
-/// The first jump along a parameter's range; empty without one.
-std::string jump_along(const Sweep& sweep) {
-    constexpr double suspicious = 3.0;  // [–] between neighbours
-    const std::vector<double> values = values_over(sweep.row());
-    std::vector<Sizes> sizes(values.size());
-    std::vector<bool> is_made;
-    for (std::size_t i = 0; i < values.size(); ++i) is_made.push_back(sweep.at(values[i], sizes[i]));
-    for (std::size_t which = 0; which < 3; ++which) {
-        double largest = 0.0;
-        for (const Sizes& one : sizes) largest = std::max(largest, one[which]);
-        const double slight = std::max(0.1 * largest, 1e-9);
-        for (std::size_t i = 0; i + 1 < values.size(); ++i) {
-            const Interval in{values[i], values[i + 1], sizes[i], sizes[i + 1]};
-            if (!is_made[i] || !is_made[i + 1] || std::min(in.of_low[which], in.of_high[which]) < 0.0) continue;
-            if (in.ratio(which, slight) < suspicious) continue;
-            if (std::string text = jump_in(sweep, which, in, slight); !text.empty()) return text;
-        }
-    }
-    return {};
+Sweep over_range(const Subject& subject, bool is_of_tool, std::uint32_t index) {
+    const kerf_component& component = is_of_tool ? *subject.tool : *subject.force;
+    const kerf_param& row = component.params[index];
+    return {.subject = subject,
+            .settings =
+                [&component, is_of_tool, index](double value) {
+                    WalkSettings settings = solid_bone();
+                    std::vector<double> values = default_parameters(component);
+                    values[index] = value;
+                    (is_of_tool ? settings.tool_parameters : settings.force_parameters) = std::move(values);
+                    return settings;
+                },
+            .named = [&row](double value) { return named(row, value); }};
 }
 
 void varies_smoothly(Examination& exam) {
@@ -146,7 +51,8 @@ void varies_smoothly(Examination& exam) {
         const kerf_component& component = is_of_tool ? *exam.subject->tool : *exam.subject->force;
         for (std::uint32_t p = 0; p < component.param_count; ++p) {
             if (is_count(component.params[p])) continue;
-            if (const std::string text = jump_along({*exam.subject, is_of_tool, p}); !text.empty())
+            const Sweep sweep = over_range(*exam.subject, is_of_tool, p);
+            if (const std::string text = jump_along(sweep, values_over(component.params[p])); !text.empty())
                 return exam.fail(text);
         }
     }
@@ -163,13 +69,13 @@ void uses_whole_ranges(Examination& exam) {
     for (const bool is_of_tool : {true, false}) {
         const kerf_component& component = is_of_tool ? *exam.subject->tool : *exam.subject->force;
         for (std::uint32_t p = 0; p < component.param_count; ++p) {
-            const Sweep sweep(*exam.subject, is_of_tool, p);
-            const double lowest = sweep.row().min, width = sweep.row().max - lowest;
+            const Sweep sweep = over_range(*exam.subject, is_of_tool, p);
+            const double lowest = component.params[p].min, width = component.params[p].max - lowest;
             const double value[] = {lowest, lowest + 0.1 * width, lowest + 0.25 * width, lowest + 0.9 * width,
                                     lowest + width};
             std::array<Sizes, 5> sizes{};
             bool is_made = true;
-            for (std::size_t i = 0; i < 5 && is_made; ++i) is_made = sweep.at(value[i], sizes[i]);
+            for (std::size_t i = 0; i < 5 && is_made; ++i) is_made = sizes_at(sweep, value[i], sizes[i]);
             if (!is_made) continue;
             const auto of = [&](std::size_t i, std::size_t which) { return sizes[i][which]; };
             const auto is_stuck = [&](std::size_t a, std::size_t b) {
@@ -227,10 +133,7 @@ void resists_all_feeds(Examination& exam) {
     constexpr double rates[] = {0.1e-3, 0.3e-3, 1e-3, 2e-3, 4e-3, 7e-3, 10e-3, 15e-3, 20e-3, 40e-3};  // [m/s]
     LawProbe probe(*exam.subject, solid_bone());
     if (!probe.refusal().empty()) return exam.skip(probe.refusal());
-    std::vector<Vec6> motions{probe.feed(1.0)};
-    if (exam.subject->tool->tool->feed == KERF_FEED_AXIS && !probe.is_threaded())
-        for (const Vec3 v : {Vec3{1, 0, 0}, Vec3{0, 1, 0}}) motions.push_back(make_vec6(v, {}));
-    for (const Vec6& motion : motions) {
+    for (const auto& [name, motion] : probe.motions(1.0)) {
         double before = 0.0, rate_before = 0.0;
         for (const double r : rates) {
             Vec6 rate = motion;
@@ -239,10 +142,9 @@ void resists_all_feeds(Examination& exam) {
             if (exam.subject->tool->tool->drive_count > 0 && response.cut_ticks < response.ticks) break;  // it stalls
             const double force = against(response, rate);
             if (force < 0.97 * before)
-                return exam.fail("Moved along " + name_of_direction(linear(motion)) + " in solid bone at " +
-                                 number(1e3 * r) + " mm/s, it is resisted with " + number(force) + " N, and with " +
-                                 number(before) + " N at " + number(1e3 * rate_before) +
-                                 " mm/s, expected no less at the faster feed.");
+                return exam.fail("Running and " + name + " in solid bone at " + number(1e3 * r) +
+                                 " mm/s, it is resisted with " + number(force) + " N, and with " + number(before) +
+                                 " N at " + number(1e3 * rate_before) + " mm/s, expected no less at the faster feed.");
             before = force;
             rate_before = r;
         }

@@ -24,6 +24,10 @@ double PlaneBone::distance_at(Vec3 point_in_tool, Vec3* normal_in_tool) const no
     return std::max(above, below);
 }
 
+std::int32_t PlaneBone::body_at(Vec3 point_in_tool) const noexcept {
+    return settings_.body + (settings_.is_split && (bone_from_tool_ * point_in_tool).x > 0.0 ? 1 : 0);
+}
+
 void PlaneBone::sample(const Vec3* points, std::uint32_t count, kerf_bone_sample* out) noexcept {
     const double ramp = 0.25 * settings_.voxel;  // as in core/field/grid/body.h
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -35,7 +39,7 @@ void PlaneBone::sample(const Vec3* points, std::uint32_t count, kerf_bone_sample
             s.density[t] = (rank == 0 ? 1.0 : settings_.others) * settings_.density;
         }
         if (s.engagement > 0.0) s.gap = settings_.gap;
-        s.body = s.engagement > 0.0 ? settings_.body : -1;
+        s.body = s.engagement > 0.0 ? body_at(points[i]) : -1;
     }
 }
 
@@ -45,7 +49,7 @@ void PlaneBone::nearest(const Vec3* points, std::uint32_t count, kerf_surface_po
         Vec3 normal{};
         const double distance = distance_at(points[i], &normal);
         s.distance = std::clamp(distance, -query_.reach, query_.reach);
-        s.body = distance > -query_.reach && distance < query_.reach ? settings_.body : -1;
+        s.body = distance > -query_.reach && distance < query_.reach ? body_at(points[i]) : -1;
         s.normal = s.body < 0 ? Vec3{} : normal;
     }
 }

@@ -25,6 +25,7 @@ public:
         std::uint32_t first = 0;         ///< index of the first tissue
         double gap = 0.0;                ///< [m] to uncut bone, of every sample
         std::uint16_t body = 0;          ///< index of the body
+        bool is_split = false;           ///< what lies at x > 0 is the next body
     };
     explicit PlaneBone(const Settings& settings);
     PlaneBone(const PlaneBone&) = delete;
@@ -49,6 +50,7 @@ public:
 
 private:
     [[nodiscard]] double distance_at(Vec3 point_in_tool, Vec3* normal_in_tool) const noexcept;
+    [[nodiscard]] std::int32_t body_at(Vec3 point_in_tool) const noexcept;
     void sample(const Vec3* points, std::uint32_t count, kerf_bone_sample* out) noexcept;
     void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) noexcept;
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, const kerf_vec3*,

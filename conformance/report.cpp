@@ -108,6 +108,7 @@ std::string summary_of(const PluginReport& report) {
                     (times > 1 ? " (" + std::to_string(times) + ")" : "");
     }
     text += ".\n";
+    if (!report.does_not.empty()) text += "  It does not " + report.does_not + ", as it declares.\n";
     for (const std::string& note : report.notes) text += "  " + note + "\n";
     return text;
 }
@@ -116,9 +117,11 @@ std::string json_text(const std::vector<PluginReport>& reports) {
     Json all{{"notice", notice}, {"plugins", Json::array()}};
     for (const PluginReport& report : reports) {
         const Tally count = tally(report);
-        Json one{{"path", report.path},    {"plugin", report.plugin},  {"conforming", is_conforming(report)},
-                 {"error", report.error},  {"passed", count.passed},   {"warned", count.warned},
-                 {"failed", count.failed}, {"skipped", count.skipped}, {"notes", report.notes},
+        Json one{{"path", report.path},         {"plugin", report.plugin},
+                 {"does_not", report.does_not}, {"conforming", is_conforming(report)},
+                 {"error", report.error},       {"passed", count.passed},
+                 {"warned", count.warned},      {"failed", count.failed},
+                 {"skipped", count.skipped},    {"notes", report.notes},
                  {"tests", Json::array()}};
         for (const TestResult& result : report.results)
             one["tests"].push_back({{"id", result.id},

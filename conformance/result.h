@@ -41,6 +41,7 @@ struct PluginReport {
     std::vector<TestResult> results;
     std::vector<std::string> notes;  ///< measured figures that no test judges
     std::string error;               ///< the kit itself failed, so the plugin is not checked; empty if it did not
+    std::string does_not{};          ///< what its laws leave out: "resist sideways (burring)"; empty: nothing
 };
 
 }  // namespace kerf::conformance

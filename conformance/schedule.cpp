@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,6 +15,7 @@
 
 #include "conformance/sandbox.h"
 #include "conformance/subject.h"
+#include "core/plugin/loader.h"
 #include "core/plugin/plain_text.h"
 
 namespace kerf::conformance {
@@ -47,7 +49,12 @@ std::string examined(const std::string& path, const Task& task) {
         subject = subject_of(std::move(load.plugin), task.subject);
     }
     Examination exam(path, subject ? &*subject : nullptr);
-    task.test->body(exam);
+    const std::uint32_t left_out =
+        subject && subject->force != nullptr ? subject->force->force->does_not & task.test->except : 0;
+    if (left_out != 0)
+        exam.skip("the law does not " + words_of_does_not(left_out).front() + ", as it declares");
+    else
+        task.test->body(exam);
     return Json{{"status", static_cast<int>(exam.status())}, {"text", exam.text()}}.dump(
         -1, ' ', false, Json::error_handler_t::replace);
 }
@@ -66,13 +73,33 @@ TestResult result_of(Task& task) {
     return result;
 }
 
-/// The file's tests run first; what the plugin holds is read then.
-std::vector<SubjectName> subjects_in(const std::string& path, std::string& plugin, std::string& why_not) {
+/// What a plugin's laws leave out on purpose: "resist sideways, rest on bone (burring)"; empty: nothing.
+std::string left_out_by(const kerf_entry& entry) {
+    std::string text;
+    for (std::uint32_t i = 0; i < entry.component_count; ++i) {
+        const kerf_component& c = entry.components[i];
+        if (c.kind != KERF_KIND_FORCE || c.force->does_not == 0) continue;
+        std::string words;
+        for (const std::string& word : words_of_does_not(c.force->does_not))
+            words += (words.empty() ? "" : ", ") + word;
+        text += (text.empty() ? "" : ", ") + words + " (" + c.id + ")";
+    }
+    return text;
+}
+
+/// What is loaded: its id and version, and what its laws leave out.
+struct Loaded {
+    std::string plugin, does_not;
+};
+
+/// The file's tests run first; what the plugin contains is read then.
+std::vector<SubjectName> subjects_in(const std::string& path, Loaded& loaded, std::string& why_not) {
     const Ended ended = run_in_child([&] {
         const PluginLoad load = load_tried_plugin(path);
         if (load.plugin == nullptr) return Json{{"refusal", load.refusal}}.dump();
         const kerf_entry& entry = load.plugin->entry();
         Json answer{{"plugin", std::string(entry.plugin_id) + " " + plain(entry.plugin_version)},
+                    {"does_not", left_out_by(entry)},
                     {"subjects", Json::array()}};
         for (const SubjectName& name : subjects_of(entry))
             answer["subjects"].push_back(
@@ -84,7 +111,7 @@ std::vector<SubjectName> subjects_in(const std::string& path, std::string& plugi
         why_not = "the plugin cannot be loaded";
         return {};
     }
-    plugin = answer["plugin"];
+    loaded = {answer["plugin"], answer["does_not"]};
     std::vector<SubjectName> names;
     for (const Json& one : answer["subjects"])
         names.push_back({static_cast<Scope>(one[0].get<int>()), one[1], one[2], one[3], one[4], one[5]});
@@ -171,7 +198,7 @@ private:
 }  // namespace
 
 void run_tests(const std::string& path, const Selection& selection,
-               const std::function<void(const std::string&)>& on_plugin,
+               const std::function<void(const std::string& plugin, const std::string& does_not)>& on_plugin,
                const std::function<void(const TestResult&)>& on_result) {
     const auto add = [&](const Test& test, const SubjectName& subject, std::vector<Task>& to) {
         if (test.level > selection.level) return;
@@ -187,9 +214,10 @@ void run_tests(const std::string& path, const Selection& selection,
         if (test.scope == Scope::file) add(test, {}, of_file);
     schedule.run(std::move(of_file));
 
-    std::string plugin, why_not;
-    const std::vector<SubjectName> subjects = subjects_in(path, plugin, why_not);
-    if (!plugin.empty()) on_plugin(plugin);
+    Loaded loaded;
+    std::string why_not;
+    const std::vector<SubjectName> subjects = subjects_in(path, loaded, why_not);
+    if (!loaded.plugin.empty()) on_plugin(loaded.plugin, loaded.does_not);
     const auto has = [&](Scope scope) {
         return std::any_of(subjects.begin(), subjects.end(), [&](const SubjectName& s) { return s.scope == scope; });
     };

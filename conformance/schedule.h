@@ -21,9 +21,9 @@ struct Selection {
 
 /// Runs the tests of a plugin's file, each in a child process, a few at a time. The results come in the order of the
 /// tests. Pre: one thread; the patterns are sound.   [main]
-/// @param on_plugin   gets the plugin's id and version once its tables were read
+/// @param on_plugin   gets the plugin's id and version, and what its laws leave out, once its tables were read
 void run_tests(const std::string& path, const Selection& selection,
-               const std::function<void(const std::string&)>& on_plugin,
+               const std::function<void(const std::string& plugin, const std::string& does_not)>& on_plugin,
                const std::function<void(const TestResult&)>& on_result);
 
 }  // namespace kerf::conformance

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -59,6 +60,7 @@ struct Test {
     void (*body)(Examination&);
     const char* needs = nullptr;  ///< a test that the subject, or the plugin as a whole, must not have failed
     int cpu_limit = 3;            ///< [s] of processor time
+    std::uint32_t except = 0;     ///< KERF_DOES_NOT_…: skipped for a law that leaves this out
 };
 
 /// All tests, in the order in which they run: a test comes after the one it needs.   [any]

@@ -20,6 +20,7 @@ namespace kerf::conformance {
 [[nodiscard]] std::span<const Test> physics_direction_tests();  // level 4: running, in all directions
 [[nodiscard]] std::span<const Test> physics_contact_tests();    // level 4: at rest, in all directions
 [[nodiscard]] std::span<const Test> physics_bone_tests();       // level 4: bones, and the work that they cost
+[[nodiscard]] std::span<const Test> physics_set_tests();        // level 4: random sets of parameters
 [[nodiscard]] std::span<const Test> physics_parameter_tests();  // level 4: parameters, drives, feeds, ticks
 [[nodiscard]] std::span<const Test> physics_signal_tests();     // level 4: signals against forces
 [[nodiscard]] std::span<const Test> strategy_tests();           // levels 3 and 4: remeshing strategies

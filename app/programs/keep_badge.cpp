@@ -21,7 +21,8 @@ Badge badge_of(const PluginReport& report, const std::string& digest, int reques
     Badge badge{.digest = digest,
                 .plugin = text::excerpt(report.plugin, 60),
                 .kit = conformance::kit_version,
-                .requested = requested};
+                .requested = requested,
+                .does_not = report.does_not};
     int lowest_failed = requested + 1, highest_run = 0;
     for (const TestResult& result : report.results) {
         if (result.status == Status::skipped) {

@@ -83,8 +83,8 @@ int run(const char* request_text) {
     for (const Json& one : request.at("excluded")) selection.excluded.push_back({one.at(0), one.at(1)});
     run_tests(
         request.at("plugin"), selection,
-        [](const std::string& plugin) {
-            print({{"plugin", plugin}});
+        [](const std::string& plugin, const std::string& does_not) {
+            print({{"plugin", plugin}, {"does_not", does_not}});
         },
         [](const TestResult& result) {
             print({{"id", result.id},

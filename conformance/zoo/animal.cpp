@@ -51,6 +51,7 @@ kerf_param tool_params[8], law_params[8];
 kerf_tool tool;
 kerf_force force;
 kerf_component components[2];
+kerf_signal signals[8];
 
 volatile double sink = 0.0;
 double counter = 0.0;
@@ -207,6 +208,12 @@ void misbehave_in_some_direction(const kerf_tick_in* in, kerf_law* law) {
 void misbehave_in_some_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law) {
     const kerf_bone_sample tip = at_tip(in);
     if (is("knows_one_body") && tip.body > 0) law->count = 0;
+    if (is("knows_no_second_body")) {
+        const kerf_vec3 at[] = {{-0.5e-3, 0.0, -1e-3}, {0.5e-3, 0.0, -1e-3}}, along{0.0, 0.0, 1.0};
+        kerf_bone_sample s[2]{};
+        in->bone->sample(in->bone->bone, at, 2, &along, 1, s);
+        if (s[0].body >= 0 && s[1].body >= 0 && s[0].body != s[1].body) scale_cut(law, 0.5);
+    }
     if (tip.engagement > 0.0) {
         if (is("knows_one_tissue")) scale_cut(law, tip.weight[0]);
         if (is("adds_tissues_up") && tip.weight[0] > 0.0 && tip.weight[0] < 1.0) scale_cut(law, 3.0);
@@ -231,7 +238,7 @@ void misbehave_in_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law
     if (is("gives_energy") && extra.value < 0.0) each(KERF_CONTACT, [](kerf_channel& c) { c.k *= 1.3; });
     if (is("pulls_to_one_side"))
         each(KERF_CONTACT, [&](kerf_channel& c) { law->wrench[0] += 1e5 * std::clamp(c.delta, 0.0, 1e-4); });
-    if (is("does_not_touch_at_rest") && !is_running) law->count = 0;
+    if ((is("does_not_touch_at_rest") || is("declares_that_it_does_not_rest")) && !is_running) law->count = 0;
     if (is("chatters")) each(KERF_CONTACT, [&](kerf_channel& c) { c.k *= in->tick % 2 == 0 ? 1.6 : 0.5; });
     if (is("pulls_itself_in")) each(KERF_CUT, [](kerf_channel& c) { c.follow[2] += c.d[2] > 0.5 ? 1.5 : 0.0; });
     if (is("pulls_itself_sideways")) each(KERF_CUT, [](kerf_channel& c) { c.follow[0] += 1.5 * c.d[0]; });
@@ -258,6 +265,8 @@ void misbehave_in_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law
     misbehave_in_some_direction(in, law);
     misbehave_in_some_bone(in, extra, law);
     if (is("thinks_in_millimetres_if_wide") && in->tool_params[0] > 6e-3) scale_cut(law, 1000.0);
+    if (is("hardens_where_two_parameters_meet") && in->tool_params[0] > 7e-3 && in->force_params[0] > 2e9)
+        scale_cut(law, 1000.0);
     if (is("caps_a_parameter")) scale_cut(law, std::min(1.0, 0.5 * sound_law.params[0].max / in->force_params[0]));
     if (is("does_not_feel_its_speed")) scale_cut(law, in->drive[0] / (40000.0 / 60.0));
     if (is("yields_to_fast_feed") && extra.value > 5e-3) scale_cut(law, 25e-6 / (extra.value * extra.value));
@@ -326,6 +335,14 @@ kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* st
     for (std::uint32_t i = 0; is("remembers_bone") && i < advance->channel_count; ++i)
         if (advance->channel[i].kind == KERF_CUT && advance->lambda[i] > 0.01) extra.value = 30e-3;
     if (is("reports_millinewtons")) out->signal[0] *= 1e3;
+    const auto torque = [&] {  // about the shaft, of what cuts [N m]
+        double sum = 0.0;
+        for (std::uint32_t i = 0; i < advance->channel_count; ++i)
+            sum += advance->lambda[i] * (advance->channel[i].d[5] + advance->channel[i].follow[5]);
+        return std::abs(sum);
+    };
+    if (is("reports_torque_in_newton_millimetres")) out->signal[2] = 1e3 * torque();
+    if (is("forgets_two_pi_in_its_power")) out->signal[2] = out->signal[1] * torque();
     if (is("reports_a_set_speed") && in->drive[0] > 0.0) out->signal[1] = 40000.0 / 60.0;
     if (is("reports_its_largest_force")) out->signal[0] = extra.value = std::max(extra.value, out->signal[0]);
     if (is("feels_ghosts"))
@@ -392,6 +409,13 @@ kerf_entry filled_entry() {
     force.max_channels += 2;  // for what some animals add
     force.max_points += 2;
     force.max_queries += 2;
+    std::copy_n(sound_law.force->signals, sound_law.force->signal_count, signals);
+    signals[sound_law.force->signal_count] = is("forgets_two_pi_in_its_power")
+                                                 ? kerf_signal{"power", "Power.", kerf::dimension::power, "W"}
+                                                 : kerf_signal{"torque", "Torque.", kerf::dimension::torque, "N mm"};
+    force.signals = signals;
+    if (is("forgets_two_pi_in_its_power") || is("reports_torque_in_newton_millimetres")) ++force.signal_count;
+    if (is("declares_that_it_does_not_rest")) force.does_not = KERF_DOES_NOT_REST_ON_BONE;
     if (is("declares_fewer_channels")) force.max_channels = 1;
     if (is("declares_fewer_points")) force.max_points = 1;
     if (is("declares_fewer_queries")) force.max_queries = 1;

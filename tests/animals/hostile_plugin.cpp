@@ -404,6 +404,7 @@ void fill_components() {
     if (is("component_of_another_world")) components[1].kind = 77;
     if (is("tool_of_another_version")) components[0].version = KERF_TOOL_VERSION + 1;
     if (is("is_fed_backwards")) tool.feed = 9;
+    if (is("leaves_out_the_unknown")) force.does_not = 16;
     if (is("uses_what_is_reserved")) components[0].reserved = 1;
     if (is("null_component_id")) components[0].id = nullptr;
     if (is("dangling_parameters")) components[0].params = reinterpret_cast<kerf_param*>(std::uintptr_t{64});

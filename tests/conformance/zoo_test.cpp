@@ -241,6 +241,10 @@ const std::vector<Animal>& zoo_of_physics() {
         {"does_not_feel_its_speed", "physics.drives", "driven less"},
         {"yields_to_fast_feed", "physics.feeds", "the faster feed"},
         {"counts_ticks_as_milliseconds", "physics.clock", "after its drive was switched on"},
+        {"knows_no_second_body", "physics.bodies", "one on either side"},
+        {"hardens_where_two_parameters_meet", "physics.sets", "expected no jump"},
+        {"reports_torque_in_newton_millimetres", "physics.torque_signals", "`torque`"},
+        {"forgets_two_pi_in_its_power", "physics.power_signals", "P = 2π n M"},
         {"reports_millinewtons", "physics.force_signals", "`thrust`"},
         {"reports_a_set_speed", "physics.speed_signals", "`speed`"},
         {"reports_its_largest_force", "physics.air_signals", "0.2 s in air"},
@@ -339,6 +343,22 @@ TEST(ZooOfTheKit, TheSaintsPass) {
             EXPECT_EQ(result.status, Status::passed) << text_of(result, report.path) << result.text;
         EXPECT_TRUE(is_conforming(report));
     }
+}
+
+TEST(ZooOfTheKit, SkipsWhatALawLeavesOutOnPurpose) {
+    const std::string on_bone = "physics[.](rest|settles|touch|mirror|contact|rest_.*|still)$";
+    const auto check = [&](const char* file) {
+        return check_plugin(file_of(file), {.child = child, .level = 4, .only = on_bone}, {});
+    };
+    const PluginReport silent = check("does_not_touch_at_rest"), declares = check("declares_that_it_does_not_rest");
+    EXPECT_FALSE(is_conforming(silent));
+    EXPECT_EQ(silent.does_not, "");
+    EXPECT_TRUE(is_conforming(declares));
+    EXPECT_EQ(declares.does_not, "rest on bone (burring)");
+    for (const TestResult& result : declares.results)
+        EXPECT_EQ(result.text.find("the law does not rest on bone, as it declares") == 0, result.id != "physics.still")
+            << result.id << " " << result.text;
+    EXPECT_NE(summary_of(declares).find("It does not rest on bone (burring), as it declares."), std::string::npos);
 }
 
 TEST(ZooOfTheKit, FeedsAToolAsItDeclares) {

@@ -28,6 +28,8 @@ TEST(Badge, ReadsTheTextThatItWrites) {
     badge.excluded = 1;
     std::string fault;
     EXPECT_EQ(read_badge(text_of(badge), badge.digest, fault), badge) << fault;
+    badge.does_not = "resist sideways, rest on bone (burring)";
+    EXPECT_EQ(read_badge(text_of(badge), badge.digest, fault), badge) << fault;
     EXPECT_NE(text_of(badge).find("For training and research"), std::string::npos);
 }
 
@@ -46,7 +48,9 @@ TEST(Badge, RefusesADamagedText) {
           with("\"level\": 3", "\"level\": 99999999999999999999"), with("\"tests\": 60", "\"tests\": -1"),
           with("\"failed\": 0", "\"failed\": 61"), with("\"failed\": 0", "\"failed\": 1"),
           with("\"requested\": 3", "\"requested\": 2"), with(badge.digest, text::sha256_of("another")),
-          with("\"plugin\": \"example.peck 0.1.0\"", "\"plugin\": 7")}) {
+          with("\"plugin\": \"example.peck 0.1.0\"", "\"plugin\": 7"),
+          with("\"excluded\": 0", "\"excluded\": 0, \"does_not\": 7"),
+          with("\"excluded\": 0", "\"excluded\": 0, \"does_not\": \"\\u001b[31m\"")}) {
         std::string fault;
         EXPECT_FALSE(read_badge(damaged, badge.digest, fault)) << damaged;
         EXPECT_NE(fault, "") << damaged;
@@ -58,6 +62,8 @@ TEST(Badge, IsDescribedInWords) {
     EXPECT_EQ(words_of(badge), "checked: level 4, all of 96 tests");
     badge.excluded = 2;
     EXPECT_EQ(words_of(badge), "checked: level 4, 94 of 96 tests, 2 excluded");
+    badge.does_not = "rest on bone (burring)";
+    EXPECT_EQ(words_of(badge), "checked: level 4, 94 of 96 tests, 2 excluded; does not rest on bone (burring)");
     badge = passed(4, 96);
     badge.level = 0;
     badge.failed = 3;

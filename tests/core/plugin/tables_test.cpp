@@ -50,6 +50,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"twin_components",
                 "`id` is `burr` in components 0 and 1, expected each id once among the components of a kind"},
         Refused{"tool_of_another_version", "component `burr`: `version` is 2, expected 1, that of a tool of this Kerf"},
+        Refused{"leaves_out_the_unknown",
+                "component `burring`: `force.does_not` is 16, expected a sum of KERF_DOES_NOT_…, 0 to 15"},
         Refused{"is_fed_backwards", "component `burr`: `tool.feed` is 9, expected 0 (axis), 1 (side) or 2 (turn)"},
         Refused{"uses_what_is_reserved", "component `burr`: `reserved` is 1, expected 0"},
         Refused{"asks_for_more", "its `open` returned -1, expected KERF_OK"},
