@@ -70,6 +70,20 @@ std::vector<std::pair<std::string, Vec6>> LawProbe::motions(double speed) const 
     return motions;
 }
 
+LawProbe::Help LawProbe::most_helped() {
+    Help help;
+    for (const Vec3 v : all_directions()) {
+        const Vec3 f = move(at_depth(0), make_vec6(probe_speed * v, {})).force();
+        help.largest = std::max(help.largest, length(f));
+        if (const double newtons = dot(f, v); newtons > help.newtons) {
+            help.newtons = newtons;
+            help.force = f;
+            help.along = v;
+        }
+    }
+    return help;
+}
+
 double against(const Response& response, const Vec6& rate) {
     return -dot(response.force(), (1.0 / length(linear(rate))) * linear(rate));
 }

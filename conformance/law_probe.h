@@ -43,6 +43,13 @@ public:
     /// How it is moved in solid bone at `speed` [m/s]: as it is fed, then across its feed in four directions unless it
     /// is turned, fed to one side, or declares that it does not resist that.
     [[nodiscard]] std::vector<std::pair<std::string, Vec6>> motions(double speed) const;
+    /// A motion at `probe_speed` in solid bone, of 26, that the force helps more than any other.
+    struct Help {
+        double newtons = 0.0;  ///< that it helps with; 0: bone resists each motion
+        double largest = 0.0;  ///< [N] of all forces
+        Vec3 force{}, along{};
+    };
+    [[nodiscard]] Help most_helped();
     [[nodiscard]] bool is_threaded() const noexcept { return law_.outline().has_thread(); }
 
 private:

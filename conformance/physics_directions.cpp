@@ -17,16 +17,10 @@ std::string moved(Vec3 direction) { return "Running in solid bone and moved alon
 void opposes_each_motion(Examination& exam) {
     LawProbe probe(*exam.subject, solid_bone());
     if (!probe.refusal().empty()) return exam.skip(probe.refusal());
-    double largest = 0.0, helps = 0.0;
-    Vec3 force{}, along{};
-    for (const Vec3 v : all_directions()) {
-        const Vec3 f = probe.move(at_depth(0), make_vec6(probe_speed * v, {})).force();
-        largest = std::max(largest, length(f));
-        if (dot(f, v) > helps) helps = dot(f, v), force = f, along = v;
-    }
-    if (helps > 0.05 * largest)
-        exam.fail(moved(along) + ", its force on the hand is " + in_newtons(force) + ": it helps with " +
-                  number(helps) + " N, expected none. Bone resists each motion.");
+    const LawProbe::Help help = probe.most_helped();
+    if (help.newtons > 0.05 * help.largest)
+        exam.fail(moved(help.along) + ", its force on the hand is " + in_newtons(help.force) + ": it helps with " +
+                  number(help.newtons) + " N, expected none. Bone resists each motion.");
 }
 
 void cuts_alike_on_both_sides(Examination& exam) {
