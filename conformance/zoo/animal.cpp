@@ -90,7 +90,12 @@ kerf_status shape(const double* params, kerf_tool_shape* out) {
     }
     const kerf_status status = sound_tool.tool->shape(params, out);
     if (is("has_a_nan_outline_at_the_end") && is_widest) out->profile[1].radius = nan_value;
-    if (is("remembers_shapes")) out->grip_z -= 1e-6 * (counter += 1.0);
+    if (is("remembers_shapes")) {
+        static double before = 0.0, now = 0.0;  // diameters
+        if (params[0] != now) before = now;
+        now = params[0];
+        out->grip_z -= 1e-3 * before;
+    }
     if (is("thinks_in_kilometres"))
         for (std::uint32_t i = 0; i < out->profile_count; ++i)
             out->profile[i] = {1e-3 * out->profile[i].z, 1e-3 * out->profile[i].radius};
