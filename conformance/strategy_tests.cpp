@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -55,24 +58,38 @@ double allowed_of(const kerf_component& strategy) {
     return bone::allowed_for(request, tolerance_of(strategy, defaults_of(strategy)));
 }
 
-/// One call of a strategy, with what it wrote.
+/// An arena of zeros for a result. Only the pages that are written cost memory and time.
+class ResultArena {
+public:
+    ResultArena() : bytes_(static_cast<unsigned char*>(std::calloc(size, 1))) {
+        if (bytes_ == nullptr) throw std::bad_alloc();
+    }
+    [[nodiscard]] kerf_arena arena() const noexcept { return {bytes_.get(), size, 64}; }
+
+private:
+    struct Free {
+        void operator()(unsigned char* bytes) const noexcept { std::free(bytes); }
+    };
+    static constexpr std::size_t size = 64u << 20;
+    std::unique_ptr<unsigned char, Free> bytes_;
+};
+
+/// One call of a strategy, with its answer.
 struct Call {
     kerf_status status = KERF_FAILED;
     kerf_remesh_out out{};
-    std::vector<unsigned char> arena;
     bone::RemeshResult result;  ///< as the host reads it
 };
 
 /// Calls a strategy on arenas of its own.
-Call call(const kerf_component& strategy, const bone::RemeshRequest& request, const std::vector<double>& parameters,
-          std::uint64_t result_capacity = 0) {
+Call call(const kerf_component& strategy, const bone::RemeshRequest& request, const std::vector<double>& parameters) {
     std::vector<unsigned char> from(bone::request_bytes(request));
     kerf_arena in_arena{from.data(), from.size(), 0};
     kerf_remesh_in in{};
     Call made;
     if (!bone::pack(request, parameters, in_arena, in)) return made;
-    made.arena.resize(result_capacity != 0 ? result_capacity : 64u << 20);
-    kerf_arena to{made.arena.data(), made.arena.size(), 64};
+    const ResultArena room;
+    kerf_arena to = room.arena();
     made.out.size = sizeof made.out;
     void* const cache = strategy.remesher->cache_new != nullptr ? strategy.remesher->cache_new() : nullptr;
     made.status = call_remesh(strategy, in, in_arena, to, made.out, cache);
@@ -238,8 +255,8 @@ void reads_only_its_request(Examination& exam) {
         memory.copy(packed.data(), arena.used, "it read beyond the end of the request's arena");
     memory.make_read_only("it wrote to the request's arena, which is the host's");
     const kerf_arena from{guarded, arena.used, arena.used};
-    std::vector<unsigned char> room(64u << 20);
-    kerf_arena to{room.data(), room.size(), 64};
+    const ResultArena room;
+    kerf_arena to = room.arena();
     kerf_remesh_out out{};
     out.size = sizeof out;
     static_cast<void>(call_remesh(strategy, in, from, to, out, nullptr));
@@ -277,8 +294,8 @@ void gives_way(Examination& exam) {
     if (!bone::pack(task.request, defaults_of(strategy), from, in)) return exam.skip("the request does not fit");
     const std::uint32_t cancelled = 1;
     std::memcpy(packed.data() + in.cancel, &cancelled, sizeof cancelled);
-    std::vector<unsigned char> room(64u << 20);
-    kerf_arena to{room.data(), room.size(), 64};
+    const ResultArena room;
+    kerf_arena to = room.arena();
     kerf_remesh_out out{};
     out.size = sizeof out;
     const kerf_status status = call_remesh(strategy, in, from, to, out, nullptr);
