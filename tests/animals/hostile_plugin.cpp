@@ -29,22 +29,23 @@
 
 #include "kerf/abi.h"
 #include "kerf/units.hpp"
+#include "tests/animals/hostile.h"
 
-extern "C" __attribute__((visibility("hidden"))) const char kerf_how[];
+// A library with further faults defines them.
+namespace hostile {
+[[gnu::weak]] void misbehave_further(std::string_view) {}
+[[gnu::weak]] void shape_further(kerf_tool_shape*) {}
+[[gnu::weak]] void begin_further(void*) {}
+[[gnu::weak]] kerf_status resist_further(const kerf_tick_in*, const void*, kerf_law*) { return KERF_OK; }
+[[gnu::weak]] kerf_status commit_further(void*, kerf_commit_out*) { return KERF_OK; }
+[[gnu::weak]] void fill_further(const Tables&) {}
+}  // namespace hostile
 
 namespace {
 
-const std::string_view how = kerf_how;
-bool is(std::string_view fault) { return how == fault; }
+using namespace hostile;
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t fault_tick = 1000;
-
-volatile int sink = 0;
-bool has_misbehaved = false;
-
-bool is_first() { return !std::exchange(has_misbehaved, true); }
-
-[[gnu::noinline]] int fall(int depth) { return depth < 0 ? sink : fall(depth + 1) + sink; }
 
 void lower(__rlimit_resource limit, rlim_t value) {
     rlimit both{};
@@ -87,9 +88,7 @@ void change_the_process(const auto& does) {
 
 /// What ends a process or never returns, for each place of a plugin's code: "crashes_in_resist".
 void misbehave(std::string_view place) {
-    const auto does = [&](std::string_view what) {
-        return how.size() == what.size() + 4 + place.size() && how.starts_with(what) && how.ends_with(place);
-    };
+    const auto does = [&](std::string_view what) { return hostile::does(what, place); };
     if (does("crashes")) *reinterpret_cast<volatile int*>(static_cast<std::uintptr_t>(sink + 16)) = 1;
     if (does("throws")) throw std::runtime_error("not today");
     if (does("throws_an_int")) throw 7;
@@ -124,6 +123,7 @@ void misbehave(std::string_view place) {
     }
     if (does("drags")) usleep(50000);
     change_the_process(does);
+    misbehave_further(place);
 }
 
 /// Writes `size` bytes behind the end of an array.
@@ -175,15 +175,11 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
     if (is("gives_another_outline_each_time"))
         points[1].radius = out->profile[1].radius = 1.5e-3 + 1e-6 * (sink = sink + 1);
     out->grip_z = is("is_gripped_in_air") ? 60e-3 : -60e-3;
+    shape_further(out);
     return KERF_OK;
 }
 
 // ---- the law -------------------------------------------------------------------------------------------------------
-
-struct State {
-    double cut;
-    double rate[6];  // of the tool in the last tick
-};
 
 /// Returns the distance of a point from bone, negative inside.
 double surface_at(const kerf_tick_in* in, const kerf_vec3& point) {
@@ -195,6 +191,7 @@ double surface_at(const kerf_tick_in* in, const kerf_vec3& point) {
 void begin(const kerf_tick_in*, void* state) {
     misbehave("begin");
     *static_cast<State*>(state) = State{};
+    begin_further(state);
 }
 
 kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
@@ -252,7 +249,7 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     if (is("slow")) wait_for(2e-4);
     if (is("replaces_its_file") && is_first()) replace_own_file();
     if (is("reads_the_environment") && std::getenv("HOSTILE_FORCE") != nullptr) c.tau *= 2.0;
-    return KERF_OK;
+    return resist_further(in, state, law);
 }
 
 kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* state, kerf_commit_out* out) {
@@ -276,7 +273,7 @@ kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* st
         out->action[out->action_count++] = {77, 0};
         out->action_count = 4000000000u;
     }
-    return KERF_OK;
+    return is_time ? commit_further(state, out) : KERF_OK;
 }
 
 // ---- the tables ----------------------------------------------------------------------------------------------------
@@ -443,6 +440,7 @@ kerf_entry filled_entry() {
     entry.toolchain = is("null_toolchain") ? nullptr : "any";
     entry.components = components;
     entry.open = &open;
+    fill_further({.entry = entry, .force = force});
     return entry;
 }
 
