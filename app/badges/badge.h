@@ -19,8 +19,8 @@ struct Badge {
     int level = 0;       ///< highest level up to which no test failed; 0: none
     int tests = 0;       ///< that ran or were excluded
     int failed = 0;
-    int excluded = 0;      ///< by `--exclude`
-    std::string does_not;  ///< what its laws leave out on purpose: "resist sideways (burr_cutting)"; empty: nothing
+    int excluded = 0;        ///< by `--exclude`
+    std::string does_not{};  ///< what its laws leave out on purpose: "resist sideways (burr_cutting)"; empty: nothing
     friend bool operator==(const Badge&, const Badge&) = default;
 };
 
