@@ -70,7 +70,7 @@ std::vector<std::pair<std::string, Vec6>> LawProbe::motions(double speed) const 
     return motions;
 }
 
-LawProbe::Help LawProbe::most_helped() {
+LawProbe::Help LawProbe::largest_help() {
     Help help;
     for (const Vec3 v : all_directions()) {
         const Vec3 f = move(at_depth(0), make_vec6(probe_speed * v, {})).force();

@@ -49,7 +49,7 @@ public:
         double largest = 0.0;  ///< [N] of all forces
         Vec3 force{}, along{};
     };
-    [[nodiscard]] Help most_helped();
+    [[nodiscard]] Help largest_help();
     [[nodiscard]] bool is_threaded() const noexcept { return law_.outline().has_thread(); }
 
 private:

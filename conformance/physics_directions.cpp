@@ -17,7 +17,7 @@ std::string moved(Vec3 direction) { return "Running in solid bone and moved alon
 void opposes_each_motion(Examination& exam) {
     LawProbe probe(*exam.subject, solid_bone());
     if (!probe.refusal().empty()) return exam.skip(probe.refusal());
-    const LawProbe::Help help = probe.most_helped();
+    const LawProbe::Help help = probe.largest_help();
     if (help.newtons > 0.05 * help.largest)
         exam.fail(moved(help.along) + ", its force on the hand is " + in_newtons(help.force) + ": it helps with " +
                   number(help.newtons) + " N, expected none. Bone resists each motion.");

@@ -53,7 +53,7 @@ Sweep towards(const Subject& subject, const Values& to, const std::string& name)
 std::string help_in(const Sweep& sweep) {
     LawProbe probe(sweep.subject, sweep.settings(1.0));
     if (!probe.refusal().empty()) return {};
-    const LawProbe::Help help = probe.most_helped();
+    const LawProbe::Help help = probe.largest_help();
     constexpr double allowed = 0.25;  // [–] of a part of a turn: the force of a large runout turns with the shaft
     if (help.newtons <= allowed * help.largest) return {};
     return "With " + sweep.named(1.0) + ", moved along " + name_of_direction(help.along) +

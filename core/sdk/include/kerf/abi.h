@@ -355,7 +355,7 @@ typedef struct kerf_need {
     uint32_t kind; /* KERF_NEED_… */
 } kerf_need;
 
-/* What a law leaves out on purpose, as bits of `does_not`. `kerf check` then skips the tests of that; `kerf describe` and
+/* What a law leaves out on purpose, as bits of `does_not`. `kerf check` skips the tests of that; `kerf describe` and
  * the plugin's badge show it. */
 enum {
     KERF_DOES_NOT_RESIST_SIDEWAYS = 1,   /* no force across its feed */
