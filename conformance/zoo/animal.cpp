@@ -412,8 +412,8 @@ kerf_entry filled_entry() {
     components[1].params = law_params;
     components[1].force = &force;
     force.max_channels += 2;  // for what some animals add
-    force.max_points += 2;
-    force.max_queries += 2;
+    force.max_points += 4;
+    force.max_queries += 4;
     std::copy_n(sound_law.force->signals, sound_law.force->signal_count, signals);
     signals[sound_law.force->signal_count] = is("forgets_two_pi_in_its_power")
                                                  ? kerf_signal{"power", "Power.", kerf::dimension::power, "W"}
