@@ -46,7 +46,7 @@ endfunction()
 # kerf_add_test(field_test SOURCES a_test.cpp LINKS kerf::field [WHOLE Amputation.* …] [TOGETHER Schema …])
 #   → a program, and a test `Suite.Case` for each of its cases
 # WHOLE: cases with the label `whole`. TOGETHER: suites that are one test, as their cases share
-# what is expensive to make.
+# what is expensive to make; `Group=Suite.*:Other.Case` is one test `Group` of the cases that match.
 function(kerf_add_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS;WHOLE;TOGETHER" ${ARGN})
   add_executable(${name} ${arg_SOURCES})

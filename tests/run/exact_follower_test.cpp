@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -86,14 +88,15 @@ struct Ended {
     session::RunSummary summary;
     bone::ExactSurface afterwards;
 };
-Ended run_with(const Scene& scene) {
+enum class Makes { once, again_afterwards };
+Ended run_with(const Scene& scene, Makes makes = Makes::again_afterwards) {
     ExactStrategies strategies(host());
     EXPECT_EQ(strategies.start(scene.procedure), "");
     Afterwards afterwards(scene, strategies);
     RunRequest request;
     request.rehearsal = "expert";
     request.strategies = &strategies;
-    request.observers = {&afterwards};
+    if (makes == Makes::again_afterwards) request.observers = {&afterwards};
     const RunOutcome outcome = run_procedure(scene, test::plugins(), request);
     EXPECT_EQ(outcome.error, "");
     return {outcome.summary, afterwards.made};
@@ -103,7 +106,16 @@ const Ended& plain_run(const std::string& strategy) {
     if (!runs.contains(strategy)) runs.emplace(strategy, run_with(leg_with(strategy)));
     return runs.at(strategy);
 }
-/// The expert's way, with inputs once the last cut is out of the bone.
+/// The run without strategies: what a run with strategies must not change.
+const session::RunSummary& run_without() {
+    static const session::RunSummary summary = [] {
+        RunRequest request;
+        request.rehearsal = "expert";
+        return run_procedure(leg(), test::plugins(), request).summary;
+    }();
+    return summary;
+}
+/// The expert's path, with inputs once the last cut is out of the bone.
 Scene leg_with_inputs(const std::string& strategy, const std::vector<documents::HandInput::Kind>& kinds) {
     Scene scene = leg_with(strategy);
     std::vector<documents::Waypoint>& path = scene.procedure.rehearsals[0].path;
@@ -132,16 +144,13 @@ TEST_P(ExactFollowing, EndsWithTheSurfaceThatIsMadeAfterwards) {
 }
 
 TEST_P(ExactFollowing, LeavesTheRunAsItIs) {
-    RunRequest request;
-    request.rehearsal = "expert";
-    const RunOutcome without = run_procedure(leg(), test::plugins(), request);
-    EXPECT_EQ(plain_run(GetParam()).summary.hash, without.summary.hash);
-    EXPECT_FALSE(without.summary.exact.has_value());
+    EXPECT_EQ(plain_run(GetParam()).summary.hash, run_without().hash);
+    EXPECT_FALSE(run_without().exact.has_value());
 }
 
 TEST_P(ExactFollowing, ACutTakenBackAndDoneAgainGivesTheSameSurface) {
-    const Ended run =
-        run_with(leg_with_inputs(GetParam(), {documents::HandInput::Kind::undo, documents::HandInput::Kind::redo}));
+    const Ended run = run_with(
+        leg_with_inputs(GetParam(), {documents::HandInput::Kind::undo, documents::HandInput::Kind::redo}), Makes::once);
     ASSERT_TRUE(run.summary.exact.has_value());
     EXPECT_EQ(run.summary.exact->why_not, "");
     EXPECT_EQ(run.summary.exact->digest, plain_run(GetParam()).summary.exact->digest);
@@ -194,12 +203,12 @@ TEST(ExactFollower, AnInstrumentWithoutAStrategyLeavesNoSurfaceAndSaysSo) {
     Scene scene = leg_with("local", "forceps");
     for (documents::Instrument& one : scene.procedure.instruments)
         if (one.id == "saw") one.remeshing.clear();
-    const Ended run = run_with(scene);
+    const Ended run = run_with(scene, Makes::once);
     ASSERT_TRUE(run.summary.exact.has_value());
     EXPECT_NE(run.summary.exact->why_not.find("its instrument leaves no exact surface"), std::string::npos)
         << run.summary.exact->why_not;
     EXPECT_TRUE(run.summary.exact->pieces.empty());
-    EXPECT_EQ(run.summary.hash, plain_run("local").summary.hash);
+    EXPECT_EQ(run.summary.hash, run_without().hash);
 }
 
 TEST(ExactFollower, AnUnknownStrategyIsRefusedByName) {
@@ -243,7 +252,7 @@ protected:
         request.strategies = &strategies;
         const RunOutcome outcome = run_procedure(scene, test::plugins(), request);
         EXPECT_EQ(outcome.error, "");
-        EXPECT_EQ(outcome.summary.hash, plain_run("local").summary.hash);
+        EXPECT_EQ(outcome.summary.hash, run_without().hash);
         return outcome.summary.exact.value_or(session::ExactRow{});
     }
 
@@ -331,44 +340,77 @@ TEST(ExactFollower, ALargeToleranceHidesNoBoneThatIsLeft) {
     EXPECT_LE(coarse.allowed, fine.allowed + 1.1 * accuracy);
 }
 
-class ExactAnimals : public testing::TestWithParam<const char*> {
-protected:
-    /// Cuts the leg by an animal, and perhaps by what replaces it.
-    static bone::ExactSurface cut_by(const std::string& animal, bool is_replaced) {
-        const Scene scene = leg_with(animal);
-        ExactStrategies strategies(host());
-        EXPECT_EQ(strategies.start(scene.procedure), "");
-        bone::ExactTools tools = strategies.tools(scene);
+constexpr const char* exact_animals[] = {"dies",     "hangs",   "flips_a_face",     "drops_a_face", "stays_as_it_was",
+                                         "declines", "shrinks", "splits_every_face"};
+
+/// Follows a run by a strategy.
+class Followed {
+public:
+    /// @param is_replaced  what the strategy does not cut is cut by others
+    Followed(const std::string& word, bool is_replaced) : scene_(leg_with(word)), strategies_(host()) {
+        EXPECT_EQ(strategies_.start(scene_.procedure), "");
+        bone::ExactTools tools = strategies_.tools(scene_);
         for (auto& of_solid : tools.strategies)
             if (!is_replaced && of_solid.size() > 1) of_solid.resize(1);
         if (!is_replaced) tools.limit = 100ms;
-        bone::ExactFollower follower(std::move(tools));
-        RunRequest request;
-        request.rehearsal = "expert";
-        RunOutcome outcome;
-        const auto run = Run::create(scene, test::plugins(), request, outcome);
-        if (run == nullptr) throw std::runtime_error(outcome.error);
-        while (run->step()) follower.follow(run->simulation());
-        bone::ExactSurface made = follower.finish(run->simulation(), {}, {});
-        EXPECT_EQ(run->finish().summary.hash, plain_run("local").summary.hash);
-        return made;
+        follower_ = std::make_unique<bone::ExactFollower>(std::move(tools));
     }
+    void follow(const Simulation& simulation) { follower_->follow(simulation); }
+    [[nodiscard]] bone::ExactSurface finish(const Simulation& simulation) {
+        return follower_->finish(simulation, {}, {});
+    }
+
+private:
+    Scene scene_;
+    ExactStrategies strategies_;
+    std::unique_ptr<bone::ExactFollower> follower_;
 };
 
-TEST_P(ExactAnimals, CostTheSurfaceAndNotTheRun) {
-    const bone::ExactSurface made = cut_by(GetParam(), false);
-    EXPECT_NE(made.error.find("no exact surface could be made"), std::string::npos) << made.error;
+struct FollowedRun {
+    std::uint64_t hash = 0;
+    std::vector<bone::ExactSurface> made;  ///< by each follower
+};
+FollowedRun run_followed_by(const std::vector<std::unique_ptr<Followed>>& followers) {
+    RunRequest request;
+    request.rehearsal = "expert";
+    RunOutcome outcome;
+    const auto run = Run::create(leg(), test::plugins(), request, outcome);
+    if (run == nullptr) throw std::runtime_error(outcome.error);
+    while (run->step())
+        for (const auto& one : followers) one->follow(run->simulation());
+    FollowedRun ended;
+    for (const auto& one : followers) ended.made.push_back(one->finish(run->simulation()));
+    ended.hash = run->finish().summary.hash;
+    return ended;
 }
 
-INSTANTIATE_TEST_SUITE_P(Zoo, ExactAnimals,
-                         testing::Values("dies", "hangs", "flips_a_face", "drops_a_face", "stays_as_it_was", "declines",
-                                         "shrinks", "splits_every_face"),
-                         [](const auto& strategy) { return std::string(strategy.param); });
+/// One run that all animals follow. Each has its own surface.
+const FollowedRun& run_of_animals() {
+    static const FollowedRun ended = [] {
+        std::vector<std::unique_ptr<Followed>> followers;
+        for (const char* animal : exact_animals) followers.push_back(std::make_unique<Followed>(animal, false));
+        return run_followed_by(followers);
+    }();
+    return ended;
+}
 
-using ExactReplacement = ExactAnimals;
+class ExactAnimals : public testing::TestWithParam<std::size_t> {};
 
-TEST_F(ExactReplacement, CutsWhatAnAnimalLeavesAndNamesIt) {
-    const bone::ExactSurface made = cut_by("stays_as_it_was", true);
+TEST_P(ExactAnimals, CostTheSurfaceAndNotTheRun) {
+    const bone::ExactSurface& made = run_of_animals().made[GetParam()];
+    EXPECT_NE(made.error.find("no exact surface could be made"), std::string::npos) << made.error;
+    EXPECT_EQ(run_of_animals().hash, run_without().hash);
+}
+
+INSTANTIATE_TEST_SUITE_P(Zoo, ExactAnimals, testing::Range(std::size_t{0}, std::size(exact_animals)),
+                         [](const auto& animal) { return std::string(exact_animals[animal.param]); });
+
+TEST(ExactReplacement, CutsWhatAnAnimalLeavesAndNamesIt) {
+    std::vector<std::unique_ptr<Followed>> follower;
+    follower.push_back(std::make_unique<Followed>("stays_as_it_was", true));
+    const FollowedRun run = run_followed_by(follower);
+    EXPECT_EQ(run.hash, run_without().hash);
+    const bone::ExactSurface& made = run.made.front();
     EXPECT_EQ(made.error, "");
     EXPECT_EQ(made.digest, plain_run("exact").afterwards.digest);
     EXPECT_GE(made.handed_over, 1);
