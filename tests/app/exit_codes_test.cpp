@@ -86,9 +86,10 @@ TEST(ExitCode, OfARunThatCannotBeginIsTwo) {
 
 TEST(ExitCode, OfSeveralRehearsedFilesIsTheWorst) {
     const TemporaryFolder folder;
-    const std::string other = changed(folder, "expect: pass", "expect: {fail: canal}") + coarse +
-                              " --patch " KERF_SOURCE_DIR "/tests/app/few-rehearsals.yaml --set "
-                              "rehearsals.no-starting-hole=~ --set rehearsals.backed-out=~";
+    const std::string other =
+        changed(folder, "expect: pass", "expect: {fail: canal}") + coarse +
+        " --patch " KERF_SOURCE_DIR "/tests/app/few-rehearsals.yaml --set "
+        "rehearsals.no-starting-hole=~ --set rehearsals.backed-out=~ --set rehearsals.medial-breach=~";
     EXPECT_EQ(kerf("rehearse /nowhere.yaml " + other).exit_code, 2);
     EXPECT_EQ(kerf("rehearse " + pedicle_screw + " " + other).exit_code, 1);
 }

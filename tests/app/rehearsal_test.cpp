@@ -86,13 +86,16 @@ TEST(PedicleScrew, WithoutAStartingHoleADrillSkidsOnASteepFacetAndNotOnAFlatOne)
 
 // A blunder that is faster than everybody does not change what the expert feels.
 TEST(PedicleScrew, TheForceScaleIsThatOfTheStepAndNotOfAHand) {
-    const run::Scene hasty = pedicle_with({"rehearsals.medial-breach.hand.feed=20 mm/s"});
-    EXPECT_EQ(hasty.gains.force_scale, pedicle().gains.force_scale);
-    const run::Scene by_law = pedicle_with({"haptics.working_force=~"});
-    EXPECT_LT(by_law.gains.force_scale, 0.5 * pedicle().gains.force_scale) << "compact bone takes more than 40 N";
-    const run::Scene slower =
-        pedicle_with({"haptics.working_force=~", "steps.pilot-hole.feed=0.1 mm/s", "steps.opening.feed=0.1 mm/s"});
-    EXPECT_GT(slower.gains.force_scale, by_law.gains.force_scale);
+    const auto scale_with = [](std::vector<std::string> settings) {
+        settings.emplace_back("accuracy.spacing=0.5 mm");
+        return pedicle_with(settings).gains.force_scale;
+    };
+    const double plain = scale_with({});
+    EXPECT_EQ(scale_with({"rehearsals.medial-breach.hand.feed=20 mm/s"}), plain);
+    const double by_law = scale_with({"haptics.working_force=~"});
+    EXPECT_LT(by_law, 0.5 * plain) << "compact bone takes more than 40 N";
+    EXPECT_GT(scale_with({"haptics.working_force=~", "steps.pilot-hole.feed=0.1 mm/s", "steps.opening.feed=0.1 mm/s"}),
+              by_law);
 }
 
 // Its start lies across the surface, whose direction each grid knows for itself. Once turned onto the axis the drill
