@@ -2,12 +2,12 @@
 // 50 faults of physics, planted one at a time in the plugin template and in the shipped plugins, and what
 // `kerf check --level 4` reports of each. For training and research; not for diagnosis, planning or deciding treatment.
 //
-//     ./dev bench faults          all: some tens of minutes. What is measured and newer than `kerf` is not run
-//     again
+//     ./dev bench faults          all: some tens of minutes. Results that are newer than `kerf` are kept
 //     ./dev bench faults NAME …   those alone; `sound/burr`, `sound/drilling` … are the plugins without a fault
 //
 // Each fault is a patch in bench/strangers/faults. Its head lists the tests that would find the fault for its own
-// reason; the lists were written before any fault was measured. A fault that fails other tests only is found by chance.
+// reason; the lists were written before any fault was measured, except that of the drill's power. A fault that fails
+// other tests only is found by chance.
 #include <sys/wait.h>
 
 #include <algorithm>
