@@ -18,7 +18,8 @@ namespace kerf::conformance {
 namespace {
 
 constexpr std::uint32_t known_abilities =
-    KERF_DEVICE_POSITION | KERF_DEVICE_ROTATION | KERF_DEVICE_FORCE | KERF_DEVICE_TORQUE | KERF_DEVICE_DEFLECTION;
+    KERF_DEVICE_POSITION | KERF_DEVICE_ROTATION | KERF_DEVICE_FORCE | KERF_DEVICE_TORQUE | KERF_DEVICE_DEFLECTION |
+    KERF_DEVICE_TURN | KERF_DEVICE_TURN_TORQUE;
 constexpr std::uint32_t known_flags = KERF_DEVICE_VALID;
 
 /// A limit that a device states, and the ability that has it.
@@ -33,6 +34,10 @@ constexpr Limit limits[] = {
     {"continuous_force", &kerf_device_facts::continuous_force, KERF_DEVICE_FORCE, "KERF_DEVICE_FORCE"},
     {"peak_torque", &kerf_device_facts::peak_torque, KERF_DEVICE_TORQUE, "KERF_DEVICE_TORQUE"},
     {"continuous_torque", &kerf_device_facts::continuous_torque, KERF_DEVICE_TORQUE, "KERF_DEVICE_TORQUE"},
+    {"peak_turn_torque", &kerf_device_facts::peak_turn_torque, KERF_DEVICE_TURN_TORQUE, "KERF_DEVICE_TURN_TORQUE"},
+    {"continuous_turn_torque", &kerf_device_facts::continuous_turn_torque, KERF_DEVICE_TURN_TORQUE,
+     "KERF_DEVICE_TURN_TORQUE"},
+    {"turn_resolution", &kerf_device_facts::turn_resolution, KERF_DEVICE_TURN, "KERF_DEVICE_TURN"},
 };
 
 bool has(const kerf_device_facts& facts, std::uint32_t ability) noexcept { return (facts.abilities & ability) != 0; }
@@ -106,6 +111,10 @@ std::string fault_of_report(const kerf_device_facts& facts, const kerf_device_st
     if (has(facts, KERF_DEVICE_POSITION))
         if (std::string fault = fault_of_pose(facts, state.device_from_handle); !fault.empty()) return fault;
     if (std::string fault = fault_of_deflection(facts, state.deflection); !fault.empty()) return fault;
+    if (!has(facts, KERF_DEVICE_TURN) && state.turn != 0.0)
+        return "`turn` is " + number(state.turn) +
+               " rad, expected 0 without KERF_DEVICE_TURN. Clear it, or state the ability.";
+    if (!std::isfinite(state.turn)) return "`turn` is " + number(state.turn) + " rad, expected a number.";
     if ((state.buttons & ~button_bits(facts.button_count)) != 0)
         return "`buttons` is " + std::to_string(state.buttons) + ", but the device states " +
                std::to_string(facts.button_count) + " buttons. Clear the other bits, or state more.";

@@ -48,7 +48,10 @@ public:
                 .largest_stiffness = 500.0,
                 .largest_damping = 2.0,
                 .mass = 0.05,
-                .resolution = 1e-5};
+                .resolution = 1e-5,
+                .peak_turn_torque = 0.0,
+                .continuous_turn_torque = 0.0,
+                .turn_resolution = 0.0};
     }
     [[nodiscard]] kerf_device_state read() noexcept override {
         const double angle = 1e-2 * static_cast<double>(++state_.reports);
@@ -130,7 +133,7 @@ kerf_status faulty_open(const kerf_device_open_in* in, std::int32_t (*is_cancell
     kerf_device_facts& facts = out->facts;
     if (is("weighs_no_number")) facts.mass = nan_value;
     if (is("has_forty_buttons")) facts.button_count = 40;
-    if (is("invents_an_ability")) facts.abilities |= 64;
+    if (is("invents_an_ability")) facts.abilities |= 128;
     if (is("is_stronger_for_long")) facts.continuous_force = 4.0;
     if (is("twists_without_the_ability")) facts.peak_torque = 1.0;
     return status;

@@ -405,6 +405,7 @@ std::string fault_of_device(const kerf_component& c) {
     if (device->read == nullptr) return got("read", "null", "a function", "Point to it.");
     if (device->write == nullptr) return got("write", "null", "a function", "Point to it.");
     if (device->close == nullptr) return got("close", "null", "a function", "Point to it.");
+    if (device->problem == nullptr) return got("problem", "null", "a function", "Point to it.");
     return fault_of_undotted_id(c);
 }
 

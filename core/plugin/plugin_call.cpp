@@ -118,6 +118,13 @@ void call_close(const kerf_component& driver, void* device) noexcept {
     run_call(PluginCall::close, driver, [&] { driver.device->close(device); });
 }
 
+void call_problem(const kerf_component& driver, void* device, char text[240]) noexcept {
+    run_slow_call(PluginCall::problem, driver, [&] {
+        driver.device->problem(device, text);
+        return 0;
+    });
+}
+
 bool take_changed_floating_point(const kerf_component& component) noexcept {
     return std::exchange(changed_by, nullptr) == &component;
 }

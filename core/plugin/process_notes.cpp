@@ -72,7 +72,7 @@ bool has_texts(const PluginRow& row, std::uint32_t begin) noexcept {
 
 const char* to_text(PluginCall call) noexcept {
     static constexpr std::array names{"",     "shape", "begin", "resist", "commit", "remesh",
-                                      "find", "open",  "read",  "write",  "close"};
+                                      "find", "open",  "read",  "write",  "close",  "problem"};
     const auto index = static_cast<std::size_t>(call);
     return index < names.size() ? names[index] : "";
 }

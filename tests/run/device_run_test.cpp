@@ -39,7 +39,10 @@ kerf_device_facts facts_of_premium() {
             .largest_stiffness = premium.largest_stiffness,
             .largest_damping = premium.largest_damping,
             .mass = premium.mass,
-            .resolution = premium.resolution};
+            .resolution = premium.resolution,
+            .peak_turn_torque = 0.0,
+            .continuous_turn_torque = 0.0,
+            .turn_resolution = 0.0};
 }
 
 /// A device with the simulated hand of a rehearsal at its handle: the force that the device gets moves it. Button 0

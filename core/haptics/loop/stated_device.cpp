@@ -40,6 +40,21 @@ std::string fault_of(const DeviceRecord& d) {
     return {};
 }
 
+/// Returns why the loop cannot use the knob of a device; empty if it can, or if there is none.
+std::string fault_of_knob(const kerf_device_facts& d) {
+    const bool has_turn = (d.abilities & KERF_DEVICE_TURN) != 0;
+    if ((d.abilities & KERF_DEVICE_TURN_TORQUE) != 0) {
+        if (!has_turn) return "it makes a torque about a knob whose turn it does not sense";
+        if (!is_between(d.peak_turn_torque, 1e-3, 50.0) ||
+            !is_between(d.continuous_turn_torque, 1e-4, d.peak_turn_torque))
+            return "the torque of its knob must be 1 mN m to 50 N m at the peak, and its continuous torque 0.1 mN m to "
+                   "the peak";
+    }
+    if (has_turn && !is_between(d.turn_resolution, 1e-9, 0.1))
+        return "the resolution of its knob must be 1 nrad to 0.1 rad";
+    return {};
+}
+
 /// Sets what follows from the stated values.
 void complete(DeviceRecord& d) {
     d.viscosity = viscosity;
@@ -54,14 +69,15 @@ void complete(DeviceRecord& d) {
 }  // namespace
 
 bool leads_under_force(const kerf_device_facts& facts) noexcept {
-    return (facts.abilities & ~std::uint32_t{KERF_DEVICE_DEFLECTION}) != 0;
+    constexpr std::uint32_t others = KERF_DEVICE_DEFLECTION | KERF_DEVICE_TURN | KERF_DEVICE_TURN_TORQUE;
+    return (facts.abilities & ~others) != 0;
 }
 
 std::string fault_of_facts(const kerf_device_facts& facts) {
     if (facts.button_count > KERF_DEVICE_MAX_BUTTONS)
         return "it states more than " + std::to_string(KERF_DEVICE_MAX_BUTTONS) + " buttons";
-    std::string fault;
-    if (leads_under_force(facts)) static_cast<void>(StatedDevice::of("", facts, fault));
+    std::string fault = fault_of_knob(facts);
+    if (fault.empty() && leads_under_force(facts)) static_cast<void>(StatedDevice::of("", facts, fault));
     return fault;
 }
 

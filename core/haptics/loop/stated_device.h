@@ -13,7 +13,7 @@
 namespace kerf {
 
 /// Returns whether a device leads a tool by its position, under a force. Others need no `StatedDevice`: one that senses
-/// a deflection, or that only has buttons.   [any] pure
+/// a deflection, a knob, or one that only has buttons.   [any] pure
 [[nodiscard]] bool leads_under_force(const kerf_device_facts& facts) noexcept;
 
 /// Returns why the loop cannot use a device of these facts; empty if it can.   [any]

@@ -48,7 +48,10 @@ kerf_device_facts some_facts() {
             .largest_stiffness = 800.0,
             .largest_damping = 5.0,
             .mass = 0.1,
-            .resolution = 1e-5};
+            .resolution = 1e-5,
+            .peak_turn_torque = 0.0,
+            .continuous_turn_torque = 0.0,
+            .turn_resolution = 0.0};
 }
 
 TEST(Datagram, ReadsAPoseByItsBytes) {

@@ -30,8 +30,10 @@ enum {
     KERF_DEVICE_POSITION = 1,
     KERF_DEVICE_ROTATION = 2,
     KERF_DEVICE_FORCE = 4,
-    KERF_DEVICE_TORQUE = 8,      /* about every line */
-    KERF_DEVICE_DEFLECTION = 16, /* senses the deflection of its handle from rest, instead of a position */
+    KERF_DEVICE_TORQUE = 8,       /* about every line */
+    KERF_DEVICE_DEFLECTION = 16,  /* senses the deflection of its handle from rest, instead of a position */
+    KERF_DEVICE_TURN = 32,        /* a knob: senses how far it is turned about its own axis, over any number of turns */
+    KERF_DEVICE_TURN_TORQUE = 64, /* a knob with a motor about that axis */
 };
 /* A device that only has buttons, such as a pedal, has no ability. */
 
@@ -48,6 +50,8 @@ typedef struct kerf_device_facts {
     double largest_damping;                /* [N·s/m] */
     double mass;                           /* [kg] at the handle */
     double resolution;                     /* [m] of one count */
+    double peak_turn_torque, continuous_turn_torque; /* [N·m] of a knob; 0 without KERF_DEVICE_TURN_TORQUE */
+    double turn_resolution;                          /* [rad] of one count; 0 without KERF_DEVICE_TURN */
 } kerf_device_facts;
 
 /* Flags of a state. A device whose state is not VALID is lost: unplugged, asleep, in error. It may come back. One with
@@ -63,6 +67,8 @@ typedef struct kerf_device_state {
     uint32_t flags;               /* KERF_DEVICE_VALID … */
     double deflection[6]; /* -1 to 1 of its range, right-handed: along device x, y, z, then about them; 0 without
                              KERF_DEVICE_DEFLECTION */
+    double turn;          /* [rad] of the knob since the device was opened, positive clockwise for its user; 0 without
+                             KERF_DEVICE_TURN */
 } kerf_device_state;
 
 /* Flags of a command. */
@@ -77,6 +83,7 @@ typedef struct kerf_device_command {
     kerf_pose device_from_tool; /* of the tool in the bone, for a device that draws it */
     uint32_t flags;             /* KERF_DEVICE_FORCE_ON … */
     uint32_t reserved;
+    double turn_torque; /* [N·m] on the hand, about the axis of the knob, positive clockwise for its user */
 } kerf_device_command;
 
 /* A setting of the station that is a text: a peer, the file of a key. [call] */
@@ -125,6 +132,9 @@ typedef struct kerf_device {
     void (*write)(void* device, const kerf_device_command* command);
     /* Sends a zero force, waits at most 0.1 s for the device to take it, and frees all. [main] after the last tick */
     void (*close)(void* device);
+    /* Writes why the device is lost or makes no force now, and what to do, in words for its user; an empty text if
+       nothing is wrong. [main] while the device is open */
+    void (*problem)(void* device, char text[240]);
 } kerf_device;
 
 #ifdef __cplusplus

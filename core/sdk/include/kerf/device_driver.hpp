@@ -38,6 +38,8 @@ public:
     [[nodiscard]] virtual kerf_device_state read() noexcept = 0;
     /// Takes the force of a tick.   [haptic, nonblocking]
     virtual void write(const kerf_device_command& command) noexcept = 0;
+    /// Returns why the device is lost or makes no force now, and what to do; empty if nothing is wrong.   [main]
+    [[nodiscard]] virtual std::string problem() { return {}; }
 };
 
 struct DeviceFound {
@@ -128,6 +130,14 @@ struct ComponentTable<Driver> {
         static_cast<DeviceLink*>(device)->write(*command);
     }
     static void close(void* device) noexcept { delete static_cast<DeviceLink*>(device); }
+    static void problem(void* device, char text[240]) noexcept {
+        char(&to)[240] = *reinterpret_cast<char(*)[240]>(text);
+        try {
+            copy_text(to, static_cast<DeviceLink*>(device)->problem());
+        } catch (...) {
+            copy_text(to, "");
+        }
+    }
 
     static constexpr std::uint32_t kind = KERF_KIND_DEVICE, version = KERF_DEVICE_VERSION;
     static constexpr kerf_device table{.size = sizeof(kerf_device),
@@ -137,7 +147,8 @@ struct ComponentTable<Driver> {
                                        .open = &open,
                                        .read = &read,
                                        .write = &write,
-                                       .close = &close};
+                                       .close = &close,
+                                       .problem = &problem};
     static constexpr void put_into(kerf_component& component) noexcept { component.device = &table; }
 };
 
