@@ -2,6 +2,7 @@
 #include "app/plugin_guard.h"
 
 #include <pthread.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/time.h>
@@ -15,6 +16,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "app/parent_watch.h"
 #include "core/plugin/fixed_text.h"
 #include "core/plugin/guarded_memory.h"
 #include "core/plugin/own_streams.h"
@@ -37,6 +39,7 @@ constexpr int polls_between_states = 10;
 constexpr int polls_until_hung = 50;  // 5 s, counted in polls: a program that was stopped and continued has not hung
 // A law has a fraction of a millisecond. One that takes over 10 ms a call for 10 s makes a run without an end.
 constexpr int polls_of_window = 100, min_calls_of_window = 1000, max_polls_outside = 5;
+constexpr int polls_until_abandoned = 50;  // of a parent that is stopped: Ctrl-Z stops the worker, too
 constexpr std::size_t stack_size = 256 << 10;
 
 [[noreturn]] void leave(int status) noexcept {
@@ -58,6 +61,7 @@ const char* name_of_signal(int signal) noexcept {
     }
 }
 
+constexpr const char* perhaps_from_outside = ". Another process may have done this, or the system for lack of memory";
 constexpr unsigned max_seconds_of_end = 10;
 std::atomic<std::int64_t> end_of_end{0};  // [s] of the monotonic clock: until then the program ends; 0: it does not
 
@@ -220,6 +224,34 @@ void check_foreign_signal() {
     on_change(change);
 }
 
+/// Ends the program because its parent was killed or stopped.
+void on_lost_parent(const char* what) noexcept {
+    begin_to_end();
+    const CallInProgress last = last_call();
+    if (last.call != PluginCall::none) end_now(last, what, "", perhaps_from_outside);
+    leave(exit_fault);
+}
+
+/// The parent prints what this process cannot, and ends it. A plugin that kills or stops the parent ends the run.
+class ParentWatch {
+public:
+    void check() noexcept {
+        const ParentState state = parent_state();
+        if (state == ParentState::ended) on_lost_parent("was the last call before Kerf's parent process was killed");
+        polls_ = state == ParentState::stopped ? polls_ + 1 : 0;
+        if (polls_ < polls_until_abandoned) return;
+        continue_parent();
+        on_lost_parent("was the last call before Kerf's parent process was stopped");
+    }
+    /// Waits while the parent is stopped, at the end of the work. Ends the program if it does not continue.
+    void check_end() noexcept {
+        for (check(); parent_state() == ParentState::stopped; check()) std::this_thread::sleep_for(poll_interval);
+    }
+
+private:
+    int polls_ = 0;
+};
+
 void on_exit() {
     if (is_calling_plugin()) end_by(call_in_progress(), "ended the program (`exit`)", "");
 }
@@ -275,6 +307,7 @@ PluginGuard::PluginGuard() : stack_(std::make_unique<std::byte[]>(stack_size)) {
     }
     set_throw_handler(&on_throw);
     previous_terminate = terminate_before_ = std::set_terminate(&on_terminate);
+    if (parent_state() != ParentState::unknown) prctl(PR_SET_PDEATHSIG, 0);  // the watchdog ends it with a name
     watchdog_ = std::thread([this] { watch(); });
 }
 
@@ -285,6 +318,8 @@ PluginGuard::~PluginGuard() {
     }
     stop_.notify_all();
     watchdog_.join();
+    ParentWatch().check_end();
+    if (parent_state() != ParentState::unknown) prctl(PR_SET_PDEATHSIG, SIGKILL);
     end_watching_state();
     std::set_terminate(terminate_before_);
     set_throw_handler(nullptr);
@@ -328,10 +363,12 @@ private:
 
 void PluginGuard::watch() {
     std::array<CallWatch, max_calling_threads> threads{};
+    ParentWatch parent;
     std::unique_lock lock(mutex_);
     for (int polls = 1; !stop_.wait_for(lock, poll_interval, [&] { return is_stopping_; }); ++polls) {
         for (std::size_t thread = 0; thread < threads.size(); ++thread)
             threads[thread].check(call_in_progress_of(thread));
+        parent.check();
         check_foreign_signal();
         if (polls % polls_between_states == 0) check_state();
     }

@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "app/last_resort.h"
+#include "app/parent_watch.h"
 #include "app/plugin_output.h"
 #include "app/standard_streams.h"
 #include "core/plugin/process_notes.h"
@@ -108,6 +109,7 @@ pid_t fork_worker() {
 [[noreturn]] void work_as_child(const std::function<ExitCode()>& work, pid_t parent, PluginOutput& printed) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // the worker ends with its parent
     if (getppid() != parent) _exit(exit_fault);
+    note_parent(parent);
     allow_last_word(getpid());
     printed.separate();
     const ExitCode code = close_stdout(run_guarded(work));

@@ -62,14 +62,25 @@ pid_t session_of(const std::string& folder) {
     return state == "Z" ? -1 : session;
 }
 
-/// Kills the processes of a session. Returns how many there were without its leader.
-int kill_session(pid_t leader) {
-    int count = 0;
+/// Returns the processes of a session.
+std::vector<pid_t> processes_of(pid_t leader) {
+    std::vector<pid_t> found;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
         const std::string name = entry.path().filename().string();
         if (name.find_first_not_of("0123456789") != std::string::npos) continue;
         const auto process = static_cast<pid_t>(std::stol(name));
-        if (session_of(entry.path().string()) != leader) continue;
+        if (session_of(entry.path().string()) == leader) found.push_back(process);
+    }
+    return found;
+}
+
+/// Gives the processes of a session a second to end, then kills them. Returns how many it killed without the leader.
+int end_session(pid_t leader) {
+    constexpr int polls = 20;
+    for (int i = 0; i < polls && !processes_of(leader).empty(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    int count = 0;
+    for (const pid_t process : processes_of(leader)) {
         count += process != leader ? 1 : 0;
         kill(process, SIGKILL);
     }
@@ -90,7 +101,7 @@ ChildEnd run_child(const std::vector<std::string>& command, const ChildPlan& pla
     while ((ended = waitpid(leader, &status, WNOHANG)) == 0 && seconds() < plan.limit)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     end.timed_out = ended == 0;
-    end.left = kill_session(leader);
+    end.left = end_session(leader);
     if (end.timed_out) waitpid(leader, &status, 0);
     end.seconds = seconds();
     end.code = end.timed_out ? 124 : code_of(status);

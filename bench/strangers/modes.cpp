@@ -171,7 +171,7 @@ const char* class_of_end(const Ran& ran, const std::string& sound_hash) {
 
 const char* class_of(const Ran& ran, const std::string& sound_hash) {
     if (ran.timed_out) return endless;
-    if (ran.code >= 128) return killed;
+    if (ran.code >= 128) return names_the_plugin(ran.err) ? ended : killed;
     if (count_of(ran.out, "verdict: ") > 1 || ran.err.find("E0101") != std::string::npos) return as_kerf;
     return class_of_end(ran, sound_hash);
 }

@@ -211,6 +211,13 @@ int exit_code_of(pid_t child) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+/// Waits until a text is in a file, at most a minute. Returns the file's text.
+std::string text_with(const std::string& file, const std::string& wanted) {
+    for (int i = 0; i < 600 && !has(contents_of(file), wanted); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return contents_of(file);
+}
+
 /// One value of a session's table of keys and values.
 std::string stored(const std::string& session, const std::string& table, const std::string& key) {
     sqlite3* database = nullptr;
@@ -224,6 +231,20 @@ std::string stored(const std::string& session, const std::string& table, const s
     sqlite3_finalize(statement);
     sqlite3_close(database);
     return value;
+}
+
+TEST(Program, NamesTheLastCallWhenItsParentIsKilledOrStopped) {
+    for (const auto& [signal, what] :
+         {std::pair{SIGKILL, "parent process was killed"}, {SIGSTOP, "parent process was stopped"}}) {
+        const TemporaryFolder folder;
+        const pid_t child = begun_and_held(folder / "run", folder / "log");
+        kill(-child, SIGCONT);
+        kill(child, signal);  // the worker runs on
+        const std::string err = text_with(folder / "log.err", what);
+        EXPECT_TRUE(has(err, what) && has(err, "plugin kerf.")) << err;
+        EXPECT_EQ(exit_code_of(child), signal == SIGKILL ? -1 : 3);
+        EXPECT_EQ(kerf("report " + (folder / "run/session.db")).exit_code, 0) << "what was recorded is readable";
+    }
 }
 
 TEST(Program, InterruptedARunWritesWhatWasDoneAndNobodyElseMayWriteThereMeanwhile) {
