@@ -6,6 +6,7 @@
 using namespace kerf;
 
 constexpr Quantity slowest_cut = 300_rpm;                                        // it removes bone from here on
+constexpr Quantity fading = 8_ms;                                                // of its cuts as it stops: assumed
 constexpr Motor motor = Motor::with_run_up(0.3, 60000_rpm, 40_Nmm, 2e-7_kg_m2);  // assumed: order of a small burr
 
 struct RoundBurr {
@@ -50,7 +51,7 @@ struct Burring {
                                    .help = "Force per chip area, normal to the surface and against the turn.",
                                    .unit = unit::N_per_mm2,
                                    .min = 1_N_per_mm2,
-                                   .max = 5000_N_per_mm2,
+                                   .max = 1000_N_per_mm2,
                                    .def = 200_N_per_mm2,
                                    .source = "assumed: order of cortical bone"}),
             signal(&Signals::thrust, {.id = "thrust", .help = "Push of the bone.", .unit = unit::N}),
@@ -95,7 +96,7 @@ struct Burring {
         const double cutting = advance.force_of_kind(KERF_CUT);
         signals = {.thrust = cutting, .speed = state.cutter.speed()};
         if (state.cutter.cutting.removes_bone()) actions.cut();
-        state.cutter.step(motor, burr.speed, cutting * burr.diameter / 2, burr.tick.dt, slowest_cut, actions);
+        state.cutter.step(motor, burr.speed, cutting * burr.diameter / 2, burr.tick.dt, slowest_cut, actions, fading);
     }
 };
 

@@ -66,10 +66,11 @@ struct PoweredCutter {
         cutting.step(motor.speed >= slowest_cut, dt);
     }
     /// Does the same for a law whose events are the phases of `Spindle`, in their order.
-    void step(const Motor& with, double commanded, double load, double dt, double slowest_cut,
-              Actions& actions) noexcept {
+    /// @param fading_time  [s] as in `CuttingState::step`
+    void step(const Motor& with, double commanded, double load, double dt, double slowest_cut, Actions& actions,
+              double fading_time = 2e-3) noexcept {
         if (motor.step(with, commanded, load, dt)) actions.event(motor.phase);
-        cutting.step(motor.speed >= slowest_cut, dt);
+        cutting.step(motor.speed >= slowest_cut, dt, fading_time);
     }
 };
 
