@@ -244,8 +244,12 @@ ExitCode test_device(const DeviceTest& test, const PluginRegistry& plugins) {
                     : "kerf: press each button\n");
     const Reports reports = watch_reports(device, sense, test.seconds, recorder ? &*recorder : nullptr, interruption);
     const bool must_send = &sense == &position;
+    const std::string problem = device.problem();
     if (!reports.was_valid || (must_send && reports.count == 0))
-        return complain("the device sent no pose in " + formatted("%.0f s", reports.seconds) + ".", exit_not_passed);
+        return complain("the device sent no pose in " + formatted("%.0f s", reports.seconds) +
+                            (problem.empty() ? "." : ": " + problem),
+                        exit_not_passed);
+    if (!problem.empty()) print_error("kerf: " + problem + "\n");
     print(rate_lines(reports, sense));
     if (sense.count > 0) print_channels(reports, sense);
     print("  buttons pressed: " + pressed_buttons(reports, device.facts().button_count) + "\n");

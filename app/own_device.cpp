@@ -12,6 +12,7 @@
 #include "core/haptics/loop/device_report.h"
 #include "run/device/workspace_fit.h"
 #include "run/run_procedure.h"
+#include "session/recorder.h"
 
 namespace kerf::app {
 
@@ -106,6 +107,22 @@ void fit_to_workspace(const run::Scene& scene, const std::string& rehearsal, Own
         print_error(moves +
                     ", and the operation still does not fit into the workspace: the handle would have to move " +
                     ends_of(fit) + " beyond it. Begin farther from there, or use the button `clutch`\n");
+}
+
+void DeviceProblems::on_event(const session::EventRow& event) {
+    if (event.id == session::lost_event) print_new();
+}
+
+void DeviceProblems::on_tick(const session::TickRow& row) {
+    constexpr std::uint64_t interval = 500;  // ticks
+    if (row.tick % interval == 0) print_new();
+}
+
+void DeviceProblems::print_new() {
+    std::string problem = device_.problem();
+    if (problem == printed_) return;
+    if (!problem.empty()) print_error("kerf: the device `" + device_.name() + "`: " + problem + "\n");
+    printed_ = std::move(problem);
 }
 
 }  // namespace kerf::app

@@ -9,6 +9,7 @@
 #include "core/plugin/loader.h"
 #include "documents/station.h"
 #include "run/device/opened_device.h"
+#include "run/run_observer.h"
 #include "run/scene.h"
 
 namespace kerf::app {
@@ -31,5 +32,18 @@ struct OwnDevice {
 /// where the operation does not fit.   [main] waits up to a second for a pose
 /// @param rehearsal  id of the one whose path the hand follows; empty: the first
 void fit_to_workspace(const run::Scene& scene, const std::string& rehearsal, OwnDevice& device);
+
+/// Prints what is wrong with a device while it leads a run, once for each problem.
+class DeviceProblems final : public run::RunObserver {
+public:
+    explicit DeviceProblems(run::OpenedDevice& device) : device_(device) {}
+    void on_event(const session::EventRow& event) override;
+    void on_tick(const session::TickRow& row) override;
+
+private:
+    void print_new();
+    run::OpenedDevice& device_;
+    std::string printed_{};
+};
 
 }  // namespace kerf::app

@@ -362,7 +362,11 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     request.parts = used.parts();
     if (const std::string refusal = refusal_to_overwrite(options, out); !refusal.empty())
         return complain(refusal, exit_bad_input);
-    if (of_run.own.opened != nullptr) fit_to_workspace(*scene, rehearsal, of_run.own);
+    std::optional<DeviceProblems> problems;
+    if (of_run.own.opened != nullptr) {
+        fit_to_workspace(*scene, rehearsal, of_run.own);
+        request.observers.push_back(&problems.emplace(*of_run.own.opened));
+    }
     run::MouseBox mouse;
     const auto run = [&](const run::RunRequest& requested) {
         if (is_by_mouse(options)) return run::run_live(*scene, with.plugins, requested, mouse);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "documents/read_landmarks.h"
 #include "documents/shapes/shapes.h"
 #include "documents/yaml/correct_keys.h"
 #include "documents/yaml/read_map.h"
@@ -44,6 +45,14 @@ void read_buttons(const Node& node, const std::string& name, DeviceStation& stat
     }
 }
 
+/// The driver knows what its settings mean.
+void read_settings(const Node& node, DeviceStation& station, Report& report) {
+    UniqueIds ids("setting");
+    for (const Node& item : read_named(&node, "settings", ids, report))
+        if (std::optional<std::string> value = read_text(item, item.key, report))
+            station.settings.emplace_back(item.key, *std::move(value));
+}
+
 /// A box that is thinner is a slip of the pen: no operation fits into it.
 void check_workspace(const Node& node, bool has_scale, const DeviceStation& station, Report& report) {
     constexpr double thinnest = 10e-3;  // [m]
@@ -67,6 +76,7 @@ DeviceStation read_device(const Node& node, Report& report) {
     if (const Node* buttons = map.find("buttons")) read_buttons(*buttons, map.name_of("buttons"), station, report);
     for (const char* key : {"peer", "key_file", "motion"})
         if (std::string value = map.text(key); !value.empty()) station.settings.emplace_back(key, std::move(value));
+    if (const Node* settings = map.find("settings")) read_settings(*settings, station, report);
     if (const Node* axes = map.find("axes"); axes != nullptr && std::abs(dot(station.right, station.up)) > 0.5)
         report.error(text::Code::degenerate, axes->span,
                      "`right` and `up` lead along one line. Write two perpendicular directions, as in "

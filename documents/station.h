@@ -49,7 +49,7 @@ struct DeviceStation {
     double dead_zone = 0.1;  ///< [–] deflection that counts as rest [assumed]
     std::array<ButtonAction, max_buttons> buttons{ButtonAction::drive, ButtonAction::next, ButtonAction::clutch,
                                                   ButtonAction::undo};
-    std::vector<std::pair<std::string, std::string>> settings{};  ///< texts for the driver
+    std::vector<std::pair<std::string, std::string>> settings{};  ///< of the driver: parameters and texts
     std::string pedal{};  ///< driver, and the device's id if it matters, of a second device for its buttons; or empty
 
     /// Returns the rotation from the device's axes to the patient's. Pre: `right` and `up` are perpendicular.   [any]

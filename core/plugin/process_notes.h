@@ -13,7 +13,20 @@
 /// signal handler can read them; so can the parent of the process, after its end too.
 namespace kerf {
 
-enum class PluginCall : std::uint32_t { none, shape, begin, resist, commit, remesh, find, open, read, write, close, problem };
+enum class PluginCall : std::uint32_t {
+    none,
+    shape,
+    begin,
+    resist,
+    commit,
+    remesh,
+    find,
+    open,
+    read,
+    write,
+    close,
+    problem
+};
 [[nodiscard]] const char* to_text(PluginCall call) noexcept;  // [any]
 
 /// From now on, processes that this one forks write their notes into memory that both can read. Returns false if there

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/hid/hid_driver.h"
 
-#include <pthread.h>
-#include <sched.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -13,24 +10,20 @@
 #include <utility>
 
 #include "devices/hid/hid_reader.h"
-#include "kerf/newest.hpp"
+#include "devices/realtime/raised_thread.h"
+#include "kerf/device_exchange.hpp"
 
 namespace kerf::hid {
 
 namespace {
 
-constexpr int priority = 48;                               // below the haptic thread
 constexpr auto lost_wait = std::chrono::milliseconds(20);  // between two checks of a lost device
-
-double now() noexcept {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Reads a device on its own thread. Takes no force.
 class HidLink final : public DeviceLink {
 public:
     HidLink(std::unique_ptr<HidReader> reader, const kerf_device_facts& facts)
-        : reader_(std::move(reader)), facts_(facts), arrived_({reader_->state(), now()}) {
+        : reader_(std::move(reader)), facts_(facts), exchange_(reader_->state()) {
         thread_ = std::thread([this] { read_all(); });
     }
     ~HidLink() override {
@@ -39,37 +32,25 @@ public:
     }
 
     [[nodiscard]] kerf_device_facts facts() const override { return facts_; }
-    [[nodiscard]] kerf_device_state read() noexcept override {
-        const Arrived& newest = arrived_.get();
-        kerf_device_state state = newest.state;
-        state.age = now() - newest.time;
-        return state;
-    }
+    [[nodiscard]] kerf_device_state read() noexcept override { return exchange_.read(); }
     void write(const kerf_device_command& /*command*/) noexcept override {}
 
 private:
-    struct Arrived {
-        kerf_device_state state{};
-        double time = 0.0;  ///< [s] of its newest report
-    };
-
     void read_all() noexcept {
-        sched_param parameters{};
-        parameters.sched_priority = priority;
-        static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));  // or the normal class
-        double time = now();
+        raise_device_thread();
+        double time = device_time();
         while (!is_ending_.load(std::memory_order_relaxed)) {
             const std::uint64_t reports = reader_->state().reports;
-            const bool has_changed = reader_->step(now());
-            if (reader_->state().reports != reports) time = now();
-            if (has_changed) arrived_.put({reader_->state(), time});
+            const bool has_changed = reader_->step(device_time());
+            if (reader_->state().reports != reports) time = device_time();
+            if (has_changed) exchange_.put(reader_->state(), time);
             if (!reader_->is_open()) std::this_thread::sleep_for(lost_wait);
         }
     }
 
     std::unique_ptr<HidReader> reader_;
     kerf_device_facts facts_;
-    Newest<Arrived> arrived_;
+    DeviceExchange exchange_;
     std::atomic<bool> is_ending_{false};
     std::thread thread_;
 };

@@ -18,7 +18,10 @@ kerf_device_facts facts_of_handle(const char* name, std::uint32_t button_count) 
                             .largest_stiffness = 5000.0,
                             .largest_damping = 30.0,
                             .mass = 0.2,
-                            .resolution = 10e-6};
+                            .resolution = 10e-6,
+                            .peak_turn_torque = 0.0,
+                            .continuous_turn_torque = 0.0,
+                            .turn_resolution = 0.0};
     detail::copy_text(facts.name, name);
     return facts;
 }
@@ -29,7 +32,8 @@ kerf_device_state report_of(const Pose& device_from_handle, std::uint32_t button
             .device_from_handle = device_from_handle,
             .buttons = buttons,
             .flags = KERF_DEVICE_VALID,
-            .deflection = {}};
+            .deflection = {},
+            .turn = 0.0};
 }
 
 }  // namespace kerf::motion

@@ -4,7 +4,6 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <poll.h>
-#include <pthread.h>
 #include <sys/random.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -13,7 +12,6 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <optional>
@@ -24,21 +22,18 @@
 #include <thread>
 
 #include "datagram.h"
+#include "devices/realtime/raised_thread.h"
 #include "kerf/device_buttons.hpp"
-#include "kerf/newest.hpp"
+#include "kerf/device_exchange.hpp"
 
 namespace kerf::udp {
 
 namespace {
 
-constexpr int priority = 48;  // below the haptic thread
-constexpr int poll_ms = 5;    // maximum wait before it checks for the end of the run
+constexpr int poll_ms = 5;  // maximum wait before it checks for the end of the run
 constexpr std::uint32_t period_us = 1000, watchdog_ms = 20;
+static_assert(1e-3 * watchdog_ms == DeviceExchange::silence);
 constexpr const char* guide = "docs/guide/devices.md";
-
-double now() noexcept {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// A socket of this process; closed with this object.
 class Socket {
@@ -167,15 +162,15 @@ public:
         is_ending_.store(true, std::memory_order_relaxed);
         if (thread_.joinable()) thread_.join();
         if (peer_.session == 0) return;
-        for (int i = 0; i < 3; ++i) send(ForceCommand{.answered = peer_.last_sequence, .command = at_rest()});
+        for (int i = 0; i < 3; ++i) send(ForceCommand{.answered = peer_.last_sequence, .command = command_at_rest()});
         send(Goodbye{});
     }
 
     /// Waits for the first hello. Throws if none comes.
     void wait_for_device(double seconds, const DeviceRequest& request, std::uint16_t port) {
-        for (const double end = now() + seconds; peer_.session == 0;) {
+        for (const double end = device_time() + seconds; peer_.session == 0;) {
             if (request.is_cancelled()) throw std::runtime_error("interrupted before a device said hello");
-            if (now() > end)
+            if (device_time() > end)
                 throw std::runtime_error("no device said hello on UDP port " + std::to_string(port) + " within " +
                                          std::to_string(static_cast<int>(seconds)) + " s" +
                                          (refused_ != DatagramFault::none
@@ -191,45 +186,16 @@ public:
     }
 
     [[nodiscard]] kerf_device_facts facts() const override { return facts_; }
-    [[nodiscard]] kerf_device_state read() noexcept override {
-        const Arrived& newest = arrived_.get();
-        kerf_device_state state = newest.state;
-        state.age = newest.time > 0.0 ? now() - newest.time : 0.0;
-        return state;
-    }
-    void write(const kerf_device_command& command) noexcept override { commanded_.put({command, now()}); }
+    [[nodiscard]] kerf_device_state read() noexcept override { return exchange_.read(); }
+    void write(const kerf_device_command& command) noexcept override { exchange_.write(command); }
 
 private:
-    struct Arrived {
-        kerf_device_state state{};
-        double time = 0.0;  ///< [s]
-    };
-
-    struct Commanded {
-        kerf_device_command command = at_rest();
-        double time = 0.0;  ///< [s]
-    };
-
-    static kerf_device_command at_rest() noexcept {
-        kerf_device_command rest{};
-        rest.device_from_tool.rotation.w = 1.0;
-        return rest;
-    }
-
     void exchange() noexcept {
-        sched_param parameters{};
-        parameters.sched_priority = priority;
-        static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));  // or the normal class
+        raise_device_thread();
         while (!is_ending_.load(std::memory_order_relaxed)) {
             socket_.wait(poll_ms);
-            if (take_all()) send(ForceCommand{.answered = peer_.last_sequence, .command = newest_command()});
+            if (take_all()) send(ForceCommand{.answered = peer_.last_sequence, .command = exchange_.command()});
         }
-    }
-
-    /// Returns the newest command, or no force if the loop is silent: the device must not hold an old force.
-    kerf_device_command newest_command() noexcept {
-        const Commanded& newest = commanded_.get();
-        return now() - newest.time <= 1e-3 * watchdog_ms ? newest.command : at_rest();
     }
 
     /// Takes the datagrams that have come, at most 64, so that a flood delays no force. Returns whether a new pose was
@@ -246,8 +212,8 @@ private:
             if (datagram) has_pose |= take(*datagram, from);
         }
         if (has_pose) {
-            arrived_time_ = now();
-            arrived_.put({newest_, arrived_time_});
+            arrived_time_ = device_time();
+            exchange_.put(newest_, arrived_time_);
         }
         return has_pose;
     }
@@ -266,7 +232,7 @@ private:
         peer_.last_sequence = header.sequence;
         if (std::holds_alternative<Goodbye>(datagram.content)) {
             newest_.flags = 0;
-            arrived_.put({newest_, now()});
+            exchange_.put(newest_, device_time());
         }
         const auto* pose = std::get_if<PoseReport>(&datagram.content);
         if (pose == nullptr) return false;
@@ -287,7 +253,7 @@ private:
     /// Takes the first peer, or the same device again after its program was started anew. A second one must wait until
     /// the first is silent. While the device is in use, its limits must stay the same.
     void welcome(const Hello& hello, const Header& header, const sockaddr_in& from) noexcept {
-        const bool is_known = peer_.session != 0, is_silent = now() - arrived_time_ > 1e-3 * watchdog_ms;
+        const bool is_known = peer_.session != 0, is_silent = device_time() - arrived_time_ > 1e-3 * watchdog_ms;
         const bool is_same = is_known && are_same(from, peer_.address);
         if (is_known && !is_same && !is_silent) return;
         if (is_in_use_ && std::memcmp(&hello.facts, &facts_, sizeof facts_) != 0) return;
@@ -298,7 +264,7 @@ private:
             peer_ = {.address = from, .session = session, .last_sequence = 0, .facts = hello.facts};
             hello_sequence_ = header.sequence;
         }
-        arrived_time_ = now();
+        arrived_time_ = device_time();
         send(Welcome{period_us, watchdog_ms});
     }
 
@@ -313,13 +279,12 @@ private:
     Socket socket_;
     Peer peer_;
     kerf_device_facts facts_{};
-    kerf_device_state newest_{};
+    kerf_device_state newest_ = state_without_report();
     double arrived_time_ = 0.0;
     std::uint64_t sent_ = 0, hello_sequence_ = 0;
     bool is_in_use_ = false;  ///< the loop has its limits
     DatagramFault refused_ = DatagramFault::none;
-    Newest<Arrived> arrived_;
-    Newest<Commanded> commanded_;
+    DeviceExchange exchange_;
     std::atomic<bool> is_ending_{false};
     std::thread thread_;
 };

@@ -47,7 +47,9 @@ const MapShape<DeviceStation> station_device{
       "pedal"},
      {optional, "peer", text(), "The address of another machine whose program drives the device.", "192.168.1.7"},
      {optional, "key_file", text(), "The file of the key that both machines share.", "/home/user/kerf.key"},
-     {optional, "motion", text(), "The file of a motion that the device plays.", "/home/user/motion.csv"}}};
+     {optional, "motion", text(), "The file of a motion that the device plays.", "/home/user/motion.csv"},
+     {optional, "settings", named(text()),
+      "Of the driver: its parameters, as `kerf describe` lists them, and its texts.", "{port: 10001}"}}};
 
 const Shape station{"station",
                     "The devices of one table.",

@@ -81,7 +81,8 @@ kerf_device_command DeviceHand::command(const TickResult& result, std::uint64_t 
             .device_from_tool = frame_.to_device(result.world_from_tool),
             .flags = (was_joined_ ? std::uint32_t{KERF_DEVICE_RUNNING} : 0u) |
                      (has_force ? std::uint32_t{KERF_DEVICE_FORCE_ON} : 0u),
-            .reserved = 0};
+            .reserved = 0,
+            .turn_torque = 0.0};
 }
 
 }  // namespace kerf::run

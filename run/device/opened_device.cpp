@@ -8,6 +8,7 @@
 #include "documents/yaml/read_map.h"
 #include "kerf/device_buttons.hpp"
 #include "text/printable.h"
+#include "text/quantity.h"
 #include "text/source.h"
 
 namespace kerf::run {
@@ -34,6 +35,33 @@ std::vector<double> defaults_of(const ComponentInfo& driver) {
     return values;
 }
 
+/// The settings of a station for a driver: values of its parameters, and the others as texts.
+struct DriverSettings {
+    std::vector<double> parameters;  ///< SI, in declared order
+    std::vector<kerf_device_setting> texts;
+    std::string error;  ///< of the first setting that is no value of its parameter
+};
+
+/// Pre: the station outlives the result.
+DriverSettings settings_for(const ComponentInfo& driver, const documents::DeviceStation& station) {
+    DriverSettings settings{.parameters = defaults_of(driver), .texts = {}, .error = {}};
+    for (const auto& [key, value] : station.settings) {
+        const auto parameter = std::find_if(driver.parameters.begin(), driver.parameters.end(),
+                                            [&](const ParameterInfo& p) { return p.id == key; });
+        if (parameter == driver.parameters.end()) {
+            settings.texts.push_back({key.c_str(), value.c_str()});
+            continue;
+        }
+        const text::Parsed<double> parsed = text::parse_quantity(
+            value, key, {parameter->dimension, parameter->display_unit, parameter->min, parameter->max});
+        if (parsed.value)
+            settings.parameters[static_cast<std::size_t>(parameter - driver.parameters.begin())] = *parsed.value;
+        else if (settings.error.empty())
+            settings.error = "the station's setting `" + key + "` is wrong. " + parsed.problem.message;
+    }
+    return settings;
+}
+
 }  // namespace
 
 std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, const documents::DeviceStation& station,
@@ -57,14 +85,16 @@ std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, 
                                    : ". " + documents::write_instead(driver_id, known) + " `kerf devices` lists all.");
         return nullptr;
     }
-    const std::vector<double> values = defaults_of(*found);
-    std::vector<kerf_device_setting> settings;
-    for (const auto& [key, value] : station.settings) settings.push_back({key.c_str(), value.c_str()});
+    const DriverSettings settings = settings_for(*found, station);
+    if (!settings.error.empty()) {
+        error = settings.error;
+        return nullptr;
+    }
     const kerf_device& driver = *plugins.find(found->plugin, KERF_KIND_DEVICE, found->id)->device;
     const kerf_device_open_in in{.id = id.c_str(),
-                                 .params = values.data(),
-                                 .settings = settings.data(),
-                                 .setting_count = static_cast<std::uint32_t>(settings.size()),
+                                 .params = settings.parameters.data(),
+                                 .settings = settings.texts.data(),
+                                 .setting_count = static_cast<std::uint32_t>(settings.texts.size()),
                                  .reserved = 0};
     kerf_device_open_out out{};
     const auto should_end = [](void* context) {
@@ -108,6 +138,13 @@ kerf_device_state OpenedDevice::read() noexcept {
     state.buttons &= button_bits(own_buttons_);
     if ((of_pedal.flags & KERF_DEVICE_VALID) != 0) state.buttons |= of_pedal.buttons << own_buttons_;
     return state;
+}
+
+std::string OpenedDevice::problem() {
+    char text[240] = {};
+    driver_->problem(device_, text);
+    std::string own = text_in(text);
+    return own.empty() && pedal_ != nullptr ? pedal_->problem() : own;
 }
 
 std::vector<ListedDevice> find_devices(const PluginRegistry& plugins) {

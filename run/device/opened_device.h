@@ -50,6 +50,10 @@ public:
     /// why it cannot be added; empty on success.   [main]
     [[nodiscard]] std::string add_pedal(std::unique_ptr<OpenedDevice> pedal);
 
+    /// Returns why the device or its pedal is lost or makes no force now, and what to do; empty if nothing is wrong.
+    /// [main]
+    [[nodiscard]] std::string problem();
+
     /// Returns the newest report.   [haptic, nonblocking]
     [[nodiscard]] kerf_device_state read() noexcept;
     /// [haptic, nonblocking]

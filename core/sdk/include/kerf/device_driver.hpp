@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -59,6 +60,18 @@ public:
         for (std::uint32_t i = 0; i < in_->setting_count; ++i)
             if (key == in_->settings[i].key) return in_->settings[i].value;
         return {};
+    }
+    /// Throws std::runtime_error, with the known ones, if the station has a setting that is neither a parameter of the
+    /// driver nor among `known`.
+    void require_known_settings(std::initializer_list<std::string_view> known) const {
+        for (std::uint32_t i = 0; i < in_->setting_count; ++i) {
+            const std::string_view key = in_->settings[i].key;
+            if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+            std::string text = "the station has the setting `" + std::string(key.substr(0, 40)) +
+                               "`, which the driver does not have. Known are its parameters";
+            for (const std::string_view name : known) text += ", `" + std::string(name) + "`";
+            throw std::runtime_error(text + ". Correct or remove it.");
+        }
     }
     /// Returns whether the user no longer waits: then throw soon.
     [[nodiscard]] bool is_cancelled() const { return should_end_ != nullptr && should_end_(context_) != 0; }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <pthread.h>
-#include <sched.h>
-
 #include <chrono>
 
 #include "kerf/device.h"
@@ -15,13 +12,6 @@ namespace kerf {
 /// Returns the time of a clock that never goes back [s].   [any]
 [[nodiscard]] inline double device_time() noexcept {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// Gives the calling thread a real-time priority below that of the haptic thread, if the system allows it.
-inline void raise_device_thread() noexcept {
-    sched_param parameters{};
-    parameters.sched_priority = 48;
-    static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
 }
 
 /// Returns the command without force and torque.   [any] pure
