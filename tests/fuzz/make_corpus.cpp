@@ -568,6 +568,17 @@ void write_reports() {
         {"bad-short", "\x01\x0d\x00\x00\x00\x25"s},
         {"bad-long", "\x02\x00\x00\xe2\xff\x00\x00\x00"s}};
     for (const auto& [name, bytes] : of_cap) write("spacemouse_report", name, bytes);
+    const std::pair<const char*, std::string> of_service[] = {
+        {"good-arm",
+         R"({"session_id":7,"inverse3":[{"device_id":"049D","config":{"type":"inverse3"},"state":{"cursor_position":{"x":0.1,)"
+         R"("y":-0.12,"z":0.15},"current_cursor_force":{"x":0,"y":0,"z":0}},"status":{"calibrated":true}}],)"
+         R"("wireless_verse_grip":[{"device_id":"6","state":{"orientation":{"w":1,"x":0,"y":0,"z":0},)"
+         R"("buttons":{"a":true,"b":false,"c":false}}}]})"},
+        {"good-none", R"({"session_id":1,"inverse3":[]})"},
+        {"bad-event", R"({"name":"device-busy","category":"device","level":"warning","data":{"device_id":"049D"}})"},
+        {"bad-half", R"({"session_id":7,"inverse3":[{"device_id":"04)"},
+        {"bad-number", R"({"inverse3":[{"device_id":"a","state":{"cursor_position":{"x":1e999,"y":0,"z":0}}}]})"}};
+    for (const auto& [name, bytes] : of_service) write("service_message", name, bytes);
     const std::pair<const char*, std::string> of_pedal[] = {{"good-released", "\x00\x00"s},
                                                             {"good-all", "\x07\x00"s},
                                                             {"bad-bit", "\x08\x00"s},

@@ -14,6 +14,7 @@
 #include "run/device/device_hand.h"
 #include "run/live_run.h"
 #include "tests/run/device_double.h"
+#include "tests/run/rehearsed_handle.h"
 #include "tests/support/short_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
@@ -45,27 +46,14 @@ kerf_device_facts facts_of_premium() {
             .turn_resolution = 0.0};
 }
 
-/// A device with the simulated hand of a rehearsal at its handle: the force that the device gets moves it. Button 0
-/// runs the motor. The hand presses button 1 at the waypoints at which its rehearsal has an action.
-class HandAtDouble final : public DeviceLink, public RunObserver {
+/// A device with the simulated hand of a rehearsal at its handle. Button 0 runs the motor, button 1 is `next`.
+class HandAtDouble final : public DeviceLink {
 public:
     /// @param silent  ranges of ticks in which it reports nothing
     /// @param idle    range of ticks in which the hand does not hold button 0
-    HandAtDouble(const Scene& scene, std::vector<std::pair<std::uint64_t, std::uint64_t>> silent,
+    HandAtDouble(RehearsedHandle& hand, std::vector<std::pair<std::uint64_t, std::uint64_t>> silent,
                  std::pair<std::uint64_t, std::uint64_t> idle)
-        : scene_(scene),
-          plan_(plan_of(scene.procedure.rehearsals.front(), scene)),
-          hand_(plan_.plant, plan_.intent, plan_.start, 1e-3),
-          silent_(std::move(silent)),
-          idle_(idle),
-          grip_(grip_of(0)) {}
-
-    /// Takes another tool as soon as the run has.
-    void on_event(const session::EventRow& event) override {
-        if (event.id != "tool.taken") return;
-        for (std::size_t step = 0; step < scene_.procedure.steps.size(); ++step)
-            if (scene_.procedure.steps[step].instrument == event.detail) grip_ = grip_of(step);
-    }
+        : hand_(hand), silent_(std::move(silent)), idle_(idle) {}
 
     [[nodiscard]] kerf_device_facts facts() const override { return facts_of_premium(); }
     [[nodiscard]] kerf_device_state read() noexcept override {
@@ -74,48 +62,32 @@ public:
             return tick_ >= range.first && tick_ < range.second;
         });
         state.reports = tick_;
-        const Pose tool = hand_.reported();
-        state.device_from_handle = {tool * grip_, tool.rotation};
+        state.device_from_handle = hand_.handle();
         state.flags = is_silent ? 0u : std::uint32_t{KERF_DEVICE_VALID};
         const bool is_idle = tick_ >= idle_.first && tick_ < idle_.second;
-        state.buttons = (is_idle ? 0u : 1u) | (presses_next() ? 2u : 0u);
+        state.buttons = hand_.buttons() & (is_idle ? ~1u : ~0u);
         return state;
     }
     void write(const kerf_device_command& command) noexcept override {
         ++tick_;
-        if ((command.flags & KERF_DEVICE_RUNNING) == 0) return;
-        DeviceCommand rendered;
-        rendered.wrench = make_vec6(command.force, command.torque);
-        hand_.step(rendered, simulated_hand::SensedTool{.world_from_tool = command.device_from_tool});
+        if ((command.flags & KERF_DEVICE_RUNNING) != 0)
+            hand_.move(command.force, command.torque, command.device_from_tool);
     }
 
 private:
-    [[nodiscard]] Vec3 grip_of(std::size_t step) const { return {0, 0, scene_.tool(step).outline.handling.grip_z}; }
-    /// Presses for one tick at each leg with an action.
-    bool presses_next() noexcept {
-        if (hand_.leg() < legs_pressed_) return false;
-        const std::size_t leg = hand_.leg();
-        legs_pressed_ = leg + 1;
-        return leg < plan_.inputs.size() && !plan_.inputs[leg].empty();
-    }
-
-    const Scene& scene_;
-    HandPlan plan_;
-    simulated_hand::SimulatedHand hand_;
+    RehearsedHandle& hand_;
     std::vector<std::pair<std::uint64_t, std::uint64_t>> silent_;
     std::pair<std::uint64_t, std::uint64_t> idle_;
     std::uint64_t tick_ = 0;
-    std::size_t legs_pressed_ = 0;
-    Vec3 grip_;  ///< of the tool in hand, tool frame [m]
 };
 
 RunOutcome run_at_double(const Scene& scene, const std::string& out,
                          std::vector<std::pair<std::uint64_t, std::uint64_t>> silent = {},
                          std::pair<std::uint64_t, std::uint64_t> idle = {}) {
-    auto hand = std::make_unique<HandAtDouble>(scene, std::move(silent), idle);
+    RehearsedHandle hand(scene);
     RunRequest request;
-    request.observers = {hand.get()};
-    const auto device = opened(std::move(hand));
+    request.observers = {&hand};
+    const auto device = opened(std::make_unique<HandAtDouble>(hand, std::move(silent), idle));
     request.out = out;
     SteadyClock clock;
     return run_on_clock(scene, test::plugins(), request, clock, *device, station_in_world());

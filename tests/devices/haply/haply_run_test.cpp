@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operations with a hand at an Inverse3: through the driver, WebSockets and a stand-in for the maker's service.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "tests/devices/haply/haply_stand_in.h"
+#include "tests/run/doubled_device.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::run {
+namespace {
+
+TEST(HaplyRun, HasTheBitsOfADeviceWithoutAService) {
+    haply::HaplyStandIn device;
+    auto link = device.open();
+    const kerf_device_facts facts = link->facts();
+    const RunOutcome led = run_in_lock_step("pedicle-awl", {"time_limit=6 s"}, device, std::move(link));
+    ASSERT_EQ(led.error, "");
+    const RunOutcome direct = run_directly("pedicle-awl", {"time_limit=6 s"}, facts);
+    EXPECT_EQ(direct.summary.ticks, 6000u);
+    EXPECT_EQ(led.summary.hash, direct.summary.hash);
+}
+
+TEST(HaplyRun, ReplaysARunOnTheClockToTheBit) {
+    const test::TemporaryFolder folder;
+    haply::HaplyStandIn device;
+    const LiveAndAgain runs =
+        run_live_at("pedicle-awl", {"time_limit=12 s"}, device, device.open(), folder.path() + "/led");
+    EXPECT_EQ(runs.live.error, "");
+    EXPECT_EQ(runs.live.summary.hand, "device");
+    EXPECT_EQ(runs.again.summary.hash, runs.live.summary.hash);
+    EXPECT_GT(length(device.largest_force()), 0.0) << "the service has got forces of the bone";
+}
+
+}  // namespace
+}  // namespace kerf::run
