@@ -10,6 +10,7 @@
 #include "app/anatomy_text.h"
 #include "app/badges/plugin_verdict.h"
 #include "app/completion.h"
+#include "app/cue_table.h"
 #include "app/describe.h"
 #include "app/findings.h"
 #include "app/import_source.h"
@@ -68,6 +69,9 @@ ExitCode validate(const ValidateOptions& options, const Environment& with) {
             one.diagnostics.insert(one.diagnostics.end(), of_variants.begin(), of_variants.end());
         }
         if (documents && options.is_with_bone) print_notes(make_bone(*documents, file).take(one.diagnostics));
+        if (!documents || text::has_error(one.diagnostics)) continue;
+        for (const std::string& device : options.devices)
+            if (const ExitCode code = print_cues(*documents, file, device, with); code != exit_pass) return code;
     }
     print(findings_text(all, options.format));
     return std::any_of(all.begin(), all.end(), [](const Findings& f) { return text::has_error(f.diagnostics); })

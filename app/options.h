@@ -47,6 +47,7 @@ struct ValidateOptions : DocumentOptions {
     std::vector<std::string> procedures;
     std::string format = "text";  ///< text | json | github
     bool is_with_bone = false;
+    std::vector<std::string> devices;  ///< models whose cues are shown
 };
 
 struct RehearseOptions : DocumentOptions {

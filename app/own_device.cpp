@@ -68,6 +68,21 @@ ExitCode open_own_device(const std::string& id, const PluginRegistry& plugins, c
     return open_device(device.station, plugins, interruption, device.opened);
 }
 
+namespace {
+
+/// Adds the knob of a device's entry, if it names one.
+ExitCode add_knob(const documents::Station& own, const PluginRegistry& plugins, const Interruption& interruption,
+                  OwnDevice& device) {
+    if (device.station.knob.empty()) return exit_pass;
+    std::unique_ptr<run::OpenedDevice> knob;
+    if (const ExitCode code = open_device(own.of(device.station.knob), plugins, interruption, knob); code != exit_pass)
+        return code;
+    const std::string refusal = device.opened->add_knob(std::move(knob));
+    return refusal.empty() ? exit_pass : complain(refusal, exit_bad_input);
+}
+
+}  // namespace
+
 ExitCode open_leading_device(const std::string& id, const PluginRegistry& plugins, const Interruption& interruption,
                              OwnDevice& device) {
     const auto own = own_station();
@@ -79,6 +94,11 @@ ExitCode open_leading_device(const std::string& id, const PluginRegistry& plugin
         return complain("the device `" + id + "` only has buttons, so it cannot lead a tool. Write `pedal: " + id +
                             "` under another device in " + station_file() + ".",
                         exit_bad_input);
+    if (device.opened->is_knob())
+        return complain("the device `" + id + "` is a knob, so it cannot lead a tool. Write `knob: " + id +
+                            "` under another device in " + station_file() + ".",
+                        exit_bad_input);
+    if (const ExitCode code = add_knob(*own, plugins, interruption, device); code != exit_pass) return code;
     if (device.station.pedal.empty()) return exit_pass;
     const documents::DeviceStation of_pedal = own->of(device.station.pedal);
     std::unique_ptr<run::OpenedDevice> pedal;

@@ -44,7 +44,7 @@ std::string DeviceStation::text() const {
            "; speed: " + text::quantity_text(speed, "mm/s") +
            "; turn_speed: " + text::quantity_text(turn_speed, "deg/s") +
            "; dead_zone: " + text::quantity_text(dead_zone, "") + "; buttons: [" + actions + "]" +
-           (pedal.empty() ? "" : "; pedal: " + pedal);
+           (pedal.empty() ? "" : "; pedal: " + pedal) + (knob.empty() ? "" : "; knob: " + knob);
 }
 
 void DeviceStation::append_buttons(const DeviceStation& of_pedal, std::size_t own_count) noexcept {

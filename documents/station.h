@@ -51,6 +51,7 @@ struct DeviceStation {
                                                   ButtonAction::undo};
     std::vector<std::pair<std::string, std::string>> settings{};  ///< of the driver: parameters and texts
     std::string pedal{};  ///< driver, and the device's id if it matters, of a second device for its buttons; or empty
+    std::string knob{};   ///< the same of a second device that turns the tool about its shaft; or empty
 
     /// Returns the rotation from the device's axes to the patient's. Pre: `right` and `up` are perpendicular.   [any]
     [[nodiscard]] Quat world_from_device() const noexcept;

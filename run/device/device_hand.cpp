@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/device/device_hand.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "core/haptics/loop/device_report.h"
 #include "core/haptics/loop/tick_result.h"
 #include "core/haptics/scene/simulation.h"
 #include "kerf/device_buttons.hpp"
+#include "kerf/exact_math.hpp"
 
 namespace kerf::run {
 
@@ -20,6 +24,7 @@ DeviceHand::DeviceHand(const documents::DeviceStation& station, const kerf_devic
       frame_(station, (facts.abilities & KERF_DEVICE_ROTATION) != 0),
       pressable_(button_bits(facts.button_count)),
       has_drive_button_(is_pressed(documents::ButtonAction::drive, pressable_)),
+      has_knob_motor_((facts.abilities & KERF_DEVICE_TURN_TORQUE) != 0),
       wanted_(world_from_tool) {
     if ((facts.abilities & KERF_DEVICE_DEFLECTION) != 0) aimed_.emplace(station, arm, world_from_tool, Simulation::dt);
     presses_.is_driving = !has_drive_button_;
@@ -47,11 +52,20 @@ bool DeviceHand::is_there(const kerf_device_state& state) const noexcept {
 Pose DeviceHand::wanted_for(const kerf_device_state& state, Vec3 grip) noexcept {
     if (aimed_) {
         const double(&d)[6] = state.deflection;
-        return aimed_->step({d[0], d[1], d[2]}, {d[3], d[4], d[5]}, last_command_);
+        return turned(aimed_->step({d[0], d[1], d[2]}, {d[3], d[4], d[5]}, last_command_), state.turn);
     }
-    if (!is_joined_ || length(grip - grip_) > 0.0) frame_.join(state.device_from_handle, wanted_, grip);
+    if (!is_joined_ || length(grip - grip_) > 0.0) {
+        frame_.join(state.device_from_handle, wanted_, grip);
+        turn_at_join_ = state.turn;
+    }
     grip_ = grip;
-    return frame_.tool_for(state.device_from_handle);
+    return turned(frame_.tool_for(state.device_from_handle), state.turn - turn_at_join_);
+}
+
+Pose DeviceHand::turned(const Pose& tool, double turn) const noexcept {
+    if (turn == 0.0) return tool;
+    const SinCos half = sin_cos_exact(std::remainder(0.5 * turn, 2.0 * std::numbers::pi));
+    return {tool.position, normalized(tool.rotation * Quat{half.cos, 0.0, 0.0, half.sin})};
 }
 
 DeviceSample DeviceHand::take(const kerf_device_state& state, Vec3 grip) noexcept {
@@ -75,6 +89,7 @@ DeviceSample DeviceHand::take(const kerf_device_state& state, Vec3 grip) noexcep
 kerf_device_command DeviceHand::command(const TickResult& result, std::uint64_t tick) noexcept {
     last_command_ = result.command;
     const bool has_force = !result.is_closed_or_closing && !result.is_coming_back;
+    const Vec3 shaft = rotate(result.world_from_tool.rotation, {0, 0, 1});
     return {.tick = tick,
             .force = frame_.to_device(linear(result.command.wrench)),
             .torque = frame_.to_device(angular(result.command.wrench)),
@@ -82,7 +97,7 @@ kerf_device_command DeviceHand::command(const TickResult& result, std::uint64_t 
             .flags = (was_joined_ ? std::uint32_t{KERF_DEVICE_RUNNING} : 0u) |
                      (has_force ? std::uint32_t{KERF_DEVICE_FORCE_ON} : 0u),
             .reserved = 0,
-            .turn_torque = 0.0};
+            .turn_torque = has_knob_motor_ ? dot(angular(result.command.wrench), shaft) : 0.0};
 }
 
 }  // namespace kerf::run

@@ -23,6 +23,9 @@ namespace kerf::run {
 /// A device that is silent for 20 ms, not valid, or clutched, is lost to the loop: the force fades. The handle is
 /// joined to the tool again when it returns.
 ///
+/// The turn of a knob adds to that of the handle, about the shaft of the tool, clockwise for who looks along it. The
+/// torque about the shaft then goes to the knob.
+///
 /// A device that senses a deflection moves the aim of a simulated hand, which then takes the force. Its silence is
 /// rest: it is lost only while it is not valid.
 class DeviceHand {
@@ -47,6 +50,7 @@ private:
     [[nodiscard]] DeviceSample rest() noexcept;
     /// Returns the pose that the hand wants for the tool.
     [[nodiscard]] Pose wanted_for(const kerf_device_state& state, Vec3 grip) noexcept;
+    [[nodiscard]] Pose turned(const Pose& tool, double turn) const noexcept;
 
     documents::DeviceStation station_;
     HandleFrame frame_;
@@ -54,6 +58,8 @@ private:
     DeviceCommand last_command_{};      ///< which the simulated hand feels
     std::uint32_t pressable_;           ///< the buttons that the device has
     bool has_drive_button_;
+    bool has_knob_motor_;
+    double turn_at_join_ = 0.0;  ///< [rad] of the knob, when the handle was joined to the tool
     bool is_joined_ = false, was_joined_ = false;
     Vec3 grip_{};
     Pose wanted_;                             ///< last sample

@@ -130,9 +130,29 @@ std::string OpenedDevice::add_pedal(std::unique_ptr<OpenedDevice> pedal) {
     return {};
 }
 
+std::string OpenedDevice::add_knob(std::unique_ptr<OpenedDevice> knob) {
+    const kerf_device_facts& of_knob = knob->facts();
+    if (!knob->is_knob())
+        return "the device `" + knob->name() + "` is no knob: it senses more or less than a turn. Leave out `knob`.";
+    if ((facts_.abilities & KERF_DEVICE_TORQUE) != 0)
+        return "the device `" + name_ + "` makes all torques itself. Leave out `knob`.";
+    if ((facts_.abilities & KERF_DEVICE_TURN) != 0)
+        return "the device `" + name_ + "` has a knob of its own. Leave out `knob`.";
+    if ((of_knob.abilities & KERF_DEVICE_TURN_TORQUE) != 0 && stated_ != nullptr)
+        if (std::string fault = stated_->add_axis(of_knob); !fault.empty())
+            return "the knob `" + knob->name() + "` cannot be used: " + fault + ".";
+    facts_.abilities |= of_knob.abilities;
+    facts_.peak_turn_torque = of_knob.peak_turn_torque;
+    facts_.continuous_turn_torque = of_knob.continuous_turn_torque;
+    facts_.turn_resolution = of_knob.turn_resolution;
+    knob_ = std::move(knob);
+    return {};
+}
+
 kerf_device_state OpenedDevice::read() noexcept {
     kerf_device_state state{};
     driver_->read(device_, &state);
+    if (knob_ != nullptr) state.turn = turn_.take(knob_->read());
     if (pedal_ == nullptr || pedal_->facts().button_count == 0) return state;
     const kerf_device_state of_pedal = pedal_->read();
     state.buttons &= button_bits(own_buttons_);
@@ -144,6 +164,7 @@ std::string OpenedDevice::problem() {
     char text[240] = {};
     driver_->problem(device_, text);
     std::string own = text_in(text);
+    if (own.empty() && knob_ != nullptr) own = knob_->problem();
     return own.empty() && pedal_ != nullptr ? pedal_->problem() : own;
 }
 

@@ -12,6 +12,7 @@
 #include "core/plugin/loader.h"
 #include "documents/station.h"
 #include "kerf/device.h"
+#include "run/device/knob_turn.h"
 
 namespace kerf::run {
 
@@ -43,7 +44,11 @@ public:
     }
     /// Returns whether it only has buttons, so that it cannot lead a tool.
     [[nodiscard]] bool is_pedal() const noexcept { return facts_.abilities == 0; }
-    /// Returns what it states, with the buttons of its pedal.
+    /// Returns whether it is a knob and nothing else, so that it cannot lead a tool.
+    [[nodiscard]] bool is_knob() const noexcept {
+        return facts_.abilities != 0 && (facts_.abilities & ~(KERF_DEVICE_TURN | KERF_DEVICE_TURN_TORQUE)) == 0;
+    }
+    /// Returns what it states, with the buttons of its pedal and the abilities of its knob.
     [[nodiscard]] const kerf_device_facts& facts() const noexcept { return facts_; }
 
     /// Adds a second device, whose buttons come after those of this one. A lost pedal has no button pressed. Returns
@@ -54,10 +59,18 @@ public:
     /// [main]
     [[nodiscard]] std::string problem();
 
-    /// Returns the newest report.   [haptic, nonblocking]
+    /// Adds a knob, whose turn adds to that of this device's handle, and whose motor makes the torque about the tool's
+    /// shaft. Its buttons count for nothing. Returns why it cannot be added; empty on success.   [main] before the
+    /// record is used
+    [[nodiscard]] std::string add_knob(std::unique_ptr<OpenedDevice> knob);
+
+    /// Returns the newest report, with the buttons of the pedal and the turn of the knob.   [haptic, nonblocking]
     [[nodiscard]] kerf_device_state read() noexcept;
     /// [haptic, nonblocking]
-    void write(const kerf_device_command& command) noexcept { driver_->write(device_, &command); }
+    void write(const kerf_device_command& command) noexcept {
+        driver_->write(device_, &command);
+        if (knob_ != nullptr) knob_->write(command);
+    }
 
 private:
     OpenedDevice(const kerf_device& driver, const kerf_device_open_out& opened, std::string name)
@@ -68,7 +81,8 @@ private:
     kerf_device_facts facts_;
     std::string name_;
     std::unique_ptr<StatedDevice> stated_;
-    std::unique_ptr<OpenedDevice> pedal_;
+    std::unique_ptr<OpenedDevice> pedal_, knob_;
+    KnobTurn turn_;                  ///< of the knob
     std::uint32_t own_buttons_ = 0;  ///< number of buttons before those of the pedal
 };
 

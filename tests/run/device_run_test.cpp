@@ -6,12 +6,16 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/haptics/loop/coupling.h"
+#include "core/haptics/loop/stated_device.h"
 #include "run/device/device_hand.h"
+#include "run/device/knob_turn.h"
 #include "run/live_run.h"
 #include "tests/run/device_double.h"
 #include "tests/run/rehearsed_handle.h"
@@ -263,6 +267,161 @@ TEST(DeviceHand, RequestsAnActionOnceAPress) {
     EXPECT_TRUE(hand.presses().wants_next);
 }
 
+// ---- a knob next to the leading device -----------------------------------------------------------------------------
+
+kerf_device_facts facts_with_knob() {
+    kerf_device_facts facts = facts_of_premium();
+    facts.abilities &= ~std::uint32_t{KERF_DEVICE_TORQUE};
+    facts.peak_torque = facts.continuous_torque = 0.0;
+    facts.abilities |= KERF_DEVICE_TURN | KERF_DEVICE_TURN_TORQUE;
+    facts.peak_turn_torque = 2.0;
+    facts.continuous_turn_torque = 1.0;
+    facts.turn_resolution = 1e-3;
+    return facts;
+}
+
+kerf_device_state turned_by(double turn, std::uint64_t reports = 0) {
+    kerf_device_state state = at({});
+    state.turn = turn;
+    state.reports = reports;
+    return state;
+}
+
+TEST(DeviceHand, TurnsTheToolAboutItsShaftByTheKnob) {
+    const Pose start{{0.1, 0.2, 0.3}, quat_from_rotation_vector({0.3, -0.2, 0.5})};
+    const Vec3 grip{0, 0, -0.1};
+    DeviceHand hand(station_in_world(), facts_with_knob(), start);
+    static_cast<void>(hand.take(turned_by(7.0), grip));
+    const Pose tool = hand.take(turned_by(7.0 + 5.5 * std::numbers::pi), grip).world_from_handle;
+    EXPECT_NEAR(length(tool * grip - start * grip), 0.0, 1e-12) << "shaft and grip stay where they are";
+    EXPECT_NEAR(length(rotate(tool.rotation, {0, 0, 1}) - rotate(start.rotation, {0, 0, 1})), 0.0, 1e-12);
+    // Two turns and three quarters clockwise, as seen along the shaft, take x to -y.
+    EXPECT_NEAR(length(rotate(tool.rotation, {1, 0, 0}) - rotate(start.rotation, {0, -1, 0})), 0.0, 1e-9);
+
+    static_cast<void>(hand.take({}, grip));  // the leading device is lost
+    const Pose back = hand.take(turned_by(-3.0), grip).world_from_handle;
+    EXPECT_NEAR(length(rotate(back.rotation, {1, 0, 0}) - rotate(tool.rotation, {1, 0, 0})), 0.0, 1e-12)
+        << "it is joined again where both are";
+}
+
+TEST(DeviceHand, SendsTheTorqueAboutTheShaftToTheKnob) {
+    TickResult result;
+    result.world_from_tool = {{}, quat_between({0, 0, 1}, {1, 0, 0})};  // the shaft along x
+    result.command.wrench = make_vec6({1, 2, 3}, {-0.4, 0.1, 0.2});
+    DeviceHand with(station_in_world(), facts_with_knob(), identity_pose());
+    EXPECT_NEAR(with.command(result, 0).turn_torque, -0.4, 1e-12);
+    DeviceHand without(station_in_world(), facts_of_premium(), identity_pose());
+    EXPECT_EQ(without.command(result, 0).turn_torque, 0.0);
+}
+
+TEST(KnobTurn, InterpolatesASlowKnob) {
+    KnobTurn knob;
+    EXPECT_EQ(knob.take(turned_by(1.0, 5)), 0.0) << "from where it is";
+    for (int i = 0; i < 7; ++i) EXPECT_EQ(knob.take(turned_by(1.0, 5)), 0.0);
+    for (int i = 1; i <= 8; ++i) {
+        EXPECT_NEAR(knob.take(turned_by(1.8, 6)), 0.1 * i, 1e-12) << "its reports are 8 ticks apart";
+    }
+    EXPECT_NEAR(knob.take(turned_by(1.8, 6)), 0.8, 1e-12);
+    for (int i = 0; i < 100; ++i) static_cast<void>(knob.take(turned_by(1.8, 6)));
+    for (int i = 0; i < 20; ++i) static_cast<void>(knob.take(turned_by(2.0, 7)));
+    EXPECT_NEAR(knob.take(turned_by(2.0, 7)), 1.0, 1e-12) << "a late report takes at most 20 ticks";
+}
+
+TEST(KnobTurn, KeepsItsTurnWhileTheKnobIsLost) {
+    KnobTurn knob;
+    static_cast<void>(knob.take(turned_by(0.0, 1)));
+    EXPECT_NEAR(knob.take(turned_by(0.5, 2)), 0.5, 1e-12);
+    EXPECT_NEAR(knob.take({}), 0.5, 1e-12);
+    kerf_device_state odd = turned_by(std::nan(""), 3);
+    EXPECT_NEAR(knob.take(odd), 0.5, 1e-12);
+    EXPECT_NEAR(knob.take(turned_by(90.0, 4)), 0.5, 1e-12) << "it was turned while it was unplugged";
+    EXPECT_NEAR(knob.take(turned_by(90.25, 5)), 0.75, 1e-12);
+}
+
+/// A knob of a test.
+class Knob final : public DeviceLink {
+public:
+    explicit Knob(std::uint32_t abilities) : abilities_(abilities) {}
+    [[nodiscard]] kerf_device_facts facts() const override {
+        kerf_device_facts facts{};
+        facts.abilities = abilities_;
+        facts.peak_turn_torque = 2.0;
+        facts.continuous_turn_torque = 1.0;
+        facts.turn_resolution = 1e-3;
+        return facts;
+    }
+    [[nodiscard]] kerf_device_state read() noexcept override {
+        kerf_device_state state = turned_by(turn += 0.01, ++reports_);
+        state.buttons = 1u;
+        return state;
+    }
+    void write(const kerf_device_command& command) noexcept override { torque = command.turn_torque; }
+    [[nodiscard]] std::string problem() override { return "it is stuck."; }
+    double turn = 0.0, torque = 0.0;
+
+private:
+    std::uint32_t abilities_;
+    std::uint64_t reports_ = 0;
+};
+
+/// A stylus that is still.
+class Stylus final : public DeviceLink {
+public:
+    explicit Stylus(const kerf_device_facts& facts) : facts_(facts) {}
+    [[nodiscard]] kerf_device_facts facts() const override { return facts_; }
+    [[nodiscard]] kerf_device_state read() noexcept override { return at({}, 2u); }
+    void write(const kerf_device_command& /*command*/) noexcept override {}
+
+private:
+    kerf_device_facts facts_;
+};
+
+constexpr std::uint32_t knob_abilities = KERF_DEVICE_TURN | KERF_DEVICE_TURN_TORQUE;
+
+kerf_device_facts facts_of_stylus() {
+    kerf_device_facts facts = facts_with_knob();
+    facts.abilities &= ~knob_abilities;
+    facts.peak_turn_torque = facts.continuous_turn_torque = facts.turn_resolution = 0.0;
+    return facts;
+}
+
+TEST(OpenedDevice, AddsAKnobToTheLeadingDevice) {
+    const auto device = opened(std::make_unique<Stylus>(facts_of_stylus()));
+    auto link = std::make_unique<Knob>(knob_abilities);
+    Knob& knob = *link;
+    EXPECT_EQ(device->add_knob(opened(std::move(link))), "");
+    EXPECT_EQ(device->facts().abilities & knob_abilities, knob_abilities);
+    EXPECT_EQ(device->record()->axis.peak_torque, 2.0);
+    EXPECT_EQ(device->record()->continuous_torque, 1.0);
+    static_cast<void>(device->read());
+    const kerf_device_state state = device->read();
+    EXPECT_NEAR(state.turn, 0.01, 1e-12);
+    EXPECT_EQ(state.buttons, 2u) << "those of the knob count for nothing";
+    kerf_device_command command{};
+    command.turn_torque = 0.7;
+    device->write(command);
+    EXPECT_EQ(knob.torque, 0.7);
+    EXPECT_EQ(device->problem(), "it is stuck.");
+
+    std::string fault;
+    const auto recorded = StatedDevice::of("again", StatedDevice::values_of(*device->record()), fault);
+    ASSERT_NE(recorded, nullptr) << fault;
+    EXPECT_EQ(recorded->record().axis.peak_torque, 2.0) << "a replay has the same device";
+    EXPECT_EQ(recorded->record().axis.resolution, 1e-3);
+    EXPECT_EQ(gains_for(recorded->record(), 0.01, 1).shaft.torque_limit, 2.0);
+}
+
+TEST(OpenedDevice, RefusesWhatIsNoKnob) {
+    const auto refusal = [](const kerf_device_facts& facts, std::uint32_t abilities) {
+        const auto device = opened(std::make_unique<Stylus>(facts));
+        return device->add_knob(opened(std::make_unique<Knob>(abilities)));
+    };
+    EXPECT_NE(refusal(facts_of_stylus(), 0u), "") << "a pedal";
+    EXPECT_NE(refusal(facts_of_premium(), knob_abilities), "") << "it makes all torques";
+    EXPECT_NE(refusal(facts_with_knob(), knob_abilities), "") << "it has one";
+    EXPECT_EQ(refusal(facts_of_stylus(), KERF_DEVICE_TURN), "") << "a knob without a motor";
+}
+
 TEST(StatedDevice, RefusesADeviceThatTheLoopCannotUse) {
     const auto fault_of = [](auto&& change) {
         kerf_device_facts facts = facts_of_premium();
@@ -279,6 +438,16 @@ TEST(StatedDevice, RefusesADeviceThatTheLoopCannotUse) {
     EXPECT_NE(fault_of([](auto& f) { f.abilities = KERF_DEVICE_POSITION; }), "");
     EXPECT_NE(fault_of([](auto& f) { f.continuous_torque = 0.0; }), "");
     EXPECT_NE(fault_of([](auto& f) { f.button_count = 33; }), "");
+    const auto fault_of_knob = [](auto&& change) {
+        kerf_device_facts facts = facts_with_knob();
+        change(facts);
+        return fault_of_facts(facts);
+    };
+    EXPECT_EQ(fault_of_knob([](auto&) {}), "");
+    EXPECT_NE(fault_of_knob([](auto& f) { f.peak_turn_torque = 0.0; }), "");
+    EXPECT_NE(fault_of_knob([](auto& f) { f.continuous_turn_torque = 3.0; }), "");
+    EXPECT_NE(fault_of_knob([](auto& f) { f.turn_resolution = std::nan(""); }), "");
+    EXPECT_NE(fault_of_knob([](auto& f) { f.abilities &= ~std::uint32_t{KERF_DEVICE_TURN}; }), "");
 }
 
 }  // namespace

@@ -8,8 +8,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double viscosity = 0.1;  // [N·s/m] of a handle [assumed]
-constexpr double friction = 0.05;  // [N] of a handle [assumed]
+constexpr double viscosity = 0.1;       // [N·s/m] of a handle [assumed]
+constexpr double friction = 0.05;       // [N] of a handle [assumed]
+constexpr double knob_friction = 0.01;  // [N·m] of a motor about the handle's axis [assumed]
 
 struct Value {
     const char* name;
@@ -25,6 +26,26 @@ constexpr Value values[] = {{"peak_force", &DeviceRecord::peak_force},
                             {"resolution", &DeviceRecord::resolution}};
 
 bool is_between(double value, double min, double max) { return value >= min && value <= max; }
+
+struct AxisValue {
+    const char* name;
+    double TorqueAxis::*member;
+};
+/// Sessions of devices without a motor about the axis have none of these.
+constexpr AxisValue axis_values[] = {{"turn_peak_torque", &TorqueAxis::peak_torque},
+                                     {"turn_resolution", &TorqueAxis::resolution},
+                                     {"turn_friction", &TorqueAxis::friction}};
+
+/// Returns why the loop cannot use the motor about the axis of a device; empty if it can, or if there is none.
+std::string fault_of_axis(const DeviceRecord& d) {
+    if (d.axis.peak_torque == 0.0) return {};
+    if (d.peak_torque != 0.0) return "it makes all torques itself, so it needs no motor about its axis";
+    if (!is_between(d.axis.peak_torque, 1e-3, 50.0))
+        return "the torque of its knob must be 1 mN m to 50 N m at the peak";
+    if (!is_between(d.axis.resolution, 1e-9, 0.1)) return "the resolution of its knob must be 1 nrad to 0.1 rad";
+    if (!is_between(d.axis.friction, 1e-6, 10.0)) return "the friction of its knob must be 1 uN m to 10 N m";
+    return {};
+}
 
 /// Returns why the loop cannot use a device; empty if it can.
 std::string fault_of(const DeviceRecord& d) {
@@ -92,8 +113,12 @@ std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const Values& rec
         }
         device->record_.*value.member = found->second;
     }
+    for (const AxisValue& value : axis_values)
+        for (const auto& [name, recorded_value] : recorded)
+            if (name == value.name) device->record_.axis.*value.member = recorded_value;
     complete(device->record_);
     fault = fault_of(device->record_);
+    if (fault.empty()) fault = fault_of_axis(device->record_);
     return fault.empty() ? std::move(device) : nullptr;
 }
 
@@ -118,7 +143,17 @@ std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const kerf_device
 StatedDevice::Values StatedDevice::values_of(const DeviceRecord& record) {
     Values all;
     for (const Value& value : values) all.emplace_back(value.name, record.*value.member);
+    if (record.axis.peak_torque > 0.0)
+        for (const AxisValue& value : axis_values) all.emplace_back(value.name, record.axis.*value.member);
     return all;
+}
+
+std::string StatedDevice::add_axis(const kerf_device_facts& knob) {
+    if (std::string fault = fault_of_knob(knob); !fault.empty()) return fault;
+    record_.axis = {
+        .peak_torque = knob.peak_turn_torque, .resolution = knob.turn_resolution, .friction = knob_friction};
+    record_.continuous_torque = knob.continuous_turn_torque;
+    return fault_of_axis(record_);
 }
 
 }  // namespace kerf

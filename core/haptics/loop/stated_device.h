@@ -33,6 +33,9 @@ public:
     StatedDevice& operator=(const StatedDevice&) = delete;
 
     [[nodiscard]] const DeviceRecord& record() const noexcept { return record_; }
+    /// Adds the motor of a knob about the handle's axis. Returns why it cannot; empty on success.   [main] before the
+    /// record is used
+    [[nodiscard]] std::string add_axis(const kerf_device_facts& knob);
     /// Returns what a session records, so that a replay has the same device.
     [[nodiscard]] static Values values_of(const DeviceRecord& record);
 
