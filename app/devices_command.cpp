@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/device_health.h"
 #include "app/device_test.h"
+#include "app/force_check.h"
 #include "app/listed_name.h"
 #include "app/standard_streams.h"
 #include "app/station_file.h"
@@ -63,7 +64,9 @@ ExitCode measure(const DevicesOptions& options, const PluginRegistry& plugins) {
 namespace commands {
 
 ExitCode devices(const DevicesOptions& options, const Environment& with) {
-    if (options.action == "test") return measure(options, with.plugins);
+    if (options.action == "test")
+        return options.is_with_force ? check_force(options.device, with.plugins) : measure(options, with.plugins);
+    if (options.is_with_force) return complain("only `kerf devices test` takes `--force`.", exit_bad_input);
     if (!options.record.empty()) return complain("only `kerf devices test` takes `--record`.", exit_bad_input);
     if (options.action == "setup") return set_up(options.device, with.plugins);
     if (!options.device.empty()) return complain("only `kerf devices test` and `setup` take a device.", exit_bad_input);

@@ -159,6 +159,7 @@ struct DevicesOptions {
     std::string device;             ///< of test and setup
     std::string record;             ///< of test: file for the motion of the handle; empty: none
     std::string duration = "10 s";  ///< of test
+    bool is_with_force = false;     ///< of test: pushes, and lets a person confirm them, instead of measuring
 };
 
 struct DescribeOptions {

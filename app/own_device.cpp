@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/confirmed_devices.h"
 #include "app/standard_streams.h"
 #include "app/station_file.h"
 #include "core/haptics/loop/device_report.h"
@@ -98,6 +99,9 @@ ExitCode open_leading_device(const std::string& id, const PluginRegistry& plugin
         return complain("the device `" + id + "` is a knob, so it cannot lead a tool. Write `knob: " + id +
                             "` under another device in " + station_file() + ".",
                         exit_bad_input);
+    if (device.opened->record() != nullptr && !device.opened->is_modelled() && !is_confirmed(device.opened->name()))
+        print_error("kerf: the force of the device `" + device.opened->name() +
+                    "` was never confirmed at this table. Write `kerf devices test " + id + " --force` first.\n");
     if (const ExitCode code = add_knob(*own, plugins, interruption, device); code != exit_pass) return code;
     if (device.station.pedal.empty()) return exit_pass;
     const documents::DeviceStation of_pedal = own->of(device.station.pedal);

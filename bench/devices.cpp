@@ -31,7 +31,7 @@ void run_virtual(const std::string& procedure) {
     auto link = device.open();
     const kerf_device_facts facts = link->facts();
     const run::RunOutcome led = run::run_in_lock_step(procedure, {}, device, std::move(link));
-    const run::RunOutcome direct = run::run_directly(procedure, {}, facts);
+    const run::RunOutcome direct = run::run_directly(procedure, {}, facts, device);
     const bool is_same = led.error.empty() && led.summary.hash == direct.summary.hash;
     std::printf("haply  %-24s virtual  %8llu ticks  %-10s  %s%s\n", procedure.c_str(),
                 static_cast<unsigned long long>(led.summary.ticks), to_text(led.summary.verdict),

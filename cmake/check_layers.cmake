@@ -5,7 +5,7 @@
 #   core/…          kerf/…, its own layer or an earlier one, std and the C library; core/sdk only kerf/… and std
 #   text, documents, session, bone/…   the same, and third parties
 #   plugins/<name>  kerf/…, its own folder, std; CGAL in plugins/remesh_cgal/booleans.cpp, OpenMesh in plugins/burring/displace
-#   devices/<name>  the same, the C library, devices/{motion,realtime}, and devices/hid, which alone includes hidapi
+#   devices/<name>  the same, the C library, devices/{library,motion,realtime}, and devices/hid, which alone includes hidapi
 #   studies/papers/<name>  kerf/…, its own folder, plugins/…, std: plugins that only charts and tests find
 #   run/…           kerf/…, the layers, devices/…, run/…, third parties; plugins it finds at run time
 #   conformance/…   kerf/…, the layers, conformance/…, studies/drawing/…, third parties; plugins it is given at run time
@@ -158,7 +158,7 @@ function(check_plugin_include file content directive folder)
     return()
   elseif(folder MATCHES "^devices/" AND is_angled AND (path IN_LIST c_library OR path MATCHES "^(arpa|linux|netinet|sys)/"))
     return()
-  elseif(folder MATCHES "^devices/" AND path MATCHES "^devices/(hid|motion|realtime)/[a-z_]+\\.h$")
+  elseif(folder MATCHES "^devices/" AND path MATCHES "^devices/(hid|library|motion|realtime)/[a-z_]+\\.h$")
     return()
   elseif(is_angled AND path STREQUAL "nlohmann/json.hpp" AND file STREQUAL "${ROOT}/devices/haply/service_text.cpp")
     return()

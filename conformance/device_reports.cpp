@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t known_abilities = KERF_DEVICE_POSITION | KERF_DEVICE_ROTATION | KERF_DEVICE_FORCE |
                                           KERF_DEVICE_TORQUE | KERF_DEVICE_DEFLECTION | KERF_DEVICE_TURN |
-                                          KERF_DEVICE_TURN_TORQUE;
+                                          KERF_DEVICE_TURN_TORQUE | KERF_DEVICE_MODELLED;
 constexpr std::uint32_t known_flags = KERF_DEVICE_VALID;
 
 /// A limit that a device states, and the ability that has it.

@@ -133,7 +133,7 @@ kerf_status faulty_open(const kerf_device_open_in* in, std::int32_t (*is_cancell
     kerf_device_facts& facts = out->facts;
     if (is("weighs_no_number")) facts.mass = nan_value;
     if (is("has_forty_buttons")) facts.button_count = 40;
-    if (is("invents_an_ability")) facts.abilities |= 128;
+    if (is("invents_an_ability")) facts.abilities |= 256;
     if (is("is_stronger_for_long")) facts.continuous_force = 4.0;
     if (is("twists_without_the_ability")) facts.peak_torque = 1.0;
     return status;

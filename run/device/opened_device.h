@@ -44,6 +44,8 @@ public:
     }
     /// Returns whether it only has buttons, so that it cannot lead a tool.
     [[nodiscard]] bool is_pedal() const noexcept { return facts_.abilities == 0; }
+    /// Returns whether it is no hardware.
+    [[nodiscard]] bool is_modelled() const noexcept { return (facts_.abilities & KERF_DEVICE_MODELLED) != 0; }
     /// Returns whether it is a knob and nothing else, so that it cannot lead a tool.
     [[nodiscard]] bool is_knob() const noexcept {
         return facts_.abilities != 0 && (facts_.abilities & ~(KERF_DEVICE_TURN | KERF_DEVICE_TURN_TORQUE)) == 0;

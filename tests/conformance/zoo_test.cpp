@@ -194,7 +194,7 @@ const std::vector<Animal>& zoo() {
         {"reads_numbers_from_any_text", "device.takes_any_setting", "threw an exception in `open`"},
         {"weighs_no_number", "device.facts", "its mass must be"},
         {"has_forty_buttons", "device.facts", "32 buttons"},
-        {"invents_an_ability", "device.facts", "unknown bits 128"},
+        {"invents_an_ability", "device.facts", "unknown bits 256"},
         {"is_stronger_for_long", "device.facts", "continuous force"},
         {"twists_without_the_ability", "device.facts", "without KERF_DEVICE_TORQUE"},
         {"counts_backwards", "device.reports", "`reports` falls"},

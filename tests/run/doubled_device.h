@@ -27,6 +27,8 @@ public:
     virtual void set_handle(const Pose& device_from_handle, std::uint32_t buttons) = 0;
     /// Returns the force that it makes now [N].
     [[nodiscard]] virtual Vec3 force() = 0;
+    /// Returns a pose as the device can report it, which may round it.
+    [[nodiscard]] virtual Pose reported(const Pose& device_from_handle) const { return device_from_handle; }
 };
 
 /// A driver whose commands the hand also sees, since it sees the tool.
@@ -55,11 +57,12 @@ private:
 /// A device with nothing between hand and loop: the reference for runs through a driver.
 class DirectLink final : public DeviceLink {
 public:
-    DirectLink(RehearsedHandle& hand, const kerf_device_facts& facts) : hand_(hand), facts_(facts) {}
+    DirectLink(RehearsedHandle& hand, const kerf_device_facts& facts, const StandIn& device)
+        : hand_(hand), facts_(facts), device_(device) {}
     [[nodiscard]] kerf_device_facts facts() const override { return facts_; }
     [[nodiscard]] kerf_device_state read() noexcept override {
         kerf_device_state state = state_without_report();
-        state.device_from_handle = hand_.handle();
+        state.device_from_handle = device_.reported(hand_.handle());
         state.buttons = hand_.buttons();
         state.flags = KERF_DEVICE_VALID;
         return state;
@@ -71,6 +74,7 @@ public:
 private:
     RehearsedHandle& hand_;
     kerf_device_facts facts_;
+    const StandIn& device_;
 };
 
 /// Between two ticks it waits until the force of the first has moved the hand, and until the driver has the new pose.
@@ -93,7 +97,8 @@ public:
         const Pose handle = hand_.handle();
         const std::uint32_t buttons = hand_.buttons();
         device_.set_handle(handle, buttons);
-        while (!has_arrived(driver_.read(), handle, buttons)) std::this_thread::yield();
+        const Pose reported = device_.reported(handle);
+        while (!has_arrived(driver_.read(), reported, buttons)) std::this_thread::yield();
         return 0;
     }
 
@@ -164,12 +169,12 @@ inline RunOutcome run_in_lock_step(const std::string& procedure, const std::vect
     return run_on_clock(scene, test::plugins(), request, clock, *watched, station_in_world());
 }
 inline RunOutcome run_directly(const std::string& procedure, const std::vector<std::string>& settings,
-                               const kerf_device_facts& facts) {
+                               const kerf_device_facts& facts, const StandIn& device) {
     std::string fault;
     const auto stated = StatedDevice::of("double", facts, fault);
     const Scene scene = scene_on(stated->record(), procedure, settings);
     RehearsedHandle hand(scene);
-    const auto direct = opened(std::make_unique<DirectLink>(hand, facts));
+    const auto direct = opened(std::make_unique<DirectLink>(hand, facts, device));
     RunRequest request;
     request.observers = {&hand};
     SteadyClock steady;

@@ -90,7 +90,8 @@ void complete(DeviceRecord& d) {
 }  // namespace
 
 bool leads_under_force(const kerf_device_facts& facts) noexcept {
-    constexpr std::uint32_t others = KERF_DEVICE_DEFLECTION | KERF_DEVICE_TURN | KERF_DEVICE_TURN_TORQUE;
+    constexpr std::uint32_t others =
+        KERF_DEVICE_DEFLECTION | KERF_DEVICE_TURN | KERF_DEVICE_TURN_TORQUE | KERF_DEVICE_MODELLED;
     return (facts.abilities & ~others) != 0;
 }
 

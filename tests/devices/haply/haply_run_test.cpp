@@ -16,10 +16,10 @@ TEST(HaplyRun, HasTheBitsOfADeviceWithoutAService) {
     haply::HaplyStandIn device;
     auto link = device.open();
     const kerf_device_facts facts = link->facts();
-    const RunOutcome led = run_in_lock_step("pedicle-awl", {"time_limit=6 s"}, device, std::move(link));
+    const RunOutcome led = run_in_lock_step("pedicle-awl", {"time_limit=4 s"}, device, std::move(link));
     ASSERT_EQ(led.error, "");
-    const RunOutcome direct = run_directly("pedicle-awl", {"time_limit=6 s"}, facts);
-    EXPECT_EQ(direct.summary.ticks, 6000u);
+    const RunOutcome direct = run_directly("pedicle-awl", {"time_limit=4 s"}, facts, device);
+    EXPECT_EQ(direct.summary.ticks, 4000u);
     EXPECT_EQ(led.summary.hash, direct.summary.hash);
 }
 
@@ -27,7 +27,7 @@ TEST(HaplyRun, ReplaysARunOnTheClockToTheBit) {
     const test::TemporaryFolder folder;
     haply::HaplyStandIn device;
     const LiveAndAgain runs =
-        run_live_at("pedicle-awl", {"time_limit=12 s"}, device, device.open(), folder.path() + "/led");
+        run_live_at("pedicle-awl", {"time_limit=10 s"}, device, device.open(), folder.path() + "/led");
     EXPECT_EQ(runs.live.error, "");
     EXPECT_EQ(runs.live.summary.hand, "device");
     EXPECT_EQ(runs.again.summary.hash, runs.live.summary.hash);
