@@ -284,6 +284,13 @@ std::string absolute_path(const std::string& path) {
     return no_folder ? path : whole;
 }
 
+/// Fits the motion of a device that leads the run into its workspace, and lets the run print its problems.
+void prepare_device(const run::Scene& scene, const std::string& rehearsal, OwnDevice& device,
+                    std::optional<DeviceProblems>& problems, run::RunRequest& request) {
+    fit_to_workspace(scene, rehearsal, device);
+    request.observers.push_back(&problems.emplace(*device.opened));
+}
+
 /// Prints the result of a run. Returns how the program ends, without a comparison of a replay.
 ExitCode print_outcome(const run::RunOutcome& outcome, const std::string& folder, const UsedPlugins& used) {
     used.warn_of_replaced();
@@ -363,10 +370,7 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     if (const std::string refusal = refusal_to_overwrite(options, out); !refusal.empty())
         return complain(refusal, exit_bad_input);
     std::optional<DeviceProblems> problems;
-    if (of_run.own.opened != nullptr) {
-        fit_to_workspace(*scene, rehearsal, of_run.own);
-        request.observers.push_back(&problems.emplace(*of_run.own.opened));
-    }
+    if (of_run.own.opened != nullptr) prepare_device(*scene, rehearsal, of_run.own, problems, request);
     run::MouseBox mouse;
     const auto run = [&](const run::RunRequest& requested) {
         if (is_by_mouse(options)) return run::run_live(*scene, with.plugins, requested, mouse);

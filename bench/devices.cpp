@@ -7,16 +7,18 @@
 //     ./dev bench devices live PROCEDURE …   those procedures on the wall clock
 //
 //     virtual   the run through the driver, and the same without it: whether both have the same bits
-//     wall      the verdict, late ticks, whether the replay has the same bits; and the time between a state that the
-//               stand-in sends and the next command that it gets [ms]
+//     wall      the verdict, late ticks, whether the replay has the same bits. `haply`: also the time between a state
+//               that the stand-in sends and the next command that it gets [ms]. Sessions stay in bench/devices of the
+//               build
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "tests/devices/force_dimension/force_dimension_stand_in.h"
 #include "tests/devices/haply/haply_stand_in.h"
 #include "tests/run/doubled_device.h"
-#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -26,38 +28,56 @@ const std::vector<std::string> all = {
     "pedicle-awl",    "pedicle-burr", "pedicle-screw", "trochanter-fixation", "mandibular-angle-reduction",
     "dental-implant", "amputation"};
 
-void run_virtual(const std::string& procedure) {
-    haply::HaplyStandIn device;
+template <class Device>
+void run_virtual(const char* driver, const std::string& procedure) {
+    Device device;
     auto link = device.open();
     const kerf_device_facts facts = link->facts();
     const run::RunOutcome led = run::run_in_lock_step(procedure, {}, device, std::move(link));
     const run::RunOutcome direct = run::run_directly(procedure, {}, facts, device);
     const bool is_same = led.error.empty() && led.summary.hash == direct.summary.hash;
-    std::printf("haply  %-24s virtual  %8llu ticks  %-10s  %s%s\n", procedure.c_str(),
+    std::printf("%-16s %-26s virtual  %8llu ticks  %-10s  %s%s\n", driver, procedure.c_str(),
                 static_cast<unsigned long long>(led.summary.ticks), to_text(led.summary.verdict),
                 is_same ? "the same bits" : "OTHER BITS", led.error.c_str());
     std::fflush(stdout);
 }
 
-void run_on_wall_clock(const std::string& procedure) {
-    const test::TemporaryFolder folder;
-    haply::HaplyStandIn device;
-    const run::LiveAndAgain runs = run::run_live_at(procedure, {}, device, device.open(), folder.path() + "/led");
+std::string answers(haply::HaplyStandIn& device) {
     std::vector<double> times = device.service.take_answer_times();
+    if (times.empty()) return "";
     std::sort(times.begin(), times.end());
     const auto at = [&](double part) {
-        return times.empty() ? 0.0
-                             : 1e3 * times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+        return std::to_string(1e3 * times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))])
+            .substr(0, 5);
     };
+    return "  answer " + at(0.5) + " median, " + at(0.99) + " p99, " + at(0.999) + " p99.9";
+}
+std::string answers(force_dimension::ForceDimensionStandIn& /*device*/) { return ""; }
+
+template <class Device>
+void run_on_wall_clock(const std::string& driver, const std::string& procedure) {
+    const std::string folder = KERF_BUILD_DIR "/bench/devices/" + driver + "-" + procedure;
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(KERF_BUILD_DIR "/bench/devices");
+    Device device;
+    const run::LiveAndAgain runs = run::run_live_at(procedure, {}, device, device.open(), folder);
     const auto& clock = runs.live.summary.clock;
-    std::printf("haply  %-24s wall     %8llu ticks  %-10s  %s  late %llu  answer %.3f median, %.3f p99, %.3f p99.9%s\n",
-                procedure.c_str(), static_cast<unsigned long long>(runs.live.summary.ticks),
-                to_text(runs.live.summary.verdict),
+    std::printf("%-16s %-26s wall     %8llu ticks  %-10s  %s  late %llu%s%s\n", driver.c_str(), procedure.c_str(),
+                static_cast<unsigned long long>(runs.live.summary.ticks), to_text(runs.live.summary.verdict),
                 runs.again.summary.hash == runs.live.summary.hash ? "the same bits" : "OTHER BITS",
-                static_cast<unsigned long long>(clock ? clock->over_period : 0), at(0.5), at(0.99), at(0.999),
+                static_cast<unsigned long long>(clock ? clock->over_period : 0), answers(device).c_str(),
                 runs.live.error.c_str());
-    for (const std::string& reason : runs.live.summary.reasons) std::printf("       %s\n", reason.c_str());
+    for (const std::string& reason : runs.live.summary.reasons) std::printf("    %s\n", reason.c_str());
     std::fflush(stdout);
+}
+
+void run_all_virtual(const std::string& procedure) {
+    run_virtual<haply::HaplyStandIn>("haply", procedure);
+    run_virtual<force_dimension::ForceDimensionStandIn>("force_dimension", procedure);
+}
+void run_all_on_wall_clock(const std::string& procedure) {
+    run_on_wall_clock<haply::HaplyStandIn>("haply", procedure);
+    run_on_wall_clock<force_dimension::ForceDimensionStandIn>("force_dimension", procedure);
 }
 
 }  // namespace
@@ -65,9 +85,9 @@ void run_on_wall_clock(const std::string& procedure) {
 int main(int argc, char** argv) {
     const std::vector<std::string> named(argv + 1, argv + argc);
     if (!named.empty() && named.front() == "live") {
-        for (std::size_t i = 1; i < named.size(); ++i) run_on_wall_clock(named[i]);
+        for (std::size_t i = 1; i < named.size(); ++i) run_all_on_wall_clock(named[i]);
         return 0;
     }
-    for (const std::string& procedure : named.empty() ? all : named) run_virtual(procedure);
-    if (named.empty()) run_on_wall_clock("pedicle-awl");
+    for (const std::string& procedure : named.empty() ? all : named) run_all_virtual(procedure);
+    if (named.empty()) run_all_on_wall_clock("pedicle-awl");
 }

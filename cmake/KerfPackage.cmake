@@ -30,7 +30,7 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "haptic simulation of bone surgery
 Kerf drills, saws and burrs a virtual bone in ticks of one millisecond. It
 removes the bone that the tool cuts, and computes the force on the hand. A
 simulated hand carries out procedures, which are YAML files. Drivers connect
-haptic devices over UDP, SpaceMouse and a foot pedal.
+haptic devices over UDP, Inverse3, omega and its like, SpaceMouse, foot pedal.
 
 ${notice}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "kerf-remesh-cgal, kerf-window")

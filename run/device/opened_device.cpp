@@ -47,7 +47,7 @@ DriverSettings settings_for(const ComponentInfo& driver, const documents::Device
     DriverSettings settings{.parameters = defaults_of(driver), .texts = {}, .error = {}};
     for (const auto& [key, value] : station.settings) {
         const auto parameter = std::find_if(driver.parameters.begin(), driver.parameters.end(),
-                                            [&](const ParameterInfo& p) { return p.id == key; });
+                                            [&id = key](const ParameterInfo& p) { return p.id == id; });
         if (parameter == driver.parameters.end()) {
             settings.texts.push_back({key.c_str(), value.c_str()});
             continue;
