@@ -19,7 +19,7 @@ constexpr TypedModel models[] = {
     {36, {"omega.6", 12.0, 5000.0, 30.0, true}},  {35, {"omega.7", 12.0, 5000.0, 30.0, true}},
     {37, {"omega.7", 12.0, 5000.0, 30.0, true}},  {63, {"delta.3", 20.0, 5000.0, 30.0, true}},
     {64, {"delta.6", 20.0, 5000.0, 30.0, true}},  {60, {"Falcon", 8.0, 3000.0, 20.0, true}},
-    {104, {"sigma.7", 20.0, 5000.0, 30.0, true}}, {105, {"sigma.7", 20.0, 5000.0, 30.0, true}},
+    {104, {"sigma.7", 12.0, 4000.0, 30.0, true}}, {105, {"sigma.7", 12.0, 4000.0, 30.0, true}},
 };
 constexpr Model weakest{"device of unknown type", 8.0, 3000.0, 20.0, false};
 

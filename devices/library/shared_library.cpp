@@ -55,8 +55,11 @@ SharedLibrary::SharedLibrary(const LibraryPlaces& places, bool is_global) : make
         }
         reasons += (reasons.empty() ? "" : "; ") + last_error();
     }
-    throw std::runtime_error("the library of " + maker_ + " cannot be opened: " + reasons +
-                             ". Install the maker's SDK, or write `settings: {library: FOLDER}` in the station.");
+    throw std::runtime_error(
+        "the library of " + maker_ +
+        " cannot be opened. Install the maker's SDK, or write `settings: {library: FOLDER}` in the "
+        "station: " +
+        reasons);
 }
 
 void* SharedLibrary::address_of(const char* symbol) const {

@@ -34,7 +34,7 @@ enum {
     KERF_DEVICE_DEFLECTION = 16,  /* senses the deflection of its handle from rest, instead of a position */
     KERF_DEVICE_TURN = 32,        /* a knob: senses how far it is turned about its own axis, over any number of turns */
     KERF_DEVICE_TURN_TORQUE = 64, /* a knob with a motor about that axis */
-    KERF_DEVICE_MODELLED = 128,   /* no hardware: a model, whose force harms nobody */
+    KERF_DEVICE_MODELLED = 128,   /* no hardware: a model */
 };
 /* A device that only has buttons, such as a pedal, has no ability. */
 
