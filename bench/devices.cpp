@@ -18,6 +18,7 @@
 
 #include "tests/devices/force_dimension/force_dimension_stand_in.h"
 #include "tests/devices/haply/haply_stand_in.h"
+#include "tests/devices/openhaptics/openhaptics_stand_in.h"
 #include "tests/run/doubled_device.h"
 
 namespace {
@@ -52,7 +53,7 @@ std::string answers(haply::HaplyStandIn& device) {
     };
     return "  answer " + at(0.5) + " median, " + at(0.99) + " p99, " + at(0.999) + " p99.9";
 }
-std::string answers(force_dimension::ForceDimensionStandIn& /*device*/) { return ""; }
+std::string answers(run::StandIn& /*device*/) { return ""; }
 
 template <class Device>
 void run_on_wall_clock(const std::string& driver, const std::string& procedure) {
@@ -74,10 +75,12 @@ void run_on_wall_clock(const std::string& driver, const std::string& procedure) 
 void run_all_virtual(const std::string& procedure) {
     run_virtual<haply::HaplyStandIn>("haply", procedure);
     run_virtual<force_dimension::ForceDimensionStandIn>("force_dimension", procedure);
+    run_virtual<openhaptics::OpenHapticsStandIn>("openhaptics", procedure);
 }
 void run_all_on_wall_clock(const std::string& procedure) {
     run_on_wall_clock<haply::HaplyStandIn>("haply", procedure);
     run_on_wall_clock<force_dimension::ForceDimensionStandIn>("force_dimension", procedure);
+    run_on_wall_clock<openhaptics::OpenHapticsStandIn>("openhaptics", procedure);
 }
 
 }  // namespace

@@ -66,11 +66,11 @@ public:
         claim_.name(id, session_.name());
         facts_ = session_.facts();
         if (std::string fault = session_.start(); !fault.empty()) throw std::runtime_error(fault);
-        wait_for_calibration(request, wait);
         servo_ = std::make_unique<Servo>(hd_, facts_.peak_force);
-        servo_->restart(session_.device());
+        servo_->restart(session_.device(), session_.own_calibration());
         if (std::string fault = session_.schedule(&step_of, servo_.get()); !fault.empty())
             throw std::runtime_error(fault);
+        wait_for_calibration(request, wait);
         thread_ = std::thread([this] { supervise(); });
     }
     ~Link() override {
@@ -113,8 +113,9 @@ public:
 
 private:
     void wait_for_calibration(const DeviceRequest& request, double wait) {
-        for (const double end = device_time() + wait; !session_.calibrate();) {
+        for (const double end = device_time() + wait; !servo_->is_ready();) {
             if (request.is_cancelled()) throw std::runtime_error("interrupted before the device was calibrated");
+            if (device_time() > end && servo_->error().code != 0) throw std::runtime_error(problem());
             if (device_time() > end)
                 throw std::runtime_error("the device is not calibrated. " +
                                          calibration_advice(session_.calibration_styles()) + " Then start Kerf again.");
@@ -133,14 +134,10 @@ private:
                 newest = now;
             }
             is_silent_.store(now - newest > silent_servo, std::memory_order_relaxed);
-            const bool is_lost = servo_->is_lost();
-            if (now < next_search || (!is_lost && servo_->fault() != ServoFault::not_calibrated)) continue;
+            if (now < next_search || !servo_->is_lost()) continue;
             next_search = now + between_searches;
             try {
-                if (is_lost)
-                    open_again();
-                else
-                    static_cast<void>(session_.calibrate());
+                open_again();
             } catch (const std::exception&) {
                 continue;  // out of memory: it tries again
             }
@@ -152,7 +149,7 @@ private:
         std::string fault = session_.init(name_);
         if (fault.empty()) fault = session_.start();
         if (fault.empty()) {
-            servo_->restart(session_.device());
+            servo_->restart(session_.device(), session_.own_calibration());
             fault = session_.schedule(&step_of, servo_.get());
         }
         const std::lock_guard lock(mutex_);

@@ -15,6 +15,7 @@ constexpr double still_angle = 0.05;    // [rad] [assumed]: more than the noise 
 constexpr double between_checks = 0.1;  // [s] of the calibration
 constexpr double error_memory = 1.0;    // [s]
 constexpr int max_errors = 16;          // of one period
+constexpr int needed_periods = 3;       // without an error, before a pose is believed
 
 bool are_same(Vec3 a, Vec3 b) noexcept { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
@@ -24,10 +25,13 @@ double angle_between(const Quat& a, const Quat& b) noexcept {
 
 }  // namespace
 
-void Servo::restart(unsigned device) noexcept {
+void Servo::restart(unsigned device, unsigned style) noexcept {
     device_ = device;
+    style_ = style;
     has_last_ = false;
-    is_calibrated_ = true;
+    is_calibrated_ = false;
+    sound_periods_ = 0;
+    is_ready_.store(false, std::memory_order_release);
     next_check_ = unsound_until_ = 0.0;
     is_lost_.store(false, std::memory_order_release);
 }
@@ -56,8 +60,12 @@ void Servo::step() noexcept {
     const double values[3] = {force.x, force.y, force.z};
     hd_->set_doubles(hd_force, values);
     hd_->end_frame(device_);
-    note_errors(now);
+    const int before = sound_periods_;
+    sound_periods_ = note_errors(now) ? std::min(before + 1, needed_periods) : 0;
+    if (before < needed_periods && sound_periods_ == needed_periods)
+        error_code_.store(0, std::memory_order_relaxed);  // those of the beginning mean nothing
     exchange_.put(state_, now);
+    is_ready_.store((state_.flags & KERF_DEVICE_VALID) != 0, std::memory_order_release);
     periods_.fetch_add(1, std::memory_order_relaxed);
     if (is_ending) has_ended_.store(true, std::memory_order_release);
 }
@@ -65,14 +73,21 @@ void Servo::step() noexcept {
 void Servo::check_calibration(double now) noexcept {
     if (now < next_check_) return;
     next_check_ = now + between_checks;
-    is_calibrated_ = hd_->check_calibration() == hd_calibrated;
+    unsigned state = hd_->check_calibration();
+    if (state == hd_needs_update && style_ != 0) {  // libHD takes this from its own thread alone
+        hd_->update_calibration(style_);
+        state = hd_->check_calibration();
+    }
+    is_calibrated_ = state == hd_calibrated;
 }
 
 void Servo::take(double now, const double (&transform)[16], int buttons) noexcept {
     const std::optional<Pose> pose = pose_of(transform);
     const ServoFault fault = pose ? fault_of(now, *pose) : ServoFault::no_pose;
     fault_.store(fault, std::memory_order_relaxed);
-    state_.flags = fault == ServoFault::none && !is_lost() ? std::uint32_t{KERF_DEVICE_VALID} : 0;
+    state_.flags = fault == ServoFault::none && !is_lost() && sound_periods_ == needed_periods
+                       ? std::uint32_t{KERF_DEVICE_VALID}
+                       : 0;
     if (state_.flags == 0) return;
     ++state_.reports;
     state_.device_from_handle = *pose;
@@ -95,19 +110,23 @@ ServoFault Servo::fault_of(double now, const Pose& pose) noexcept {
     return ServoFault::none;
 }
 
-void Servo::note_errors(double now) noexcept {
+/// Notes the errors of a period. Returns whether there were none.
+bool Servo::note_errors(double now) noexcept {
+    bool is_sound = true;
     for (int i = 0; i < max_errors; ++i) {
         const HdError error = hd_->take_error();
-        if (error.code == 0) return;
+        if (error.code == 0) break;
         error_code_.store(error.code, std::memory_order_relaxed);
         error_internal_.store(error.internal, std::memory_order_relaxed);
         error_time_.store(now, std::memory_order_relaxed);
         // An error of the force passes by; the device still reports its pose.
         if (error.code >= hd_warm_motors && error.code <= hd_last_of_force) continue;
+        is_sound = false;
         state_.flags = 0;
         fault_.store(ServoFault::error, std::memory_order_relaxed);
         if (error.code >= hd_fault && error.code <= hd_timer_error) is_lost_.store(true, std::memory_order_release);
     }
+    return is_sound;
 }
 
 }  // namespace kerf::openhaptics

@@ -95,17 +95,7 @@ std::string Session::schedule(unsigned (*callback)(void*), void* context) {
     return "";
 }
 
-bool Session::calibrate() {
-    hd_->make_current(device_);
-    unsigned state = hd_->check_calibration();
-    const unsigned style = preferred_style(calibration_styles());
-    if (state == hd_needs_update && style != 0) {
-        hd_->update_calibration(style);
-        state = hd_->check_calibration();
-    }
-    static_cast<void>(first_error(*hd_));
-    return state == hd_calibrated;
-}
+unsigned Session::own_calibration() const noexcept { return preferred_style(calibration_styles()); }
 
 void Session::close() noexcept {
     if (device_ == no_device) return;

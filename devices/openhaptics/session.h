@@ -25,8 +25,8 @@ public:
     [[nodiscard]] std::string start();
     /// Calls `callback` in each period of the servo, on a thread of libHD, until `close`. Returns why it cannot.
     [[nodiscard]] std::string schedule(unsigned (*callback)(void*), void* context);
-    /// Returns whether the device is calibrated. Lets it calibrate itself, if that is all it needs.
-    [[nodiscard]] bool calibrate();
+    /// Returns the style of a calibration that the device carries out by itself; 0: none.
+    [[nodiscard]] unsigned own_calibration() const noexcept;
     void close() noexcept;
 
     [[nodiscard]] unsigned device() const noexcept { return device_; }

@@ -47,7 +47,7 @@ const MapShape<DeviceStation> station_device{
       "pedal"},
      {optional, "knob", &DeviceStation::knob, text(),
       "A second device, a knob, whose turn adds to that of the handle, and which makes the torque about the shaft.",
-      "hid_force"},
+      "my_knob"},
      {optional, "peer", text(), "The address of another machine whose program drives the device.", "192.168.1.7"},
      {optional, "key_file", text(), "The file of the key that both machines share.", "/home/user/kerf.key"},
      {optional, "motion", text(), "The file of a motion that the device plays.", "/home/user/motion.csv"},

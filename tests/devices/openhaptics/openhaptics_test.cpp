@@ -210,6 +210,15 @@ TEST_F(OpenHapticsDriver, NoticesAFrozenPosition) {
     }
 }
 
+TEST_F(OpenHapticsDriver, BelievesNoPoseOfTheFirstPeriods) {
+    for (int i = 0; i < 5; ++i) {
+        const auto link = open();
+        const kerf_device_state state = link->read();
+        EXPECT_TRUE(is_valid(state));
+        EXPECT_EQ(length(state.device_from_handle.position), 0.0) << "libHD begins with a pose that is made up";
+    }
+}
+
 TEST_F(OpenHapticsDriver, WaitsForTheInkwell) {
     set(double_hd_calibration, 0x5002);
     const std::string refusal = refusal_of({{"library", of_new}});

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// An operation with a hand at a Touch: through the driver and a stand-in for libHD, which has a servo of its own.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+
+#include "tests/devices/openhaptics/openhaptics_stand_in.h"
+#include "tests/run/doubled_device.h"
+
+namespace kerf::run {
+namespace {
+
+TEST(OpenHapticsRun, HasTheBitsOfADeviceWithoutALibrary) {
+    openhaptics::OpenHapticsStandIn device;
+    auto link = openhaptics::OpenHapticsStandIn::open();
+    const kerf_device_facts facts = link->facts();
+    const RunOutcome led = run_in_lock_step("pedicle-awl", {"time_limit=3 s"}, device, std::move(link));
+    ASSERT_EQ(led.error, "");
+    const RunOutcome direct = run_directly("pedicle-awl", {"time_limit=3 s"}, facts, device);
+    EXPECT_EQ(direct.summary.ticks, 3000u);
+    EXPECT_EQ(led.summary.hash, direct.summary.hash);
+}
+
+}  // namespace
+}  // namespace kerf::run
