@@ -436,6 +436,7 @@ void Run::take_tool_of_step() {
 /// Records that another tool was taken.
 void Run::note_tool(std::size_t tool) {
     take_separations(simulation_.ticks());
+    if (const auto odd = laws_.end_tool(removed_)) add_event_at(simulation_.ticks(), LawChecks::forceless, *odd);
     add_event_at(simulation_.ticks(), "tool.taken", instrument_of(*scene_, tool).id);
     laws_.restart(removed_, simulation_.ledger());
 }
@@ -798,6 +799,7 @@ void Run::measure() {
     judge(monitor_, end_, summary.duration, scene_->procedure.time_limit, summary);
     mark_missed_implants();
     if (end_ == RunEnd::fault) summary.reasons.front() += " " + text_of(simulation_.law_fault());
+    if (const auto odd = laws_.end_tool(removed_)) laws_.note(LawChecks::forceless, *odd);
     laws_.judge(end_ == RunEnd::fault, summary);
     outcome_.over_budget = simulation_.laws_over_budget();
     summary.metrics = metrics_of(monitor_, *scene_);

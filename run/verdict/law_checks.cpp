@@ -42,10 +42,17 @@ std::optional<std::string> LawChecks::follow(double removed, const LawLedger& le
     if (!is_odd) return std::nullopt;
     of_tool_ += removed - before_.removed;
     largest_ = std::max(largest_, of_tool_);
-    if (of_tool_ < max_volume || of_tool_ < max_fraction * (removed - start_) || std::exchange(is_reported_, true))
+    law_ = law;
+    return judge_tool(removed, max_volume_at_once);
+}
+
+std::optional<std::string> LawChecks::end_tool(double removed) { return judge_tool(removed, max_volume); }
+
+std::optional<std::string> LawChecks::judge_tool(double removed, double largest) {
+    if (of_tool_ < largest || of_tool_ < max_fraction * (removed - start_) || std::exchange(is_reported_, true))
         return std::nullopt;
     was_reported_ = true;
-    return law + ": it removed " + text::quantity_text(std::round(1e10 * of_tool_) * 1e-10, "mm3") +
+    return law_ + ": it removed " + text::quantity_text(std::round(1e10 * of_tool_) * 1e-10, "mm3") +
            " of bone without force, of " + text::quantity_text(std::round(1e10 * (removed - start_)) * 1e-10, "mm3") +
            " in all. Add a channel where the tool removes bone";
 }
