@@ -785,6 +785,7 @@ void Run::judge_held_implants() {
 }
 
 void Run::measure() {
+    if (const auto odd = laws_.end_tool(removed_)) add_event_at(simulation_.ticks(), LawChecks::forceless, *odd);
     session::RunSummary& summary = outcome_.summary;
     const PresentBone& bone = simulation_.present();
     summary.duration = static_cast<double>(simulation_.ticks()) * Simulation::dt;
@@ -799,7 +800,6 @@ void Run::measure() {
     judge(monitor_, end_, summary.duration, scene_->procedure.time_limit, summary);
     mark_missed_implants();
     if (end_ == RunEnd::fault) summary.reasons.front() += " " + text_of(simulation_.law_fault());
-    if (const auto odd = laws_.end_tool(removed_)) laws_.note(LawChecks::forceless, *odd);
     laws_.judge(end_ == RunEnd::fault, summary);
     outcome_.over_budget = simulation_.laws_over_budget();
     summary.metrics = metrics_of(monitor_, *scene_);

@@ -2,9 +2,10 @@
 #include "dhd.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
+
+#include "devices/library/matrix_rotation.h"
 
 namespace kerf::force_dimension {
 
@@ -89,25 +90,9 @@ Model model_of(int system_type) noexcept {
 }
 
 std::optional<Quat> rotation_of(const double (&rows)[3][3]) noexcept {
-    // Columns are the handle's axes in the maker's frame, so both sides change their axes.
-    const auto row = [&](int i) { return to_device({rows[i][0], rows[i][1], rows[i][2]}); };
-    const Vec3 r0 = row(1), r1 = row(2), r2 = row(0);
-    const double trace = r0.x + r1.y + r2.z;
-    Quat q;
-    if (trace > 0.0)
-        q = {1.0 + trace, r2.y - r1.z, r0.z - r2.x, r1.x - r0.y};
-    else if (r0.x >= r1.y && r0.x >= r2.z)
-        q = {r2.y - r1.z, 1.0 + r0.x - r1.y - r2.z, r0.y + r1.x, r0.z + r2.x};
-    else if (r1.y >= r2.z)
-        q = {r0.z - r2.x, r0.y + r1.x, 1.0 - r0.x + r1.y - r2.z, r1.z + r2.y};
-    else
-        q = {r1.x - r0.y, r0.z + r2.x, r1.z + r2.y, 1.0 - r0.x - r1.y + r2.z};
-    const double norm = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    const bool is_rotation = std::isfinite(norm) && std::abs(length(r0) - 1.0) < 1e-3 &&
-                             std::abs(length(r1) - 1.0) < 1e-3 && std::abs(dot(r0, r1)) < 1e-3 &&
-                             length(cross(r0, r1) - r2) < 1e-2;
-    if (!is_rotation) return std::nullopt;
-    return Quat{q.w / norm, q.x / norm, q.y / norm, q.z / norm};
+    // Columns are the images of the maker's axes, and its x, y and z axes are the device's z, x and y axes.
+    const auto column = [&](int i) { return to_device({rows[0][i], rows[1][i], rows[2][i]}); };
+    return rotation_of_columns(column(1), column(2), column(0));
 }
 
 }  // namespace kerf::force_dimension

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <iterator>
 
+#include "devices/library/matrix_rotation.h"
+
 namespace kerf::openhaptics {
 
 namespace {
@@ -49,26 +51,6 @@ const Words* words_of(unsigned code) {
     const auto* const found =
         std::find_if(std::begin(words), std::end(words), [&](const Words& one) { return one.code == code; });
     return found != std::end(words) ? found : nullptr;
-}
-
-/// Returns the quaternion of a rotation with these columns, or nothing if it is none.
-std::optional<Quat> rotation_of(Vec3 x, Vec3 y, Vec3 z) noexcept {
-    constexpr double tolerance = 1e-3;  // the library computes with single precision
-    if (!is_finite(x) || !is_finite(y) || !is_finite(z) || std::abs(length(x) - 1.0) > tolerance ||
-        std::abs(length(y) - 1.0) > tolerance || std::abs(dot(x, y)) > tolerance ||
-        length(cross(x, y) - z) > 10.0 * tolerance)
-        return std::nullopt;
-    Quat q;
-    if (x.x + y.y + z.z > 0.0)
-        q = {1.0 + x.x + y.y + z.z, y.z - z.y, z.x - x.z, x.y - y.x};
-    else if (x.x >= y.y && x.x >= z.z)
-        q = {y.z - z.y, 1.0 + x.x - y.y - z.z, x.y + y.x, z.x + x.z};
-    else if (y.y >= z.z)
-        q = {z.x - x.z, x.y + y.x, 1.0 - x.x + y.y - z.z, y.z + z.y};
-    else
-        q = {x.y - y.x, z.x + x.z, y.z + z.y, 1.0 - x.x - y.y + z.z};
-    const double norm = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-    return Quat{q.w / norm, q.x / norm, q.y / norm, q.z / norm};
 }
 
 }  // namespace
@@ -136,7 +118,7 @@ std::string calibration_advice(int styles) {
 std::optional<Pose> pose_of(const double (&transform)[16]) noexcept {
     constexpr double metres = 1e-3;  // of a millimetre
     const auto column = [&](int i) { return Vec3{transform[4 * i], transform[4 * i + 1], transform[4 * i + 2]}; };
-    const std::optional<Quat> rotation = rotation_of(column(0), column(1), column(2));
+    const std::optional<Quat> rotation = rotation_of_columns(column(0), column(1), column(2));
     const Vec3 position = column(3);
     if (!rotation || !is_finite(position)) return std::nullopt;
     return Pose{metres * position, *rotation};

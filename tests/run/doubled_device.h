@@ -142,6 +142,10 @@ private:
     std::thread thread_;
 };
 
+/// The awl in a hurry: its drill is in bone after two seconds.
+inline const std::vector<std::string> hurried_awl = {"time_limit=3 s", "rehearsals.expert.hand.feed=10 mm/s",
+                                                     "rehearsals.expert.hand.approach=30 mm/s"};
+
 /// Returns the scene of a shipped procedure on a device. Throws std::runtime_error with the diagnostics.
 inline Scene scene_on(const DeviceRecord& device, const std::string& procedure,
                       const std::vector<std::string>& settings = {}) {

@@ -9,6 +9,7 @@
 
 #include "devices/force_dimension/dhd.h"
 #include "devices/force_dimension/force_dimension.h"
+#include "tests/devices/driver_rig.h"
 #include "tests/devices/force_dimension/double_dhd.h"
 #include "tests/run/doubled_device.h"
 
@@ -26,13 +27,7 @@ public:
     }
     /// Opens the driver. Throws what it throws.
     [[nodiscard]] static std::unique_ptr<DeviceLink> open() {
-        const std::string folder = KERF_BUILD_DIR "/doubles/dhd_new";
-        const kerf_device_setting setting{"library", folder.c_str()};
-        kerf_device_open_in in{};
-        in.id = "";
-        in.settings = &setting;
-        in.setting_count = 1;
-        return ForceDimension{}.open(DeviceRequest(in, nullptr, nullptr));
+        return test::open_device(ForceDimension{}, {{"library", KERF_BUILD_DIR "/doubles/dhd_new"}});
     }
     void set_handle(const Pose& device_from_handle, std::uint32_t buttons) override {
         const Vec3 at = to_maker(device_from_handle.position);

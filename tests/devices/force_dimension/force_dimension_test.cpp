@@ -16,37 +16,24 @@
 #include <vector>
 
 #include "devices/force_dimension/dhd.h"
+#include "tests/devices/driver_rig.h"
 #include "tests/devices/force_dimension/double_dhd.h"
 
 namespace kerf::force_dimension {
 namespace {
 
 using namespace std::chrono_literals;
-using Settings = std::vector<std::pair<std::string, std::string>>;
+using Settings = test::DriverSettings;
+using test::comes, test::has, test::is_valid;
 
 const std::string of_new = KERF_BUILD_DIR "/doubles/dhd_new", of_old = KERF_BUILD_DIR "/doubles/dhd_old";
 
-std::unique_ptr<DeviceLink> open(const Settings& settings = {{"library", of_new}}, const char* id = "") {
-    std::vector<kerf_device_setting> texts;
-    for (const auto& [key, value] : settings) texts.push_back({key.c_str(), value.c_str()});
-    kerf_device_open_in in{};
-    in.id = id;
-    in.settings = texts.data();
-    in.setting_count = static_cast<std::uint32_t>(texts.size());
-    return ForceDimension{}.open(DeviceRequest(in, nullptr, nullptr));
+std::unique_ptr<DeviceLink> open(const Settings& settings = {{"library", of_new}}) {
+    return test::open_device(ForceDimension{}, settings);
 }
-
 std::string refusal_of(const Settings& settings, const char* id = "") {
-    try {
-        static_cast<void>(open(settings, id));
-    } catch (const std::runtime_error& e) {
-        return e.what();
-    }
-    return {};
+    return test::refusal_of_device(ForceDimension{}, settings, id);
 }
-
-bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
-bool is_valid(const kerf_device_state& state) { return (state.flags & KERF_DEVICE_VALID) != 0; }
 
 /// The base of the stand-in, reset for each test.
 class ForceDimensionDriver : public testing::Test {
@@ -75,18 +62,6 @@ protected:
     [[nodiscard]] Vec3 force() const {
         const double_dhd_state now = base();
         return {now.force[0], now.force[1], now.force[2]};
-    }
-    /// Writes a force each millisecond until a condition is true, at most 20 s. Returns whether it became true.
-    [[nodiscard]] static bool comes(DeviceLink& link, Vec3 force,
-                                    const std::function<bool(const kerf_device_state&)>& is_wanted) {
-        for (int i = 0; i < 20'000; ++i) {
-            kerf_device_command command{};
-            command.force = force;
-            link.write(command);
-            if (is_wanted(link.read())) return true;
-            std::this_thread::sleep_for(1ms);
-        }
-        return false;
     }
 
 private:

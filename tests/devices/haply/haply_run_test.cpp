@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tests/devices/haply/haply_stand_in.h"
 #include "tests/run/doubled_device.h"
@@ -16,18 +17,18 @@ TEST(HaplyRun, HasTheBitsOfADeviceWithoutAService) {
     haply::HaplyStandIn device;
     auto link = device.open();
     const kerf_device_facts facts = link->facts();
-    const RunOutcome led = run_in_lock_step("pedicle-awl", {"time_limit=4 s"}, device, std::move(link));
+    const RunOutcome led = run_in_lock_step("pedicle-awl", hurried_awl, device, std::move(link));
     ASSERT_EQ(led.error, "");
-    const RunOutcome direct = run_directly("pedicle-awl", {"time_limit=4 s"}, facts, device);
-    EXPECT_EQ(direct.summary.ticks, 4000u);
+    const RunOutcome direct = run_directly("pedicle-awl", hurried_awl, facts, device);
+    EXPECT_EQ(direct.summary.ticks, 3000u);
+    EXPECT_GT(direct.summary.removed, 0.0) << "the hand has felt bone";
     EXPECT_EQ(led.summary.hash, direct.summary.hash);
 }
 
 TEST(HaplyRun, ReplaysARunOnTheClockToTheBit) {
     const test::TemporaryFolder folder;
     haply::HaplyStandIn device;
-    const LiveAndAgain runs =
-        run_live_at("pedicle-awl", {"time_limit=10 s"}, device, device.open(), folder.path() + "/led");
+    const LiveAndAgain runs = run_live_at("pedicle-awl", hurried_awl, device, device.open(), folder.path() + "/led");
     EXPECT_EQ(runs.live.error, "");
     EXPECT_EQ(runs.live.summary.hand, "device");
     EXPECT_EQ(runs.again.summary.hash, runs.live.summary.hash);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "devices/haply/haply.h"
+#include "tests/devices/driver_rig.h"
 #include "tests/devices/haply/mock_service.h"
 #include "tests/run/doubled_device.h"
 
@@ -15,15 +16,12 @@ class HaplyStandIn final : public run::StandIn {
 public:
     /// Opens the driver, with ideal motors. Throws what it throws.
     [[nodiscard]] std::unique_ptr<DeviceLink> open() const {
-        kerf_device_open_in in{};
-        in.id = "";
-        return Haply{.port = static_cast<double>(service.port()),
-                     .events_port = static_cast<double>(service.events_port()),
-                     .wait = 20.0,
-                     .peak_force = 4.0,
-                     .continuous_force = 4.0,
-                     .stiffness = 800.0}
-            .open(DeviceRequest(in, nullptr, nullptr));
+        return test::open_device(Haply{.port = static_cast<double>(service.port()),
+                                       .events_port = static_cast<double>(service.events_port()),
+                                       .wait = 20.0,
+                                       .peak_force = 4.0,
+                                       .continuous_force = 4.0,
+                                       .stiffness = 800.0});
     }
     void set_handle(const Pose& device_from_handle, std::uint32_t buttons) override {
         service.set_handle(device_from_handle, buttons);

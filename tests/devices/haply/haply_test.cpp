@@ -19,13 +19,15 @@
 #include <utility>
 #include <vector>
 
+#include "tests/devices/driver_rig.h"
 #include "tests/devices/haply/mock_service.h"
 
 namespace kerf::haply {
 namespace {
 
 using namespace std::chrono_literals;
-using Settings = std::vector<std::pair<std::string, std::string>>;
+using Settings = test::DriverSettings;
+using test::comes, test::has, test::is_valid;
 
 Haply driver_at(std::uint16_t port, std::uint16_t events_port = 1) {
     return {.port = static_cast<double>(port),
@@ -36,46 +38,17 @@ Haply driver_at(std::uint16_t port, std::uint16_t events_port = 1) {
             .stiffness = 800.0};
 }
 
-/// Opens a driver. Throws what it throws.
-std::unique_ptr<DeviceLink> open(const Haply& driver, const Settings& settings = {}, const char* id = "") {
-    std::vector<kerf_device_setting> texts;
-    for (const auto& [key, value] : settings) texts.push_back({key.c_str(), value.c_str()});
-    kerf_device_open_in in{};
-    in.id = id;
-    in.settings = texts.data();
-    in.setting_count = static_cast<std::uint32_t>(texts.size());
-    return driver.open(DeviceRequest(in, nullptr, nullptr));
+std::unique_ptr<DeviceLink> open(const Haply& driver, const Settings& settings = {}) {
+    return test::open_device(driver, settings);
 }
-
 std::unique_ptr<DeviceLink> open(const MockService& service) {
     return open(driver_at(service.port(), service.events_port()));
 }
 
 std::string refusal_of(const Haply& driver, const Settings& settings = {}, const char* id = "") {
-    try {
-        static_cast<void>(open(driver, settings, id));
-    } catch (const std::runtime_error& e) {
-        return e.what();
-    }
-    return {};
+    return test::refusal_of_device(driver, settings, id);
 }
 
-bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
-
-/// Writes a force each millisecond until a condition is true, at most 20 s. Returns whether it became true.
-bool comes(DeviceLink& link, Vec3 force, const std::function<bool(const kerf_device_state&)>& is_wanted) {
-    for (int i = 0; i < 20'000; ++i) {
-        kerf_device_command command{};
-        command.force = force;
-        command.device_from_tool.rotation.w = 1.0;
-        link.write(command);
-        if (is_wanted(link.read())) return true;
-        std::this_thread::sleep_for(1ms);
-    }
-    return false;
-}
-
-bool is_valid(const kerf_device_state& state) { return (state.flags & KERF_DEVICE_VALID) != 0; }
 bool is_lost(const kerf_device_state& state) { return !is_valid(state); }
 
 /// A program on a port of its own that is no service: it accepts, and sends `words` if there are any.

@@ -11,6 +11,7 @@
 
 #include "devices/openhaptics/hd.h"
 #include "devices/openhaptics/openhaptics.h"
+#include "tests/devices/driver_rig.h"
 #include "tests/devices/openhaptics/double_hd.h"
 #include "tests/run/doubled_device.h"
 
@@ -27,13 +28,7 @@ public:
     }
     /// Opens the driver. Throws what it throws.
     [[nodiscard]] static std::unique_ptr<DeviceLink> open() {
-        const std::string folder = KERF_BUILD_DIR "/doubles/hd_new";
-        const kerf_device_setting setting{"library", folder.c_str()};
-        kerf_device_open_in in{};
-        in.id = "";
-        in.settings = &setting;
-        in.setting_count = 1;
-        return OpenHaptics{.wait = 20.0}.open(DeviceRequest(in, nullptr, nullptr));
+        return test::open_device(OpenHaptics{.wait = 20.0}, {{"library", KERF_BUILD_DIR "/doubles/hd_new"}});
     }
     void set_handle(const Pose& device_from_handle, std::uint32_t buttons) override {
         set_pose_(transform_of(device_from_handle).data(), static_cast<int>(buttons));

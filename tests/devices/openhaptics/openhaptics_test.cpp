@@ -16,41 +16,25 @@
 #include <utility>
 #include <vector>
 
+#include "tests/devices/driver_rig.h"
 #include "tests/devices/openhaptics/double_hd.h"
 
 namespace kerf::openhaptics {
 namespace {
 
 using namespace std::chrono_literals;
-using Settings = std::vector<std::pair<std::string, std::string>>;
+using Settings = test::DriverSettings;
+using test::comes, test::has, test::is_valid;
 
 const std::string of_new = KERF_BUILD_DIR "/doubles/hd_new", of_old = KERF_BUILD_DIR "/doubles/hd_old";
 constexpr double wait = 0.2;  // [s]
 
-std::int32_t is_cancelled(void* flag) { return *static_cast<bool*>(flag) ? 1 : 0; }
-
-std::unique_ptr<DeviceLink> open(const Settings& settings = {{"library", of_new}}, const char* id = "",
-                                 bool ends = false) {
-    std::vector<kerf_device_setting> texts;
-    for (const auto& [key, value] : settings) texts.push_back({key.c_str(), value.c_str()});
-    kerf_device_open_in in{};
-    in.id = id;
-    in.settings = texts.data();
-    in.setting_count = static_cast<std::uint32_t>(texts.size());
-    return OpenHaptics{wait}.open(DeviceRequest(in, &is_cancelled, &ends));
+std::unique_ptr<DeviceLink> open(const Settings& settings = {{"library", of_new}}, const char* id = "") {
+    return test::open_device(OpenHaptics{wait}, settings, id);
 }
-
-std::string refusal_of(const Settings& settings, const char* id = "", bool ends = false) {
-    try {
-        static_cast<void>(open(settings, id, ends));
-    } catch (const std::runtime_error& e) {
-        return e.what();
-    }
-    return {};
+std::string refusal_of(const Settings& settings, const char* id = "", bool is_cancelled = false) {
+    return test::refusal_of_device(OpenHaptics{wait}, settings, id, is_cancelled);
 }
-
-bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
-bool is_valid(const kerf_device_state& state) { return (state.flags & KERF_DEVICE_VALID) != 0; }
 
 /// The Touch of the stand-in, reset for each test.
 class OpenHapticsDriver : public testing::Test {
@@ -76,18 +60,6 @@ protected:
         double now[3] = {};
         force_(now);
         return {now[0], now[1], now[2]};
-    }
-    /// Writes a force each millisecond until a condition is true, at most 20 s. Returns whether it became true.
-    [[nodiscard]] static bool comes(DeviceLink& link, Vec3 force,
-                                    const std::function<bool(const kerf_device_state&)>& is_wanted) {
-        for (int i = 0; i < 20'000; ++i) {
-            kerf_device_command command{};
-            command.force = force;
-            link.write(command);
-            if (is_wanted(link.read())) return true;
-            std::this_thread::sleep_for(1ms);
-        }
-        return false;
     }
 
 private:
