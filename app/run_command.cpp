@@ -284,6 +284,13 @@ std::string absolute_path(const std::string& path) {
     return no_folder ? path : whole;
 }
 
+/// Returns why the results cannot be written there; empty if they can. Called before the bone is made, which may take
+/// minutes.
+std::string refusal_of_output(const std::string& folder) {
+    const std::string refusal = refusal_of_folder(folder);
+    return refusal.empty() ? session::refusal_of_output(folder) : refusal;
+}
+
 /// Fits the motion of a device that leads the run into its workspace, and lets the run print its problems.
 void prepare_device(const run::Scene& scene, const std::string& rehearsal, OwnDevice& device,
                     std::optional<DeviceProblems>& problems, run::RunRequest& request) {
@@ -320,10 +327,8 @@ ExitCode run(const RunOptions& options, const Environment& with) {
     }
     if (const std::string refusal = refusal_of(options, documents->procedure); !refusal.empty())
         return complain(refusal, exit_bad_input);
-    // Checked before the bone is made, which may take minutes.
     const std::string out = options.out.empty() ? "out/" + documents->procedure.id : options.out;
-    for (const std::string& refusal : {refusal_of_folder(out), session::refusal_of_output(out)})
-        if (!refusal.empty()) return complain(refusal, exit_bad_input);
+    if (const std::string refusal = refusal_of_output(out); !refusal.empty()) return complain(refusal, exit_bad_input);
     Earlier earlier;
     if (const std::string refusal = read_earlier(options, documents->procedure, earlier); !refusal.empty())
         return complain(refusal, exit_bad_input);
