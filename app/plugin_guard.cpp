@@ -169,10 +169,9 @@ void on_change(const StateChange& change) {
     end_now(call, what.c_str(), "", values.c_str());
 }
 
-/// The signal of a timer, or of the limit of the processor, that came although Kerf has set none.
-std::atomic<int> foreign_signal{0};
 rlim_t processor_limit = RLIM_INFINITY;  // before plugins were loaded
 
+/// Handles the signal of a timer, or of the limit of the processor. Kerf sets a timer only when it ends.
 void on_timer(int signal, siginfo_t* info, void*) {
     if (end_of_end.load() != 0 && signal != SIGXCPU) {
         if (seconds_now() >= end_of_end.load()) leave(exit_fault);
@@ -191,7 +190,7 @@ void on_timer(int signal, siginfo_t* info, void*) {
     if (signal == SIGALRM) setitimer(ITIMER_REAL, &off, nullptr);
     if (signal == SIGVTALRM) setitimer(ITIMER_VIRTUAL, &off, nullptr);
     if (signal == SIGPROF) setitimer(ITIMER_PROF, &off, nullptr);
-    foreign_signal.store(signal);
+    note_timer_signal(signal);
 }
 
 constexpr std::array timer_signals{SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU};
@@ -211,17 +210,6 @@ void set_timer_handlers() {
 void unset_timer_handler(int signal) {
     struct sigaction action {};
     if (sigaction(signal, nullptr, &action) == 0 && action.sa_sigaction == &on_timer) std::signal(signal, SIG_DFL);
-}
-
-/// Reports a timer that was on before its signal came.
-void check_foreign_signal() {
-    const int signal = foreign_signal.load();
-    if (signal == 0) return;
-    StateChange change;
-    change.what << (signal == SIGXCPU ? "the limit RLIMIT_CPU" : "a timer");
-    change.before << (signal == SIGXCPU ? "a greater one" : "off");
-    change.after << (signal == SIGXCPU ? "one that is used up" : "on");
-    on_change(change);
 }
 
 /// Ends the program because its parent was killed or stopped.
@@ -369,15 +357,11 @@ void PluginGuard::watch() {
         for (std::size_t thread = 0; thread < threads.size(); ++thread)
             threads[thread].check(call_in_progress_of(thread));
         parent.check();
-        check_foreign_signal();
-        if (polls % polls_between_states == 0) check_state();
+        if (polls % polls_between_states == 0 || has_timer_signal()) check_state();
     }
 }
 
-void PluginGuard::check() const {
-    check_foreign_signal();
-    check_state();
-}
+void PluginGuard::check() const { check_state(); }
 
 void end_if_raised_by_plugin(int signal, const siginfo_t& info) noexcept {
     const bool is_own = (info.si_code == SI_USER || info.si_code == SI_TKILL) && info.si_pid == getpid();

@@ -37,8 +37,8 @@ constexpr std::array limits{
     NamedNumber{RLIMIT_CPU, "RLIMIT_CPU"},     NamedNumber{RLIMIT_STACK, "RLIMIT_STACK"},
     NamedNumber{RLIMIT_NPROC, "RLIMIT_NPROC"}, NamedNumber{RLIMIT_MEMLOCK, "RLIMIT_MEMLOCK"},
 };
-constexpr std::array timers{NamedNumber{ITIMER_REAL, "ITIMER_REAL"}, NamedNumber{ITIMER_VIRTUAL, "ITIMER_VIRTUAL"},
-                            NamedNumber{ITIMER_PROF, "ITIMER_PROF"}};
+constexpr std::array timers{NamedNumber{ITIMER_REAL, "SIGALRM"}, NamedNumber{ITIMER_VIRTUAL, "SIGVTALRM"},
+                            NamedNumber{ITIMER_PROF, "SIGPROF"}};
 constexpr std::array streams{NamedNumber{STDIN_FILENO, "stdin"}, NamedNumber{STDOUT_FILENO, "stdout"},
                              NamedNumber{STDERR_FILENO, "stderr"}};
 /// Signals that Kerf handles, or whose default it needs.
@@ -92,7 +92,7 @@ bool compare_timers(const SharedState& before, const SharedState& after, StateCh
     for (const auto& [number, name] : timers) {
         const auto i = static_cast<std::size_t>(number);
         if (!is_armed(after.timers[i]) || is_armed(before.timers[i])) continue;
-        change.what << "the timer " << name;
+        change.what << "a timer of " << name;
         change.before << "off";
         change.after << "on";
         return true;

@@ -22,6 +22,12 @@ public:
     HostChangesHandlers& operator=(const HostChangesHandlers&) = delete;
 };
 
+/// Notes that a timer, or the limit of the processor, sent its signal although the host has set none. The timer may be
+/// off again: this is a change.
+/// @param signal   SIGALRM, SIGVTALRM, SIGPROF or SIGXCPU   [any] async-signal-safe
+void note_timer_signal(int signal) noexcept;
+[[nodiscard]] bool has_timer_signal() noexcept;  // [any]
+
 /// Returns the first change so far.   [any] async-signal-safe but for a lock
 [[nodiscard]] StateChange change_of_state() noexcept;
 /// Calls the handler if there is a change. Call it before a result is written, and after plugins were called that may

@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Change{"lowers_the_file_size_in_resist", "the limit RLIMIT_FSIZE", " to 1000,"},
                     Change{"lowers_the_memory_in_resist", "the limit RLIMIT_AS", " from unlimited to 1048576,"},
                     Change{"takes_a_signal_in_resist", "the handler of SIGSEGV", " from a function to the default,"},
-                    Change{"sets_an_alarm_in_resist", "a timer", " from off to on,"}),
+                    Change{"sets_an_alarm_in_resist", "a timer of SIGALRM", " from off to on,"}),
     [](const auto& tested) { return std::string(tested.param.how); });
 
 TEST(PluginGuard, NamesThePluginThatWroteOverTheRecord) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/plugin/own_files.h"
+#include "core/plugin/state_watch.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf {
@@ -43,7 +44,7 @@ TEST(ProcessState, NamesEachChangeWithItsValues) {
              Row{[](SharedState& s) { s.limits[RLIMIT_AS].rlim_cur = 999; }, "the limit RLIMIT_AS from 1000 to 999"},
              Row{[](SharedState& s) { s.limits[RLIMIT_CPU].rlim_cur = 1; }, "the limit RLIMIT_CPU from 1000 to 1"},
              Row{[](SharedState& s) { s.timers[ITIMER_PROF].it_value.tv_usec = 1; },
-                 "the timer ITIMER_PROF from off to on"},
+                 "a timer of SIGPROF from off to on"},
              Row{[](SharedState& s) { s.handlers[SIGCHLD] = 1; },
                  "the handler of SIGCHLD from the default to none: ignored"},
              Row{[](SharedState& s) { s.folder = {"/"}; }, "the working folder from /home to /"},
@@ -66,6 +67,17 @@ TEST(ProcessState, IgnoresHarmlessChanges) {
     after.handlers[SIGUSR1] = 77;
     after.mask = -1;  // it could not be read
     EXPECT_FALSE(change_between(sound(), after).has_happened()) << change_between(sound(), after).text();
+}
+
+TEST(StateWatch, FindsATimerThatIsOffAgain) {
+    begin_watching_state([](const StateChange&) {});
+    EXPECT_FALSE(change_of_state().has_happened());
+    note_timer_signal(SIGALRM);
+    EXPECT_TRUE(has_timer_signal());
+    EXPECT_EQ(change_of_state().text(), "a timer of SIGALRM from off to on");
+    begin_watching_state([](const StateChange&) {});
+    EXPECT_FALSE(change_of_state().has_happened()) << "the state at the beginning is the right one";
+    end_watching_state();
 }
 
 TEST(OwnFiles, NamesTheDescriptorThatWasClosedOrReplaced) {
