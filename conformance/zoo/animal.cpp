@@ -270,7 +270,7 @@ void misbehave_in_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law
     misbehave_in_some_direction(in, law);
     misbehave_in_some_bone(in, extra, law);
     if (is("thinks_in_millimetres_if_wide") && in->tool_params[0] > 6e-3) scale_cut(law, 1000.0);
-    if (is("hardens_where_two_parameters_meet") && in->tool_params[0] > 7e-3 && in->force_params[0] > 4e8)
+    if (is("hardens_where_two_parameters_meet") && in->tool_params[0] > 7e-3 && in->force_params[0] > 2e9)
         scale_cut(law, 10.0);
     if (is("caps_a_parameter")) scale_cut(law, std::min(1.0, 0.5 * sound_law.params[0].max / in->force_params[0]));
     if (is("does_not_feel_its_speed")) scale_cut(law, in->drive[0] / (40000.0 / 60.0));

@@ -51,7 +51,7 @@ struct Burring {
                                    .help = "Force per chip area, normal to the surface and against the turn.",
                                    .unit = unit::N_per_mm2,
                                    .min = 1_N_per_mm2,
-                                   .max = 1000_N_per_mm2,
+                                   .max = 5000_N_per_mm2,
                                    .def = 200_N_per_mm2,
                                    .source = "assumed: order of cortical bone"}),
             signal(&Signals::thrust, {.id = "thrust", .help = "Push of the bone.", .unit = unit::N}),

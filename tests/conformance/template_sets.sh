@@ -11,7 +11,7 @@ failed=0
 n=$first
 while [ "$n" -lt $((first + count)) ]; do
   # Even ratios over the range of `chip`, even steps over diameter and speed.
-  set -- $(awk -v seed="$n" 'BEGIN { srand(seed); rand(); printf "%.3f %.0f %.2f", 1 + 9 * rand(), 3000 + 57000 * rand(), exp(log(1000) * rand()) }')
+  set -- $(awk -v seed="$n" 'BEGIN { srand(seed); rand(); printf "%.3f %.0f %.2f", 1 + 9 * rand(), 3000 + 57000 * rand(), exp(log(5000) * rand()) }')
   sed -e "s/\.def = 4_mm/.def = $1_mm/; s/\.def = 40000_rpm/.def = $2_rpm/; s/\.def = 200_N_per_mm2/.def = $3_N_per_mm2/" \
     "$root/examples/02_round_burr/round_burr.cpp" > "$work/template.cpp"
   c++ -std=c++20 -O1 -fPIC -shared -ffp-contract=off -fno-gnu-unique -fvisibility=hidden -I"$root/core/sdk/include" \

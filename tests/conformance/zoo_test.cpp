@@ -145,7 +145,7 @@ const std::vector<Animal>& zoo() {
         {"calls_the_system", "law.no_system_call", "system call number"},
         {"changes_rounding_in_a_tick", "law.rounding", "control word"},
         {"declares_too_little_time", "law.time", "the budget is 0.01 µs"},
-        {"breaks_at_the_end_of_a_parameter", "range.parameters", "`chip` 1000 N/mm2"},
+        {"breaks_at_the_end_of_a_parameter", "range.parameters", "`chip` 5000 N/mm2"},
         {"breaks_with_a_thin_tool", "range.tools", "`diameter` 1 mm"},
         {"divides_by_the_speed", "range.drives", "at rest"},
         {"knows_one_tick", "range.ticks", "ticks of 4 ms"},
