@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/confirmed_devices.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -34,21 +35,18 @@ std::vector<std::string> confirmed() {
     return devices;
 }
 
-bool contains(const std::vector<std::string>& devices, const std::string& device) {
-    for (const std::string& one : devices)
-        if (one == device) return true;
-    return false;
-}
-
 }  // namespace
 
-bool is_confirmed(const std::string& device) { return contains(confirmed(), device); }
+bool is_confirmed(const std::string& device) {
+    const std::vector<std::string> devices = confirmed();
+    return std::find(devices.begin(), devices.end(), device) != devices.end();
+}
 
 std::string confirm(const std::string& device) {
     const std::string file = file_of_confirmed();
     if (file.empty()) return "there is no configuration folder. Set HOME, or KERF_STATION to the name of the file.";
+    if (is_confirmed(device)) return "";
     std::vector<std::string> devices = confirmed();
-    if (contains(devices, device)) return "";
     if (devices.size() == max_devices) devices.erase(devices.begin());
     devices.push_back(device);
     std::string text = std::string("# ") + session::notice_line +

@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "app/make_bone.h"
-#include "app/shown_run.h"
+#include "app/run_hand.h"
 #include "app/standard_streams.h"
 #include "documents/yaml/read_map.h"
 #include "run/cues/cue_audit.h"
-#include "run/run_procedure.h"
 #include "run/scene.h"
 
 namespace kerf::app {
@@ -41,14 +40,10 @@ void print_table(const std::vector<run::StepCues>& cues) {
 ExitCode print_cues(const run::Documents& documents, const std::string& file, const std::string& device,
                     const Environment& with) {
     const DeviceRecord* const record = find_device(device.c_str());
-    if (record == nullptr) {
-        int count = 0;
-        const DeviceRecord* const all = all_devices(count);
-        std::vector<std::string> known;
-        for (int i = 0; i < count; ++i) known.emplace_back(all[i].id);
-        return complain("there is no model of a device `" + device + "`. " + documents::write_instead(device, known),
-                        exit_bad_input);
-    }
+    if (record == nullptr)
+        return complain(
+            "there is no model of a device `" + device + "`. " + documents::write_instead(device, device_ids()),
+            exit_bad_input);
     const auto& rehearsals = documents.procedure.rehearsals;
     const auto passing =
         std::find_if(rehearsals.begin(), rehearsals.end(), [](const auto& r) { return r.expect == "pass"; });
@@ -63,15 +58,9 @@ ExitCode print_cues(const run::Documents& documents, const std::string& file, co
         print_error(to_text(diagnostics));
         return exit_bad_input;
     }
-    const Interruption interruption;
-    ShownRun shown_run(interruption);
     run::CueAudit audit(*scene);
-    run::RunRequest request;
-    request.rehearsal = passing->id;
-    request.observers = {&shown_run, &audit};
-    const run::RunOutcome outcome = run::run_procedure(*scene, with.plugins, request);
-    if (outcome.was_interrupted) return complain("interrupted", exit_fault);
-    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
+    run::RunOutcome outcome;
+    if (const ExitCode code = run_hand(*scene, passing->id, with, outcome, &audit); code != exit_pass) return code;
     print(file + " by `" + passing->id + "` on " + device +
           formatted(": force scale 1/%.0f, friction %.2f N, peak %.1f N, verdict ", 1.0 / scene->gains.force_scale,
                     record->friction, record->peak_force) +

@@ -16,7 +16,7 @@
 #include "app/commands.h"
 #include "app/program.h"
 #include "app/read_scene.h"
-#include "app/shown_run.h"
+#include "app/run_hand.h"
 #include "app/standard_streams.h"
 #include "documents/made/read_request.h"
 #include "documents/patch.h"
@@ -41,19 +41,6 @@ std::string ending_of(const session::RunSummary& summary) {
     std::string text = to_text(summary.verdict) + formatted(", score %.0f", std::round(summary.score));
     for (const auto& reason : summary.reasons) text += "\n            " + text::shown(reason);
     return text;
-}
-
-/// Runs a hand of the scene's procedure. Prints why it could not, and returns that code; `exit_pass` if it ran.
-ExitCode run_hand(const run::Scene& scene, const std::string& hand, const Environment& with, run::RunOutcome& outcome) {
-    run::RunRequest request;
-    request.rehearsal = hand;
-    const Interruption interruption;
-    ShownRun shown_run(interruption);
-    request.observers = {&shown_run};
-    outcome = run::run_procedure(scene, with.plugins, request);
-    if (outcome.was_interrupted) return complain("interrupted", exit_fault);
-    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
-    return exit_pass;
 }
 
 /// Numbers of steps and limits.

@@ -27,11 +27,7 @@ constexpr std::size_t max_tools = 8;
 void check_device(const documents::Procedure& procedure, const documents::Document& document,
                   documents::Report& report) {
     if (procedure.device.empty() || find_device(procedure.device.c_str()) != nullptr) return;
-    int count = 0;
-    const DeviceRecord* known = all_devices(count);
-    std::vector<std::string> ids;
-    ids.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) ids.emplace_back(known[i].id);
+    const std::vector<std::string> ids = device_ids();
     const documents::Node* haptics = document.root.find("haptics");
     const documents::Node* device = haptics != nullptr ? haptics->find("device") : nullptr;
     const std::string meant = documents::closest(procedure.device, ids);

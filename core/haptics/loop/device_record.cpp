@@ -2,7 +2,6 @@
 #include "core/haptics/loop/device_record.h"
 
 #include <cstring>
-#include <iterator>
 
 #include "kerf/units.hpp"
 
@@ -79,9 +78,12 @@ constexpr DeviceRecord devices[] = {
 };
 }  // namespace
 
-const DeviceRecord* all_devices(int& count) noexcept {
-    count = static_cast<int>(std::size(devices));
-    return devices;
+std::span<const DeviceRecord> all_devices() noexcept { return devices; }
+
+std::vector<std::string> device_ids() {
+    std::vector<std::string> ids;
+    for (const DeviceRecord& device : devices) ids.emplace_back(device.id);
+    return ids;
 }
 
 const DeviceRecord* find_device(const char* id) noexcept {

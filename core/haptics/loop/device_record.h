@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <string>
+#include <vector>
+
 /// The capabilities of haptic devices.
 namespace kerf {
 
@@ -37,7 +41,7 @@ inline constexpr int max_latency = 2;
 
 /// Returns the record of a known device, or nullptr for an unknown one.
 [[nodiscard]] const DeviceRecord* find_device(const char* id) noexcept;
-/// Returns all records and writes their number to `count`.
-[[nodiscard]] const DeviceRecord* all_devices(int& count) noexcept;
+[[nodiscard]] std::span<const DeviceRecord> all_devices() noexcept;
+[[nodiscard]] std::vector<std::string> device_ids();
 
 }  // namespace kerf

@@ -29,14 +29,12 @@ TEST(Wall, FrictionCarriesWhatDampingCannot) {
 }
 
 TEST(Wall, TheRecordsOfDevicesSayWhatTheBisectionFinds) {
-    int count = 0;
-    const DeviceRecord* devices = all_devices(count);
-    for (int d = 0; d < count; ++d)
+    for (const DeviceRecord& device : all_devices())
         for (int latency = 0; latency <= max_latency; ++latency) {
-            PortSettings settings = port_of(devices[d], no_hand, latency);
+            PortSettings settings = port_of(device, no_hand, latency);
             settings.resolution = 0.0;
-            EXPECT_NEAR(devices[d].stiffest_wall[latency] / stiffest_wall(settings), 1.0, 0.01)
-                << devices[d].id << ", " << latency << " ticks: found " << stiffest_wall(settings) << " N/m";
+            EXPECT_NEAR(device.stiffest_wall[latency] / stiffest_wall(settings), 1.0, 0.01)
+                << device.id << ", " << latency << " ticks: found " << stiffest_wall(settings) << " N/m";
         }
 }
 
