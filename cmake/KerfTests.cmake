@@ -121,3 +121,20 @@ function(kerf_add_animals target prefix folder body)
     add_dependencies(${target} ${prefix}${how})
   endforeach()
 endfunction()
+
+# kerf_add_doubles(dhd libdrd .so.3)
+#   → kerf_double_dhd_new and kerf_double_dhd_old, stand-ins for a maker's library, of double_dhd.cpp. A driver opens
+#     them by the same path as the real one. Without SONAME, one that is loaded is not found by its name alone.
+function(kerf_add_doubles name output suffix)
+  string(TOUPPER ${name} upper)
+  foreach(version new old)
+    set(target kerf_double_${name}_${version})
+    add_library(${target} SHARED double_${name}.cpp double_${name}.h)
+    target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR})
+    target_link_libraries(${target} PRIVATE kerf::warnings)
+    target_compile_features(${target} PRIVATE cxx_std_20)
+    set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${output} SUFFIX ${suffix} NO_SONAME ON
+      LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/doubles/${name}_${version} CXX_VISIBILITY_PRESET default)
+  endforeach()
+  target_compile_definitions(kerf_double_${name}_old PRIVATE DOUBLE_${upper}_IS_OLD)
+endfunction()

@@ -52,7 +52,6 @@ Dhd Dhd::of(const SharedLibrary& library) {
     library.bind(dhd.system_name, "dhdGetSystemName");
     library.bind(dhd.serial_number, "dhdGetSerialNumber");
     library.bind(dhd.has_wrist, "dhdHasWrist");
-    library.bind(dhd.is_left_handed, "dhdIsLeftHanded");
     library.bind(dhd.enable_force, "dhdEnableForce");
     library.bind(dhd.set_force, "dhdSetForce");
     library.bind(dhd.position, "dhdGetPosition");
@@ -61,7 +60,6 @@ Dhd Dhd::of(const SharedLibrary& library) {
     library.bind(dhd.status, "dhdGetStatus");
     library.bind(dhd.set_watchdog, "dhdSetWatchdog");
     library.bind(dhd.watchdog, "dhdGetWatchdog");
-    library.bind(dhd.last_error, "dhdErrorGetLast");
     library.bind(dhd.last_error_text, "dhdErrorGetLastStr");
     bind_if_there(library, dhd.is_initialized, "drdIsInitialized");
     bind_if_there(library, dhd.initialize, "drdAutoInit");

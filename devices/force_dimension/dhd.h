@@ -23,7 +23,6 @@ struct Dhd {
     const char* (*system_name)(char id) = nullptr;
     int (*serial_number)(unsigned short* number, char id) = nullptr;
     bool (*has_wrist)(char id) = nullptr;
-    bool (*is_left_handed)(char id) = nullptr;
     int (*enable_force)(unsigned char is_on, char id) = nullptr;
     int (*set_force)(double x, double y, double z, char id) = nullptr;
     int (*position)(double* x, double* y, double* z, char id) = nullptr;
@@ -32,7 +31,6 @@ struct Dhd {
     int (*status)(int values[], char id) = nullptr;
     int (*set_watchdog)(unsigned char steps, char id) = nullptr;
     int (*watchdog)(unsigned char* steps, char id) = nullptr;
-    int (*last_error)() = nullptr;
     const char* (*last_error_text)() = nullptr;
     // Of libdrd; null in a libdhd alone.
     bool (*is_initialized)(char id) = nullptr;

@@ -36,7 +36,7 @@ std::string label(std::uint16_t port) { return "the service on port " + std::to_
 kerf_device_facts facts_of(const Haply& driver, const ArmSession& session) {
     constexpr std::uint32_t grip_buttons = 3;
     kerf_device_facts facts{};
-    detail::copy_text(facts.name, (session.type() == "minverse" ? "Minverse " : "Inverse3 ") + session.arm());
+    detail::copy_text(facts.name, name_of_arm(session.type(), session.arm()));
     facts.abilities = KERF_DEVICE_POSITION | KERF_DEVICE_FORCE;
     if (session.has_grip()) facts.abilities |= KERF_DEVICE_ROTATION;
     facts.button_count = session.has_grip() ? grip_buttons : 0;

@@ -17,14 +17,14 @@ constexpr double patience = 0.5;  // [s]
 
 /// Takes the first message, in which the service lists its devices, and sends nothing.
 struct FirstMessage final : SocketUser {
-    void opened() noexcept override { has_opened = true; }
+    void opened() noexcept override {}
     [[nodiscard]] bool received(std::string_view message) noexcept override {
         try {
             std::string fault;
             if (const auto state = read_state(message, fault))
                 for (const Arm& arm : state->arms)
                     found.push_back({.id = arm.id,
-                                     .name = (arm.type == "minverse" ? "Minverse " : "Inverse3 ") + arm.id,
+                                     .name = name_of_arm(arm.type, arm.id),
                                      .problem = arm.is_in_use ? in_use : fault_of(arm)});
         } catch (const std::exception&) {
             found.clear();  // out of memory
@@ -35,7 +35,7 @@ struct FirstMessage final : SocketUser {
     void closed(std::string_view /*reason*/) noexcept override { is_done = true; }
 
     std::vector<DeviceFound> found{};
-    bool has_opened = false, is_done = false;
+    bool is_done = false;
 };
 
 }  // namespace

@@ -121,6 +121,10 @@ const T* find_by_id(const std::vector<T>& all, std::string_view id) noexcept {
 
 }  // namespace
 
+std::string name_of_arm(std::string_view type, const std::string& id) {
+    return (type == "minverse" ? "Minverse " : "Inverse3 ") + id;
+}
+
 const Arm* ServiceState::arm(std::string_view id) const noexcept { return find_by_id(arms, id); }
 const Grip* ServiceState::grip(std::string_view id) const noexcept { return find_by_id(grips, id); }
 

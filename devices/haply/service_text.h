@@ -28,6 +28,9 @@ struct Arm {
     bool is_calibrated = true, is_in_use = false, is_ready = true, has_power = true;  ///< if the message states it
 };
 
+/// Returns the name of an arm, for people.
+[[nodiscard]] std::string name_of_arm(std::string_view type, const std::string& id);
+
 /// A grip with an orientation, wired or wireless.
 struct Grip {
     std::string id{};

@@ -10,13 +10,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "service_text.h"
+
 namespace kerf::haply {
 
 namespace {
 
-constexpr std::size_t max_message = 1u << 18;  // [bytes] more is collected of no message
-constexpr std::size_t max_piece = 1u << 14;    // [bytes] that one read takes
-constexpr unsigned handshake_timeout = 2;      // [s]
+constexpr std::size_t max_piece = 1u << 14;  // [bytes] that one read takes
+constexpr unsigned handshake_timeout = 2;    // [s]
 
 /// libwebsockets ignores SIGPIPE for the whole process when it starts. Its sends need no such setting.
 class KeptPipeSignal {

@@ -209,4 +209,15 @@ inline LiveAndAgain run_live_at(const std::string& procedure, const std::vector<
     return runs;
 }
 
+/// Runs a hurried awl through a driver and without one, tick by tick, and expects the same bits.
+inline void expect_the_bits_of_no_driver(StandIn& device, std::unique_ptr<DeviceLink> link) {
+    const kerf_device_facts facts = link->facts();
+    const RunOutcome led = run_in_lock_step("pedicle-awl", hurried_awl, device, std::move(link));
+    ASSERT_EQ(led.error, "");
+    const RunOutcome direct = run_directly("pedicle-awl", hurried_awl, facts, device);
+    EXPECT_EQ(direct.summary.ticks, 3000u);
+    EXPECT_GT(direct.summary.removed, 0.0) << "the hand has felt bone";
+    EXPECT_EQ(led.summary.hash, direct.summary.hash);
+}
+
 }  // namespace kerf::run

@@ -93,7 +93,6 @@ int dhdGetSerialNumber(unsigned short* number, char id) {
     return Call(id).is_there ? 0 : -1;
 }
 bool dhdHasWrist(char id) { return Call(id).is_there && base.system_type != 33 && base.system_type != 60; }
-bool dhdIsLeftHanded(char /*id*/) { return false; }
 int dhdEnableForce(unsigned char is_on, char id) {
     const Call call(id);
     if (!call.is_there) return -1;
@@ -145,7 +144,6 @@ int dhdGetWatchdog(unsigned char* steps, char id) {
     return call.is_there ? 0 : -1;
 }
 #endif
-int dhdErrorGetLast() { return 1; }
 const char* dhdErrorGetLastStr() { return last_error; }
 bool drdIsInitialized(char id) { return Call(id).is_there && base.is_initialized != 0; }
 int drdAutoInit(char id) {

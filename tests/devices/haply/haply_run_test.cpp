@@ -2,7 +2,6 @@
 // Operations with a hand at an Inverse3: through the driver, WebSockets and a stand-in for the maker's service.
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,14 +14,7 @@ namespace {
 
 TEST(HaplyRun, HasTheBitsOfADeviceWithoutAService) {
     haply::HaplyStandIn device;
-    auto link = device.open();
-    const kerf_device_facts facts = link->facts();
-    const RunOutcome led = run_in_lock_step("pedicle-awl", hurried_awl, device, std::move(link));
-    ASSERT_EQ(led.error, "");
-    const RunOutcome direct = run_directly("pedicle-awl", hurried_awl, facts, device);
-    EXPECT_EQ(direct.summary.ticks, 3000u);
-    EXPECT_GT(direct.summary.removed, 0.0) << "the hand has felt bone";
-    EXPECT_EQ(led.summary.hash, direct.summary.hash);
+    expect_the_bits_of_no_driver(device, device.open());
 }
 
 TEST(HaplyRun, ReplaysARunOnTheClockToTheBit) {

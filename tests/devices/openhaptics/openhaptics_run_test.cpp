@@ -2,9 +2,6 @@
 // An operation with a hand at a Touch: through the driver and a stand-in for libHD, which has a servo of its own.
 #include <gtest/gtest.h>
 
-#include <memory>
-#include <utility>
-
 #include "tests/devices/openhaptics/openhaptics_stand_in.h"
 #include "tests/run/doubled_device.h"
 
@@ -13,14 +10,7 @@ namespace {
 
 TEST(OpenHapticsRun, HasTheBitsOfADeviceWithoutALibrary) {
     openhaptics::OpenHapticsStandIn device;
-    auto link = openhaptics::OpenHapticsStandIn::open();
-    const kerf_device_facts facts = link->facts();
-    const RunOutcome led = run_in_lock_step("pedicle-awl", hurried_awl, device, std::move(link));
-    ASSERT_EQ(led.error, "");
-    const RunOutcome direct = run_directly("pedicle-awl", hurried_awl, facts, device);
-    EXPECT_EQ(direct.summary.ticks, 3000u);
-    EXPECT_GT(direct.summary.removed, 0.0) << "the hand has felt bone";
-    EXPECT_EQ(led.summary.hash, direct.summary.hash);
+    expect_the_bits_of_no_driver(device, openhaptics::OpenHapticsStandIn::open());
 }
 
 }  // namespace
