@@ -15,6 +15,7 @@
 #include "app/own_device.h"
 #include "app/standard_streams.h"
 #include "core/haptics/loop/device_report.h"
+#include "kerf/device_exchange.hpp"
 #include "run/device/opened_device.h"
 
 namespace kerf::app {
@@ -99,9 +100,7 @@ Pushed push(run::OpenedDevice& device, Vec3 axis, double strength, const Interru
         command.flags = KERF_DEVICE_RUNNING | KERF_DEVICE_FORCE_ON;
         device.write(command);
     }
-    kerf_device_command rest{};
-    rest.device_from_tool.rotation.w = 1.0;
-    device.write(rest);
+    device.write(command_at_rest());
     return pushed;
 }
 

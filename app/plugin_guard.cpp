@@ -324,11 +324,12 @@ namespace {
 class CallWatch {
 public:
     /// A call that is the same in `polls_until_hung` polls has hung. Only calls into plugins have a number, so loading,
-    /// import and Kerf's own work have no time limit.
+    /// import and Kerf's own work have no time limit. `open` may wait for a person, who can interrupt it.
     void check(const CallInProgress& now) {
         const bool is_law =
             now.call == PluginCall::begin || now.call == PluginCall::resist || now.call == PluginCall::commit;
-        polls_ = now.call != PluginCall::none && now.count == count_ ? polls_ + 1 : 0;
+        const bool is_limited = now.call != PluginCall::none && now.call != PluginCall::open;
+        polls_ = is_limited && now.count == count_ ? polls_ + 1 : 0;
         count_ = now.count;
         if (polls_ >= polls_until_hung) end_by(now, "did not come back within 5 s", "");
 

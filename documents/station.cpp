@@ -41,6 +41,9 @@ std::string DeviceStation::text() const {
     return "axes: {right: " + name_of_side(right) + ", up: " + name_of_side(up) +
            "}; scale: " + text::quantity_text(scale, "") +
            (workspace ? "; workspace: {from: " + in_mm(workspace->low) + ", to: " + in_mm(workspace->high) + "}" : "") +
+           (handle.is_none()
+                ? ""
+                : "; handle: {grip: " + in_mm(handle.grip) + ", mass: " + text::quantity_text(handle.mass, "g") + "}") +
            "; speed: " + text::quantity_text(speed, "mm/s") +
            "; turn_speed: " + text::quantity_text(turn_speed, "deg/s") +
            "; dead_zone: " + text::quantity_text(dead_zone, "") + "; buttons: [" + actions + "]" +

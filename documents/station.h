@@ -35,6 +35,15 @@ inline constexpr std::pair<const char*, Vec3> sides[] = {{"left", {1, 0, 0}},   
 
 inline constexpr double min_scale = 0.05;  ///< [–] motion of the tool per motion of the handle
 
+/// What a lab has fixed to the handle of a device.
+struct HandleFit {
+    Vec3 grip{};        ///< [m] where the hand grips, frame of the handle
+    double mass = 0.0;  ///< [kg] at the grip, which the device carries
+
+    [[nodiscard]] bool is_none() const noexcept { return grip == Vec3{} && mass == 0.0; }
+    [[nodiscard]] double weight() const noexcept { return 9.81 * mass; }  ///< [N]
+};
+
 /// The setup of a device on its table, and its use by a hand.
 struct DeviceStation {
     std::string device{};  ///< driver, and the device's id if it matters: "udp", "udp/port-4190"
@@ -43,6 +52,7 @@ struct DeviceStation {
     Vec3 right{-1, 0, 0}, up{0, 0, 1};
     double scale = 1.0;  ///< [–] motion of the tool per motion of the handle; with a workspace it is computed
     std::optional<Box> workspace{};  ///< [m] that the handle reaches, frame of the device
+    HandleFit handle{};
     /// Of a device without position, at full deflection: speed of the aim [m/s], of its turn [rad/s], each times
     /// `scale`. [assumed]
     double speed = 20e-3, turn_speed = std::numbers::pi / 6.0;

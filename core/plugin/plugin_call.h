@@ -39,6 +39,7 @@ void call_read(const kerf_component& driver, void* device, kerf_device_state& st
 void call_write(const kerf_component& driver, void* device, const kerf_device_command& command) noexcept;
 /// Calls a driver's `close`.   [main]
 void call_close(const kerf_component& driver, void* device) noexcept;
+/// Calls a driver's `problem`.   [main]
 void call_problem(const kerf_component& driver, void* device, char text[240]) noexcept;
 
 /// Returns whether a call into this component left other control words of the floating-point unit, and forgets all such

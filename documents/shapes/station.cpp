@@ -21,6 +21,14 @@ const MapShape<Box> workspace{
     {{required, "from", &Box::low, position(), "Its corner with the smallest coordinates.", "-80 -60 -40 mm"},
      {required, "to", &Box::high, position(), "Its corner with the largest coordinates.", "80 60 40 mm"}}};
 
+const MapShape<HandleFit> handle_fit{
+    "handle_fit",
+    "What was fixed to the handle of the device.",
+    {{optional, "grip", &HandleFit::grip, vector(dimension::length, "mm", -0.3_m, 0.3_m),
+      "Where the hand grips, in the frame of the handle.", "0 0 0 mm", "0 0 40 mm"},
+     {optional, "mass", &HandleFit::mass, quantity(dimension::mass, "g", 0.0, 1.0),
+      "Mass that was fixed at the grip, and that the device carries.", "0 g", "60 g"}}};
+
 const MapShape<DeviceStation> station_device{
     "station_device",
     "The setup of one device.",
@@ -34,6 +42,8 @@ const MapShape<DeviceStation> station_device{
      {optional, "workspace", &DeviceStation::workspace, map(workspace),
       "The box that the handle reaches. The scale is then computed, so that the operation fits into it.",
       "{from: -80 -60 -40 mm, to: 80 60 40 mm}"},
+     {optional, "handle", &DeviceStation::handle, map(handle_fit), "What was fixed to the handle of the device.",
+      "{grip: 0 0 40 mm, mass: 60 g}"},
      {optional, "speed", &DeviceStation::speed, quantity(dimension::speed, "mm/s", 1.0_mm_per_s, 200.0_mm_per_s),
       "Speed of the aim at full deflection, times `scale`. Only of a device without position.", "20 mm/s", "20 mm/s"},
      {optional, "turn_speed", &DeviceStation::turn_speed, turn_speed(),

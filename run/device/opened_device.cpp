@@ -90,7 +90,7 @@ std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, 
         error = settings.error;
         return nullptr;
     }
-    const kerf_device& driver = *plugins.find(found->plugin, KERF_KIND_DEVICE, found->id)->device;
+    const kerf_component& driver = *plugins.find(found->plugin, KERF_KIND_DEVICE, found->id);
     const kerf_device_open_in in{.id = id.c_str(),
                                  .params = settings.parameters.data(),
                                  .settings = settings.texts.data(),
@@ -100,17 +100,21 @@ std::unique_ptr<OpenedDevice> OpenedDevice::open(const PluginRegistry& plugins, 
     const auto should_end = [](void* context) {
         return (*static_cast<const std::function<bool()>*>(context))() ? std::int32_t{1} : std::int32_t{0};
     };
-    const kerf_status status = driver.open(&in, should_end, const_cast<std::function<bool()>*>(&is_cancelled), &out);
+    const kerf_status status =
+        call_open(driver, in, should_end, const_cast<std::function<bool()>*>(&is_cancelled), out);
     if (status != KERF_OK || out.device == nullptr) {
-        if (out.device != nullptr) driver.close(out.device);
+        if (out.device != nullptr) call_close(driver, out.device);
         error = "the device `" + station.device + "` cannot be opened: " + text_in(out.message);
         return nullptr;
     }
     const std::string name = text_in(out.facts.name);
-    return take(driver, out, found->id + (name.empty() ? "" : " " + name), error);
+    auto device = take(driver, out, found->id + (name.empty() ? "" : " " + name), error);
+    if (device == nullptr || station.handle.is_none()) return device;
+    error = device->fit_handle(station.handle);
+    return error.empty() ? std::move(device) : nullptr;
 }
 
-std::unique_ptr<OpenedDevice> OpenedDevice::take(const kerf_device& driver, const kerf_device_open_out& opened,
+std::unique_ptr<OpenedDevice> OpenedDevice::take(const kerf_component& driver, const kerf_device_open_out& opened,
                                                  const std::string& name, std::string& error) {
     std::unique_ptr<OpenedDevice> device(new OpenedDevice(driver, opened, name));
     std::string fault = fault_of_facts(opened.facts);
@@ -118,6 +122,17 @@ std::unique_ptr<OpenedDevice> OpenedDevice::take(const kerf_device& driver, cons
     if (fault.empty()) return device;
     error = "the device `" + name + "` cannot be used: " + fault + ".";
     return nullptr;
+}
+
+std::string OpenedDevice::fit_handle(const documents::HandleFit& fit) {
+    if (stated_ == nullptr) return "the device `" + name_ + "` makes no force along its axes. Leave out `handle`.";
+    if (const std::string fault = stated_->carry(fit.mass, fit.weight()); !fault.empty())
+        return "the station's `handle` of the device `" + name_ + "` cannot be used: " + fault + ".";
+    facts_.peak_force = stated_->record().peak_force;
+    facts_.continuous_force = stated_->record().continuous_force;
+    facts_.mass = stated_->record().mass;
+    handle_.emplace(fit, facts_.peak_torque);
+    return {};
 }
 
 std::string OpenedDevice::add_pedal(std::unique_ptr<OpenedDevice> pedal) {
@@ -151,7 +166,8 @@ std::string OpenedDevice::add_knob(std::unique_ptr<OpenedDevice> knob) {
 
 kerf_device_state OpenedDevice::read() noexcept {
     kerf_device_state state{};
-    driver_->read(device_, &state);
+    call_read(*driver_, device_, state);
+    if (handle_) handle_->take(state);
     if (knob_ != nullptr) state.turn = turn_.take(knob_->read());
     if (pedal_ == nullptr || pedal_->facts().button_count == 0) return state;
     const kerf_device_state of_pedal = pedal_->read();
@@ -162,7 +178,7 @@ kerf_device_state OpenedDevice::read() noexcept {
 
 std::string OpenedDevice::problem() {
     char text[240] = {};
-    driver_->problem(device_, text);
+    call_problem(*driver_, device_, text);
     std::string own = text_in(text);
     if (own.empty() && knob_ != nullptr) own = knob_->problem();
     return own.empty() && pedal_ != nullptr ? pedal_->problem() : own;
@@ -174,8 +190,8 @@ std::vector<ListedDevice> find_devices(const PluginRegistry& plugins) {
         if (component.kind != KERF_KIND_DEVICE) continue;
         const std::vector<double> defaults = defaults_of(component);
         std::vector<kerf_device_found> found(max_found);
-        const kerf_device& driver = *plugins.find(component.plugin, KERF_KIND_DEVICE, component.id)->device;
-        found.resize(std::min(driver.find(defaults.data(), found.data(), max_found), max_found));
+        const kerf_component& driver = *plugins.find(component.plugin, KERF_KIND_DEVICE, component.id);
+        found.resize(std::min(call_find(driver, defaults.data(), found.data(), max_found), max_found));
         for (const kerf_device_found& one : found)
             listed.push_back({component.id, component.help, text_in(one.id), text_in(one.name), text_in(one.problem)});
         if (found.empty()) listed.push_back({component.id, component.help, "", "", ""});

@@ -4,14 +4,17 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/haptics/loop/stated_device.h"
 #include "core/plugin/loader.h"
+#include "core/plugin/plugin_call.h"
 #include "documents/station.h"
 #include "kerf/device.h"
+#include "run/device/fitted_handle.h"
 #include "run/device/knob_turn.h"
 
 namespace kerf::run {
@@ -29,10 +32,10 @@ public:
     /// Takes over a device that its driver has opened. Returns null with the reason in `error` if the loop cannot use
     /// it.   [main]
     /// @param name  for people
-    [[nodiscard]] static std::unique_ptr<OpenedDevice> take(const kerf_device& driver,
+    [[nodiscard]] static std::unique_ptr<OpenedDevice> take(const kerf_component& driver,
                                                             const kerf_device_open_out& opened, const std::string& name,
                                                             std::string& error);
-    ~OpenedDevice() { driver_->close(device_); }
+    ~OpenedDevice() { call_close(*driver_, device_); }
     OpenedDevice(const OpenedDevice&) = delete;
     OpenedDevice& operator=(const OpenedDevice&) = delete;
 
@@ -57,6 +60,10 @@ public:
     /// why it cannot be added; empty on success.   [main]
     [[nodiscard]] std::string add_pedal(std::unique_ptr<OpenedDevice> pedal);
 
+    /// Takes over what is fixed to the handle: from now on the handle is where the hand grips, and the device, which is
+    /// that much weaker, carries the mass. Returns why it cannot; empty on success.   [main] before the record is used
+    [[nodiscard]] std::string fit_handle(const documents::HandleFit& fit);
+
     /// Returns why the device or its pedal is lost or makes no force now, and what to do; empty if nothing is wrong.
     /// [main]
     [[nodiscard]] std::string problem();
@@ -70,20 +77,21 @@ public:
     [[nodiscard]] kerf_device_state read() noexcept;
     /// [haptic, nonblocking]
     void write(const kerf_device_command& command) noexcept {
-        driver_->write(device_, &command);
+        call_write(*driver_, device_, handle_ ? handle_->give(command) : command);
         if (knob_ != nullptr) knob_->write(command);
     }
 
 private:
-    OpenedDevice(const kerf_device& driver, const kerf_device_open_out& opened, std::string name)
+    OpenedDevice(const kerf_component& driver, const kerf_device_open_out& opened, std::string name)
         : driver_(&driver), device_(opened.device), facts_(opened.facts), name_(std::move(name)) {}
 
-    const kerf_device* driver_;
+    const kerf_component* driver_;
     void* device_;
     kerf_device_facts facts_;
     std::string name_;
     std::unique_ptr<StatedDevice> stated_;
     std::unique_ptr<OpenedDevice> pedal_, knob_;
+    std::optional<FittedHandle> handle_;
     KnobTurn turn_;                  ///< of the knob
     std::uint32_t own_buttons_ = 0;  ///< number of buttons before those of the pedal
 };

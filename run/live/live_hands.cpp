@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "kerf/device_exchange.hpp"
+
 namespace kerf::run {
 
 void LiveRehearsal::act(std::uint32_t missed, const TickResult& last, LoopInputs& inputs) noexcept {
@@ -19,10 +21,6 @@ void LiveDevice::act(std::uint32_t /*missed*/, const TickResult& /*last*/, LoopI
     if (presses.wants_next) inputs.next_action();
 }
 
-void LiveDevice::rest() noexcept {
-    kerf_device_command none{};
-    none.device_from_tool.rotation.w = 1.0;
-    device_->write(none);
-}
+void LiveDevice::rest() noexcept { device_->write(command_at_rest()); }
 
 }  // namespace kerf::run

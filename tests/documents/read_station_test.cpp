@@ -64,6 +64,19 @@ TEST(Station, ReadsTheWorkspaceOfAHandle) {
     EXPECT_FALSE(DeviceStation{}.workspace);
 }
 
+TEST(Station, ReadsWhatWasFixedToTheHandle) {
+    const DeviceStation station = read("  - {device: udp, handle: {grip: 0 -5 40 mm, mass: 60 g}}\n").of("udp");
+    EXPECT_EQ(station.handle.grip.y, -5e-3);
+    EXPECT_EQ(station.handle.grip.z, 40e-3);
+    EXPECT_DOUBLE_EQ(station.handle.mass, 0.06);
+    EXPECT_NE(station.text().find("; handle: {grip: 0 mm -5 mm 40 mm, mass: 60 g}"), std::string::npos)
+        << station.text();
+    EXPECT_EQ(read("  - {device: udp, handle: {mass: 60 g}}\n").of("udp").handle.grip.z, 0.0);
+    EXPECT_NE(error_of("  - {device: udp, handle: {mass: 6 kg}}\n").find("E0412"), std::string::npos);
+    EXPECT_NE(error_of("  - {device: udp, handle: {mass: 60}}\n").find("`60 g`"), std::string::npos)
+        << error_of("  - {device: udp, handle: {mass: 60}}\n");
+}
+
 TEST(Station, RefusesAWorkspaceWithoutRoom) {
     const std::string error = error_of("  - {device: udp, workspace: {from: 80 -60 -40 mm, to: -80 60 40 mm}}\n");
     EXPECT_NE(error.find("too thin"), std::string::npos) << error;

@@ -33,7 +33,7 @@ inline std::unique_ptr<OpenedDevice> opened(std::unique_ptr<DeviceLink> link) {
     out.facts = link->facts();
     out.device = static_cast<DeviceLink*>(link.release());
     std::string error;
-    auto device = OpenedDevice::take(detail::ComponentTable<Double>::table, out, "double", error);
+    auto device = OpenedDevice::take(PluginTables<Double>::components[0], out, "double", error);
     EXPECT_EQ(error, "");
     return device;
 }

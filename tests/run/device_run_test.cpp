@@ -411,6 +411,21 @@ TEST(OpenedDevice, AddsAKnobToTheLeadingDevice) {
     EXPECT_EQ(gains_for(recorded->record(), 0.01, 1).shaft.torque_limit, 2.0);
 }
 
+TEST(OpenedDevice, CarriesWhatIsFixedToTheHandle) {
+    kerf_device_facts facts = facts_of_premium();
+    const auto device = opened(std::make_unique<Stylus>(facts));
+    EXPECT_EQ(device->fit_handle({.grip = {0, 0, 0.04}, .mass = 0.05}), "");
+    EXPECT_DOUBLE_EQ(device->record()->peak_force, facts.peak_force - 0.05 * 9.81) << "the rest is for bone";
+    EXPECT_DOUBLE_EQ(device->facts().continuous_force, facts.continuous_force - 0.05 * 9.81);
+    EXPECT_DOUBLE_EQ(device->record()->mass, facts.mass + 0.05);
+    EXPECT_EQ(device->read().device_from_handle.position.z, 0.04);
+
+    const auto weak = opened(std::make_unique<Stylus>(facts));
+    EXPECT_NE(weak->fit_handle({.mass = 0.9}).find("half of the force"), std::string::npos);
+    const auto knob = opened(std::make_unique<Knob>(knob_abilities));
+    EXPECT_NE(knob->fit_handle({.mass = 0.01}).find("Leave out `handle`"), std::string::npos);
+}
+
 TEST(OpenedDevice, RefusesWhatIsNoKnob) {
     const auto refusal = [](const kerf_device_facts& facts, std::uint32_t abilities) {
         const auto device = opened(std::make_unique<Stylus>(facts));
@@ -420,6 +435,20 @@ TEST(OpenedDevice, RefusesWhatIsNoKnob) {
     EXPECT_NE(refusal(facts_of_premium(), knob_abilities), "") << "it makes all torques";
     EXPECT_NE(refusal(facts_with_knob(), knob_abilities), "") << "it has one";
     EXPECT_EQ(refusal(facts_of_stylus(), KERF_DEVICE_TURN), "") << "a knob without a motor";
+}
+
+TEST(StatedDevice, HasTheMotorOfItsOwnKnob) {
+    std::string fault;
+    const auto device = StatedDevice::of("stylus with a motor", facts_with_knob(), fault);
+    ASSERT_NE(device, nullptr) << fault;
+    EXPECT_EQ(device->record().axis.peak_torque, 2.0);
+    EXPECT_EQ(device->record().axis.resolution, 1e-3);
+    EXPECT_EQ(device->record().continuous_torque, 1.0);
+    kerf_device_facts both = facts_of_premium();
+    both.abilities |= knob_abilities;
+    both.peak_turn_torque = both.continuous_turn_torque = 1.0;
+    both.turn_resolution = 1e-3;
+    EXPECT_EQ(StatedDevice::of("both", both, fault), nullptr) << "it makes all torques itself";
 }
 
 TEST(StatedDevice, RefusesADeviceThatTheLoopCannotUse) {

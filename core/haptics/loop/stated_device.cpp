@@ -36,15 +36,21 @@ constexpr AxisValue axis_values[] = {{"turn_peak_torque", &TorqueAxis::peak_torq
                                      {"turn_resolution", &TorqueAxis::resolution},
                                      {"turn_friction", &TorqueAxis::friction}};
 
+constexpr double min_turn_torque = 1e-3, max_turn_torque = 50.0;  // [N·m]
+
+/// Returns why the loop cannot use the resolution of a knob [rad]; empty if it can.
+std::string fault_of_turn_resolution(double resolution) {
+    return is_between(resolution, 1e-9, 0.1) ? "" : "the resolution of its knob must be 1 nrad to 0.1 rad";
+}
+
 /// Returns why the loop cannot use the motor about the axis of a device; empty if it can, or if there is none.
 std::string fault_of_axis(const DeviceRecord& d) {
     if (d.axis.peak_torque == 0.0) return {};
     if (d.peak_torque != 0.0) return "it makes all torques itself, so it needs no motor about its axis";
-    if (!is_between(d.axis.peak_torque, 1e-3, 50.0))
+    if (!is_between(d.axis.peak_torque, min_turn_torque, max_turn_torque))
         return "the torque of its knob must be 1 mN m to 50 N m at the peak";
-    if (!is_between(d.axis.resolution, 1e-9, 0.1)) return "the resolution of its knob must be 1 nrad to 0.1 rad";
     if (!is_between(d.axis.friction, 1e-6, 10.0)) return "the friction of its knob must be 1 uN m to 10 N m";
-    return {};
+    return fault_of_turn_resolution(d.axis.resolution);
 }
 
 /// Returns why the loop cannot use a device; empty if it can.
@@ -66,14 +72,12 @@ std::string fault_of_knob(const kerf_device_facts& d) {
     const bool has_turn = (d.abilities & KERF_DEVICE_TURN) != 0;
     if ((d.abilities & KERF_DEVICE_TURN_TORQUE) != 0) {
         if (!has_turn) return "it makes a torque about a knob whose turn it does not sense";
-        if (!is_between(d.peak_turn_torque, 1e-3, 50.0) ||
+        if (!is_between(d.peak_turn_torque, min_turn_torque, max_turn_torque) ||
             !is_between(d.continuous_turn_torque, 1e-4, d.peak_turn_torque))
             return "the torque of its knob must be 1 mN m to 50 N m at the peak, and its continuous torque 0.1 mN m to "
                    "the peak";
     }
-    if (has_turn && !is_between(d.turn_resolution, 1e-9, 0.1))
-        return "the resolution of its knob must be 1 nrad to 0.1 rad";
-    return {};
+    return has_turn ? fault_of_turn_resolution(d.turn_resolution) : "";
 }
 
 /// Sets what follows from the stated values.
@@ -129,16 +133,19 @@ std::unique_ptr<StatedDevice> StatedDevice::of(std::string id, const kerf_device
         fault = "it makes no force; without force only a deflection can move the tool";
     if (!fault.empty()) return nullptr;
     const bool has_torque = (facts.abilities & KERF_DEVICE_TORQUE) != 0;
-    return of(std::move(id),
-              {{"peak_force", facts.peak_force},
-               {"continuous_force", facts.continuous_force},
-               {"peak_torque", has_torque ? facts.peak_torque : 0.0},
-               {"continuous_torque", has_torque ? facts.continuous_torque : 0.0},
-               {"largest_stiffness", facts.largest_stiffness},
-               {"largest_damping", facts.largest_damping},
-               {"mass", facts.mass},
-               {"resolution", facts.resolution}},
-              fault);
+    auto device = of(std::move(id),
+                     {{"peak_force", facts.peak_force},
+                      {"continuous_force", facts.continuous_force},
+                      {"peak_torque", has_torque ? facts.peak_torque : 0.0},
+                      {"continuous_torque", has_torque ? facts.continuous_torque : 0.0},
+                      {"largest_stiffness", facts.largest_stiffness},
+                      {"largest_damping", facts.largest_damping},
+                      {"mass", facts.mass},
+                      {"resolution", facts.resolution}},
+                     fault);
+    if (device == nullptr || (facts.abilities & KERF_DEVICE_TURN_TORQUE) == 0) return device;
+    fault = device->add_axis(facts);
+    return fault.empty() ? std::move(device) : nullptr;
 }
 
 StatedDevice::Values StatedDevice::values_of(const DeviceRecord& record) {
@@ -147,6 +154,15 @@ StatedDevice::Values StatedDevice::values_of(const DeviceRecord& record) {
     if (record.axis.peak_torque > 0.0)
         for (const AxisValue& value : axis_values) all.emplace_back(value.name, record.axis.*value.member);
     return all;
+}
+
+std::string StatedDevice::carry(double mass, double weight) {
+    if (weight > 0.5 * record_.continuous_force)
+        return "its mass weighs more than half of the force that the device can make for long";
+    record_.mass += mass;
+    record_.peak_force -= weight;
+    record_.continuous_force -= weight;
+    return fault_of(record_);
 }
 
 std::string StatedDevice::add_axis(const kerf_device_facts& knob) {

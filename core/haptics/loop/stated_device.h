@@ -36,6 +36,9 @@ public:
     /// Adds the motor of a knob about the handle's axis. Returns why it cannot; empty on success.   [main] before the
     /// record is used
     [[nodiscard]] std::string add_axis(const kerf_device_facts& knob);
+    /// Adds a mass to the handle, whose weight [N] takes a part of the device's force. Returns why it cannot; empty on
+    /// success.   [main] before the record is used
+    [[nodiscard]] std::string carry(double mass, double weight);
     /// Returns what a session records, so that a replay has the same device.
     [[nodiscard]] static Values values_of(const DeviceRecord& record);
 
