@@ -8,7 +8,9 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <thread>
+#include <utility>
 
 #include "app/confirmed_devices.h"
 #include "app/interruption.h"
@@ -22,25 +24,64 @@ namespace kerf::app {
 
 namespace {
 
-constexpr double max_push = 1.0;         // [N]
-constexpr double of_continuous = 0.5;    // [–] of the continuous force
+constexpr double of_continuous = 0.5;    // [–] of the continuous force or torque
 constexpr double duration = 2.0;         // [s] of a push, which rises and falls
-constexpr double max_speed = 0.5;        // [m/s] of the handle
-constexpr double max_distance = 50e-3;   // [m] of the handle from where it was
 constexpr double speed_filter = 20e-3;   // [s]
 constexpr std::uint64_t max_lost = 100;  // ticks without a usable report
 
 struct Push {
     const char* direction;  ///< for people
-    Vec3 axis;              ///< frame of the device
+    Vec3 axis;              ///< frame of the device; of a knob (±1, 0, 0), positive clockwise
 };
-constexpr Push pushes[] = {{"to the right", {1, 0, 0}}, {"up", {0, 1, 0}},    {"towards you", {0, 0, 1}},
-                           {"to the left", {-1, 0, 0}}, {"down", {0, -1, 0}}, {"away from you", {0, 0, -1}}};
+
+/// What is checked: the force on a handle, or the torque on a knob. SI.
+struct Effort {
+    const char* what;         ///< that it makes: "push"
+    bool is_turn;             ///< a torque about the axis of a knob
+    double max_strength;      ///< [N] or [N·m]
+    double max_speed;         ///< [m/s] or [rad/s]
+    double max_distance;      ///< [m] or [rad] from where it was
+    double min_reaction;      ///< [m] or [rad] against the push that shows a wrong sign
+    const char* unit;         ///< of the strength
+    double per_distance;      ///< SI per printed unit of a distance
+    const char* of_distance;  ///< that unit
+    std::span<const Push> pushes;
+    const char* hold;  ///< what the person does
+};
+
+constexpr Push along_axes[] = {{"to the right", {1, 0, 0}}, {"up", {0, 1, 0}},    {"towards you", {0, 0, 1}},
+                               {"to the left", {-1, 0, 0}}, {"down", {0, -1, 0}}, {"away from you", {0, 0, -1}}};
+constexpr Push about_the_axis[] = {{"clockwise", {1, 0, 0}}, {"counter-clockwise", {-1, 0, 0}}};
+constexpr Effort of_handle{
+    .what = "push",
+    .is_turn = false,
+    .max_strength = 1.0,
+    .max_speed = 0.5,
+    .max_distance = 50e-3,
+    .min_reaction = 10e-3,
+    .unit = "N",
+    .per_distance = 1e-3,
+    .of_distance = "mm",
+    .pushes = along_axes,
+    .hold = "Hold the handle lightly, in the middle of its range. Let go of it at any time: the force ends by itself."};
+constexpr Effort of_knob{
+    .what = "torque",
+    .is_turn = true,
+    .max_strength = 0.1,
+    .max_speed = 2.0 * std::numbers::pi,
+    .max_distance = std::numbers::pi,
+    .min_reaction = 5.0 * std::numbers::pi / 180.0,
+    .unit = "N m",
+    .per_distance = std::numbers::pi / 180.0,
+    .of_distance = "deg",
+    .pushes = about_the_axis,
+    .hold = "Hold the knob lightly, as you look at it. Let go of it at any time: the torque ends by itself."};
 
 /// How a push went.
 struct Pushed {
-    std::string fault{};  ///< why it was ended early, for people; empty: it was not
-    double along = 0.0;   ///< [m] by which the handle moved along the push, at the most
+    std::string fault{};   ///< why it was ended early, for people; empty: it was not
+    double along = 0.0;    ///< [m] or [rad] by which the handle moved along the push, at the most
+    double against = 0.0;  ///< by which it moved against it
 };
 
 /// Reads a line from stdin; nothing at its end.
@@ -57,45 +98,56 @@ std::optional<std::string> read_line() {
 /// Returns the reason to end a push; empty to continue.
 class PushWatch {
 public:
+    explicit PushWatch(const Effort& effort) : effort_(effort) {}
     std::string check(const kerf_device_state& state, double dt) {
-        const bool is_there = (state.flags & KERF_DEVICE_VALID) != 0 && is_usable(state.device_from_handle);
+        const bool is_there =
+            (state.flags & KERF_DEVICE_VALID) != 0 && is_usable(state.device_from_handle) && std::isfinite(state.turn);
         lost_ = is_there ? 0 : lost_ + 1;
         if (lost_ > max_lost) return "the device was lost.";
         if (!is_there) return "";
-        const Vec3 at = state.device_from_handle.position;
-        if (!start_) start_ = last_ = at;
+        const Vec3 at = effort_.is_turn ? Vec3{state.turn, 0, 0} : state.device_from_handle.position;
+        if (!std::exchange(has_start_, true)) start_ = last_ = at;
         speed_ += dt / speed_filter * (length(at - last_) / dt - speed_);
         last_ = at;
-        if (speed_ > max_speed)
-            return formatted("the handle moved faster than %.1f m/s. Hold it more firmly.", max_speed);
-        if (length(at - *start_) > max_distance)
-            return formatted("the handle moved by more than %.0f mm. Hold it more firmly.", 1e3 * max_distance);
+        if (speed_ > effort_.max_speed)
+            return formatted("it moved faster than %.0f %s/s. Hold it more firmly.",
+                             effort_.max_speed / effort_.per_distance, effort_.of_distance);
+        if (length(at - start_) > effort_.max_distance)
+            return formatted("it moved by more than %.0f %s. Hold it more firmly.",
+                             effort_.max_distance / effort_.per_distance, effort_.of_distance);
         return "";
     }
-    [[nodiscard]] Vec3 moved() const noexcept { return start_ ? last_ - *start_ : Vec3{}; }
+    [[nodiscard]] Vec3 moved() const noexcept { return last_ - start_; }
 
 private:
-    std::optional<Vec3> start_{};
-    Vec3 last_{};
-    double speed_ = 0.0;  ///< [m/s]
+    const Effort& effort_;
+    bool has_start_ = false;
+    Vec3 start_{}, last_{};
+    double speed_ = 0.0;
     std::uint64_t lost_ = 0;
 };
 
-Pushed push(run::OpenedDevice& device, Vec3 axis, double strength, const Interruption& interruption) {
+Pushed push(run::OpenedDevice& device, const Effort& effort, Vec3 axis, double strength,
+            const Interruption& interruption) {
     constexpr double dt = 1e-3;
     constexpr auto ticks = static_cast<std::uint64_t>(duration / dt);
     Pushed pushed;
-    PushWatch watch;
+    PushWatch watch(effort);
     auto next = std::chrono::steady_clock::now();
     for (std::uint64_t tick = 0; tick <= ticks && pushed.fault.empty() && !interruption.has_come(); ++tick) {
         std::this_thread::sleep_until(next += std::chrono::milliseconds(1));
         const kerf_device_state state = device.read();
         pushed.fault = watch.check(state, dt);
         pushed.along = std::max(pushed.along, dot(watch.moved(), axis));
+        pushed.against = std::max(pushed.against, -dot(watch.moved(), axis));
         const double phase = std::numbers::pi * static_cast<double>(tick) / static_cast<double>(ticks);
         kerf_device_command command{};
         command.tick = tick;
-        if (pushed.fault.empty()) command.force = strength * std::pow(std::sin(phase), 2) * axis;
+        const Vec3 made = pushed.fault.empty() ? strength * std::pow(std::sin(phase), 2) * axis : Vec3{};
+        if (effort.is_turn)
+            command.turn_torque = made.x;
+        else
+            command.force = made;
         command.device_from_tool = state.device_from_handle;
         command.flags = KERF_DEVICE_RUNNING | KERF_DEVICE_FORCE_ON;
         device.write(command);
@@ -105,26 +157,44 @@ Pushed push(run::OpenedDevice& device, Vec3 axis, double strength, const Interru
 }
 
 /// Lets a person confirm one push. Returns `exit_pass` if it was right.
-ExitCode check_push(run::OpenedDevice& device, const Push& one, double strength, const Interruption& interruption) {
-    print(formatted("%s, %.1f N for %.0f s: press Enter to begin\n", one.direction, strength, duration));
+ExitCode check_push(run::OpenedDevice& device, const Effort& effort, const Push& one, double strength,
+                    const Interruption& interruption) {
+    print(formatted("%s, %.2g %s for %.0f s: press Enter to begin\n", one.direction, strength, effort.unit, duration));
     if (!read_line())
         return complain("no person answers on stdin. The force must be confirmed by hand.", exit_bad_input);
-    const Pushed pushed = push(device, one.axis, strength, interruption);
+    const Pushed pushed = push(device, effort, one.axis, strength, interruption);
     if (interruption.has_come()) return complain("interrupted; the force is off", exit_fault);
     if (!pushed.fault.empty()) {
         const std::string problem = device.problem();
-        return complain("the push was ended: " + pushed.fault + (problem.empty() ? "" : " " + problem),
-                        exit_not_passed);
+        return complain(
+            "the " + std::string(effort.what) + " was ended: " + pushed.fault + (problem.empty() ? "" : " " + problem),
+            exit_not_passed);
     }
-    print(formatted("  the handle moved by %.1f mm along it. Was the push %s, and gentle? Type y or n\n",
-                    1e3 * pushed.along, one.direction));
+    if (pushed.against > effort.min_reaction && pushed.against > pushed.along)
+        print_error(formatted("kerf: it moved by %.1f %s against the %s. If your hand did not do that, the sign of its "
+                              "driver or of its setup is wrong\n",
+                              pushed.against / effort.per_distance, effort.of_distance, effort.what));
+    print(formatted("  it moved by %.1f %s along it. Was the %s %s, and gentle? Type y or n\n",
+                    pushed.along / effort.per_distance, effort.of_distance, effort.what, one.direction));
     const std::optional<std::string> answer = read_line();
     if (!answer) return complain("no person answers on stdin. The force must be confirmed by hand.", exit_bad_input);
     if (*answer == "y" || *answer == "Y" || *answer == "yes") return exit_pass;
-    return complain("the push " + std::string(one.direction) +
+    return complain("the " + std::string(effort.what) + " " + one.direction +
                         " was not confirmed. Do not use this device: its driver or its calibration is wrong. Write "
                         "`kerf devices doctor` and report it.",
                     exit_not_passed);
+}
+
+/// Lets a person confirm each push of a handle, or each torque of a knob.
+/// @param continuous   [N] or [N·m] that the device makes for long
+ExitCode check_effort(run::OpenedDevice& device, const Effort& effort, double continuous,
+                      const Interruption& interruption) {
+    print(std::string(effort.hold) + "\n");
+    const double strength = std::min(effort.max_strength, of_continuous * continuous);
+    for (const Push& one : effort.pushes)
+        if (const ExitCode code = check_push(device, effort, one, strength, interruption); code != exit_pass)
+            return code;
+    return exit_pass;
 }
 
 }  // namespace
@@ -137,17 +207,20 @@ ExitCode check_force(const std::string& id, const PluginRegistry& plugins) {
     OwnDevice own;
     if (const ExitCode code = open_own_device(id, plugins, interruption, own); code != exit_pass) return code;
     run::OpenedDevice& device = *own.opened;
-    if (device.record() == nullptr)
-        return complain("the device `" + device.name() + "` makes no force along its axes. Leave out `--force`.",
-                        exit_bad_input);
-    const double strength = std::min(max_push, of_continuous * device.facts().continuous_force);
-    print(device.name() +
-          "\nHold the handle lightly, in the middle of its range. Let go of it at any time: the force ends by "
-          "itself.\n");
-    for (const Push& one : pushes)
-        if (const ExitCode code = check_push(device, one, strength, interruption); code != exit_pass) return code;
+    const bool has_motor = (device.facts().abilities & KERF_DEVICE_TURN_TORQUE) != 0;
+    if (device.record() == nullptr && !has_motor)
+        return complain("the device `" + device.name() + "` makes no force. Leave out `--force`.", exit_bad_input);
+    print(device.name() + "\n");
+    if (device.record() != nullptr)
+        if (const ExitCode code = check_effort(device, of_handle, device.facts().continuous_force, interruption);
+            code != exit_pass)
+            return code;
+    if (has_motor)
+        if (const ExitCode code = check_effort(device, of_knob, device.facts().continuous_turn_torque, interruption);
+            code != exit_pass)
+            return code;
     if (const std::string error = confirm(device.name()); !error.empty()) return complain(error, exit_bad_input);
-    print("confirmed: the force of this device is right in all six directions\n");
+    print("confirmed: this device pushes as it should, in all directions\n");
     return exit_pass;
 }
 

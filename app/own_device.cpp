@@ -71,6 +71,13 @@ ExitCode open_own_device(const std::string& id, const PluginRegistry& plugins, c
 
 namespace {
 
+/// Reminds the user of a device with force whose force no person has confirmed.
+void remind_of_check(const run::OpenedDevice& device, const std::string& id) {
+    if (device.is_modelled() || is_confirmed(device.name())) return;
+    print_error("kerf: the force of the device `" + device.name() +
+                "` was never confirmed at this table. Write `kerf devices test " + id + " --force` first.\n");
+}
+
 /// Adds the knob of a device's entry, if it names one.
 ExitCode add_knob(const documents::Station& own, const PluginRegistry& plugins, const Interruption& interruption,
                   OwnDevice& device) {
@@ -78,6 +85,7 @@ ExitCode add_knob(const documents::Station& own, const PluginRegistry& plugins, 
     std::unique_ptr<run::OpenedDevice> knob;
     if (const ExitCode code = open_device(own.of(device.station.knob), plugins, interruption, knob); code != exit_pass)
         return code;
+    if ((knob->facts().abilities & KERF_DEVICE_TURN_TORQUE) != 0) remind_of_check(*knob, device.station.knob);
     const std::string refusal = device.opened->add_knob(std::move(knob));
     return refusal.empty() ? exit_pass : complain(refusal, exit_bad_input);
 }
@@ -99,9 +107,7 @@ ExitCode open_leading_device(const std::string& id, const PluginRegistry& plugin
         return complain("the device `" + id + "` is a knob, so it cannot lead a tool. Write `knob: " + id +
                             "` under another device in " + station_file() + ".",
                         exit_bad_input);
-    if (device.opened->record() != nullptr && !device.opened->is_modelled() && !is_confirmed(device.opened->name()))
-        print_error("kerf: the force of the device `" + device.opened->name() +
-                    "` was never confirmed at this table. Write `kerf devices test " + id + " --force` first.\n");
+    if (device.opened->record() != nullptr) remind_of_check(*device.opened, id);
     if (const ExitCode code = add_knob(*own, plugins, interruption, device); code != exit_pass) return code;
     if (device.station.pedal.empty()) return exit_pass;
     const documents::DeviceStation of_pedal = own->of(device.station.pedal);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A driver of a stylus that stays where it is, with one fault, `kerf_how`, which each library brings along. A fault of
-// its reports comes 0.3 s after it was opened, when some of a run is recorded.
+// its reports comes 0.3 s after it was opened, when some of a run is recorded. "is_a_knob" is a sound knob on a spring.
 #include <unistd.h>
 
 #include <csignal>
@@ -32,6 +32,13 @@ public:
     ~Stylus() override { misbehave("close"); }
     [[nodiscard]] kerf_device_facts facts() const override {
         kerf_device_facts facts{};
+        if (is_knob) {
+            facts.abilities = KERF_DEVICE_TURN | KERF_DEVICE_TURN_TORQUE;
+            facts.peak_turn_torque = 1.0;
+            facts.continuous_turn_torque = 0.5;
+            facts.turn_resolution = 1e-3;
+            return facts;
+        }
         facts.abilities = KERF_DEVICE_POSITION | KERF_DEVICE_ROTATION | KERF_DEVICE_FORCE;
         facts.button_count = 1;
         facts.peak_force = 3.0;
@@ -47,9 +54,11 @@ public:
         kerf_device_state state{};
         state.device_from_handle.rotation.w = 1.0;
         state.flags = KERF_DEVICE_VALID;
+        state.turn = is_knob ? turn_ : 0.0;
         return state;
     }
-    void write(const kerf_device_command& /*command*/) noexcept override {
+    void write(const kerf_device_command& command) noexcept override {
+        turn_ = (hostile::is("is_a_reversed_knob") ? -2.0 : 2.0) * command.turn_torque;
         if (reads_ > 300) misbehave("write");
     }
     [[nodiscard]] std::string problem() override {
@@ -58,7 +67,9 @@ public:
     }
 
 private:
+    static inline const bool is_knob = hostile::is("is_a_knob") || hostile::is("is_a_reversed_knob");
     int reads_ = 0;
+    double turn_ = 0.0;  ///< [rad]
 };
 
 struct StillStylus {

@@ -2,6 +2,7 @@
 // `kerf devices test --force`, on the arm without hardware.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "tests/support/program.h"
@@ -17,9 +18,19 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 /// Runs the check with these answers on stdin.
 Ended check_with(const TemporaryFolder& folder, const std::string& answers,
-                 const std::string& device = "simulated_hand") {
+                 const std::string& device = "simulated_hand", const std::string& plugins = "") {
     return test::shell("printf '" + answers + "' | KERF_STATION=" + (folder / "station.yaml") +
+                       (plugins.empty() ? "" : " KERF_PLUGIN_PATH=" + plugins) +
                        " " KERF_BUILD_DIR "/bin/kerf devices test " + device + " --force");
+}
+
+/// Runs the check of a knob on a spring of 0.5 N m/rad, with these answers.
+Ended check_knob(const std::string& how, const std::string& answers) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "plugins");
+    const std::string file = "driver_that_" + how + ".so";
+    std::filesystem::copy(KERF_BUILD_DIR "/tests/bad_plugins/" + file, folder / ("plugins/" + file));
+    return check_with(folder, answers, "still", folder / "plugins");
 }
 
 /// Returns the distance of the n-th push [mm] in what the check printed.
@@ -46,6 +57,22 @@ TEST(ForceCheck, EndsWithThePushThatIsWrong) {
     EXPECT_EQ(ended.exit_code, 1);
     EXPECT_TRUE(has(ended.err, "the push to the right was not confirmed")) << ended.err;
     EXPECT_EQ(contents_of(folder / "confirmed-devices"), "");
+}
+
+TEST(ForceCheck, TurnsAKnobInBothDirections) {
+    const Ended ended = check_knob("is_a_knob", "\\ny\\n\\ny\\n");
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_TRUE(has(ended.out, "clockwise, 0.1 N m for 2 s") && has(ended.out, "confirmed: ")) << ended.out;
+    EXPECT_NEAR(distance_of(ended.out, 0), 0.2 * 180.0 / 3.14159265358979323846, 0.1);
+    EXPECT_FALSE(has(ended.err, "sign")) << ended.err;
+}
+
+TEST(ForceCheck, NamesAKnobThatTurnsAgainstItsTorque) {
+    const Ended ended = check_knob("is_a_reversed_knob", "\\nn\\n");
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_TRUE(has(ended.err, "it moved by 11.5 deg against the torque")) << ended.err;
+    EXPECT_TRUE(has(ended.err, "the sign of its driver or of its setup is wrong")) << ended.err;
+    EXPECT_TRUE(has(ended.err, "the torque clockwise was not confirmed")) << ended.err;
 }
 
 TEST(ForceCheck, NeedsAPersonAndAForce) {
