@@ -40,6 +40,10 @@ void run_virtual(const char* driver, const std::string& procedure) {
     std::printf("%-16s %-26s virtual  %8llu ticks  %-10s  %s%s\n", driver, procedure.c_str(),
                 static_cast<unsigned long long>(led.summary.ticks), to_text(led.summary.verdict),
                 is_same ? "the same bits" : "OTHER BITS", led.error.c_str());
+    if (!is_same)
+        std::printf("    without the driver: %llu ticks, %s\n", static_cast<unsigned long long>(direct.summary.ticks),
+                    to_text(direct.summary.verdict));
+    for (const std::string& reason : led.summary.reasons) std::printf("    %s\n", reason.c_str());
     std::fflush(stdout);
 }
 

@@ -27,6 +27,8 @@ public:
     virtual void set_handle(const Pose& device_from_handle, std::uint32_t buttons) = 0;
     /// Returns the force that it makes now [N].
     [[nodiscard]] virtual Vec3 force() = 0;
+    /// Returns the torque that it makes now [N·m].
+    [[nodiscard]] virtual Vec3 torque() { return {}; }
     /// Returns a pose as the device can report it, which may round it.
     [[nodiscard]] virtual Pose reported(const Pose& device_from_handle) const { return device_from_handle; }
 };
@@ -125,7 +127,7 @@ public:
               while (!is_over_.load()) {
                   const kerf_device_command command = commands.get();
                   if ((command.flags & KERF_DEVICE_RUNNING) != 0)
-                      hand.move(device.force(), {}, command.device_from_tool);
+                      hand.move(device.force(), device.torque(), command.device_from_tool);
                   device.set_handle(hand.handle(), hand.buttons());
                   std::this_thread::sleep_until(next += std::chrono::milliseconds(1));
               }
@@ -191,10 +193,15 @@ struct LiveAndAgain {
 };
 
 /// Runs a procedure on the wall clock, into a folder, and replays its session.
+/// @param knob   of the tool's turn; null: the device leads that, too
 inline LiveAndAgain run_live_at(const std::string& procedure, const std::vector<std::string>& settings, StandIn& device,
-                                std::unique_ptr<DeviceLink> link, const std::string& folder) {
+                                std::unique_ptr<DeviceLink> link, const std::string& folder,
+                                std::unique_ptr<DeviceLink> knob = nullptr) {
     Newest<kerf_device_command> commands;
     const auto watched = opened(std::make_unique<WatchedLink>(std::move(link), commands, false));
+    if (knob != nullptr)
+        if (const std::string refusal = watched->add_knob(opened(std::move(knob))); !refusal.empty())
+            throw std::runtime_error(refusal);
     const Scene scene = scene_on(*watched->record(), procedure, settings);
     RehearsedHandle hand(scene);
     RunRequest request;

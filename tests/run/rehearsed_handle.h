@@ -20,7 +20,9 @@ public:
     explicit RehearsedHandle(const Scene& scene)
         : scene_(scene),
           plan_(plan_of(scene.procedure.rehearsals.front(), scene)),
-          hand_(plan_.plant, plan_.intent, plan_.start, 1e-3) {}
+          hand_(plan_.plant, plan_.intent, plan_.start, 1e-3) {
+        lead();
+    }
 
     /// Takes another tool as soon as the run has.   [the run's thread]
     void on_event(const session::EventRow& event) override {
@@ -29,11 +31,9 @@ public:
             if (scene_.procedure.steps[step].instrument == event.detail) step_.store(step);
     }
 
-    /// Returns where the handle is: where the hand grips the tool.
-    [[nodiscard]] Pose handle() const noexcept {
-        const Pose tool = hand_.reported();
-        return {tool * Vec3{0, 0, scene_.tool(step_.load()).outline.handling.grip_z}, tool.rotation};
-    }
+    /// Returns where the handle is: where the hand grips the first tool. The hand takes another tool where the handle
+    /// is.
+    [[nodiscard]] Pose handle() const noexcept { return handle_; }
     /// Returns the buttons of a tick: 0 is held; 1 is pressed for one tick at each waypoint with an action.
     [[nodiscard]] std::uint32_t buttons() noexcept {
         std::uint32_t pressed = 1u;
@@ -45,19 +45,35 @@ public:
     }
     /// Moves the hand by a millisecond.
     /// @param force, torque  that the device makes [N, N·m], world frame
-    /// @param tool           where the hand sees the tool
+    /// @param tool           frame of the device
     void move(Vec3 force, Vec3 torque, const Pose& tool) noexcept {
         DeviceCommand rendered;
         rendered.wrench = make_vec6(force, torque);
-        hand_.step(rendered, simulated_hand::SensedTool{.world_from_tool = tool});
+        hand_.step(rendered, simulated_hand::SensedTool{.world_from_tool = {tool.position - offset_, tool.rotation}});
+        lead();
     }
 
 private:
+    /// Moves the handle to where the hand now has it.
+    void lead() noexcept {
+        const Pose tool = hand_.reported();
+        const auto grip_in = [&](std::size_t step) {
+            return tool * Vec3{0, 0, scene_.tool(step).outline.handling.grip_z};
+        };
+        const std::size_t step = step_.load();
+        if (step != step_in_hand_) offset_ = offset_ + grip_in(step_in_hand_) - grip_in(step);
+        step_in_hand_ = step;
+        handle_ = {grip_in(step) + offset_, tool.rotation};
+    }
+
     const Scene& scene_;
     HandPlan plan_;
     simulated_hand::SimulatedHand hand_;
     std::size_t legs_pressed_ = 0;
-    std::atomic<std::size_t> step_{0};  ///< of the tool in hand
+    std::atomic<std::size_t> step_{0};  ///< of the tool that the run has given
+    std::size_t step_in_hand_ = 0;
+    Vec3 offset_{};  ///< [m] from the grip of the tool in hand to the handle: from the world to the device
+    Pose handle_{};
 };
 
 }  // namespace kerf::run
