@@ -25,7 +25,8 @@ struct HidRead {
     std::size_t size = 0;  ///< [bytes] of the report
 };
 
-/// Access to the HID devices of the system, at most one of them open. One thread calls all functions.
+/// Access to the HID devices of the system, at most one of them open. One thread calls all functions, but another one
+/// may read while it sends.
 class HidTransport {
 public:
     HidTransport() = default;
@@ -39,6 +40,14 @@ public:
     [[nodiscard]] virtual std::string open(const std::string& path) = 0;
     /// Waits for a report of the open device, cut to the size of `bytes`.
     [[nodiscard]] virtual HidRead read(std::span<std::uint8_t> bytes, int timeout_ms) noexcept = 0;
+    /// Returns the report descriptor of the device at a path, which need not be open; empty if it has none.
+    [[nodiscard]] virtual std::vector<std::uint8_t> descriptor(const std::string& /*path*/) { return {}; }
+    /// Sends an output report, whose first byte is its id. May block for seconds. Returns whether the device took it.
+    [[nodiscard]] virtual bool send(std::span<const std::uint8_t> /*report*/) noexcept { return false; }
+    /// Sends a feature report, whose first byte is its id. May block for seconds. Returns whether the device took it.
+    [[nodiscard]] virtual bool send_feature(std::span<const std::uint8_t> /*report*/) noexcept { return false; }
+    /// Reads the feature report whose id is the first byte. May block for seconds. Returns its size; 0 if it cannot.
+    [[nodiscard]] virtual std::size_t get_feature(std::span<std::uint8_t> /*report*/) noexcept { return 0; }
     /// Closes the open device, if there is one.
     virtual void close() noexcept = 0;
 };

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 #include "devices/hid/hid_nodes.h"
 #include "devices/hid/hid_transport.h"
@@ -59,6 +61,21 @@ public:
     void close() noexcept {
         if (fd_ >= 0) ::close(fd_);
         fd_ = -1;
+    }
+
+    [[nodiscard]] bool write(std::span<const std::uint8_t> report) const noexcept {
+        for (;;) {
+            const ssize_t size = ::write(fd_, report.data(), report.size());
+            if (size < 0 && errno == EINTR) continue;
+            return size == static_cast<ssize_t>(report.size());
+        }
+    }
+    /// Returns the size that the kernel returns; below 0: it cannot.
+    [[nodiscard]] int send_feature(std::span<const std::uint8_t> report) const noexcept {
+        return ioctl(fd_, HIDIOCSFEATURE(report.size()), report.data());
+    }
+    [[nodiscard]] int get_feature(std::span<std::uint8_t> report) const noexcept {
+        return ioctl(fd_, HIDIOCGFEATURE(report.size()), report.data());
     }
 
 private:
@@ -122,6 +139,22 @@ public:
         // hidapi also returns -1 when a signal has interrupted the wait.
         if (size == 0 || errno == EINTR) return {};
         return {.status = HidRead::Status::lost};
+    }
+    /// hidapi 0.13 has no function for it.
+    std::vector<std::uint8_t> descriptor(const std::string& path) override {
+        const std::string name = path.substr(path.rfind('/') + 1);
+        std::ifstream in("/sys/class/hidraw/" + name + "/device/report_descriptor", std::ios::binary);
+        const std::vector<char> bytes(std::istreambuf_iterator<char>(in), {});
+        return {bytes.begin(), bytes.end()};
+    }
+    // hidapi keeps one error text for all calls on a device, without a lock, and its reads may run in another thread.
+    // So these use the node itself, as hidapi does inside.
+    bool send(std::span<const std::uint8_t> report) noexcept override { return node_.write(report); }
+    bool send_feature(std::span<const std::uint8_t> report) noexcept override {
+        return node_.send_feature(report) >= 0;
+    }
+    std::size_t get_feature(std::span<std::uint8_t> report) noexcept override {
+        return static_cast<std::size_t>(std::max(node_.get_feature(report), 0));
     }
     void close() noexcept override {
         if (device_ != nullptr) hid_close(device_);
