@@ -23,6 +23,7 @@
 #include "session/content_hash.h"
 #include "session/record_checksum.h"
 #include "session/recorder.h"
+#include "tests/devices/hid_force/pid_firmware.h"
 #include "tests/documents/every_key.h"
 #include "tests/support/dicom_writer.h"
 #include "tests/support/plain_session.h"
@@ -586,6 +587,16 @@ void write_reports() {
     for (const auto& [name, bytes] : of_pedal) write("pedal_report", name, bytes);
 }
 
+void write_descriptors() {
+    const auto text_of = [](const std::vector<std::uint8_t>& bytes) { return std::string(bytes.begin(), bytes.end()); };
+    const std::string board = text_of(test::open_ffboard().descriptor);
+    write("pid_descriptor", "good-open-ffboard", board);
+    write("pid_descriptor", "good-two-axes", text_of(test::two_axes().descriptor));
+    write("pid_descriptor", "good-sparse-knob", text_of(test::sparse_knob().descriptor));
+    write("pid_descriptor", "bad-cut", board.substr(0, board.size() / 2));
+    write("pid_descriptor", "bad-end", board.substr(0, board.size() - 1));
+}
+
 // ---- motions --------------------------------------------------------------------------------------------------------
 
 void write_motions() {
@@ -621,6 +632,7 @@ int main(int count, char** words) {
     kerf::write_sessions();
     kerf::write_datagrams();
     kerf::write_reports();
+    kerf::write_descriptors();
     kerf::write_motions();
     return 0;
 }
