@@ -52,7 +52,7 @@ if(EXISTS ${CMAKE_SOURCE_DIR}/text)   # core and its tests alone need none of th
   if(HIDAPI_FOUND)
     dep_wrap(hidapi PkgConfig::HIDAPI)
   else()
-    message(STATUS "hidapi is missing: the drivers `spacemouse` and `pedal` only report that. Install libhidapi-dev.")
+    message(STATUS "hidapi is missing: the drivers `hid_force`, `spacemouse` and `pedal` only report that. Install libhidapi-dev.")
   endif()
   pkg_check_modules(WEBSOCKETS QUIET IMPORTED_TARGET libwebsockets)
   if(WEBSOCKETS_FOUND)

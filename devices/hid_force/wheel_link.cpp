@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <cstdio>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -73,6 +74,17 @@ std::string undrivable(const std::string& problem) {
     return "it cannot be driven by HID PID: " + problem + ". Update its firmware, or take another device.";
 }
 
+/// Opens the node of a wheel. Returns the reason if it cannot. Kerf's own rules name the devices that it knows, and a
+/// wheel can be anyone's.
+std::string open_node(hid::HidTransport& transport, const hid::HidEntry& entry) {
+    std::string refusal = transport.open(entry.path);
+    if (refusal.find("permission denied") == std::string::npos) return refusal;
+    std::array<char, 16> ids{};
+    static_cast<void>(std::snprintf(ids.data(), ids.size(), "%04x:%04x", entry.vendor, entry.product));
+    return entry.path + ": permission denied. Add a udev rule for " + ids.data() +
+           ", as docs/guide/devices.md shows under `A knob`. Then plug the device in again.";
+}
+
 /// Passes texts from the driver's threads to the main thread.
 class Notice {
 public:
@@ -99,7 +111,7 @@ public:
     /// Opens the device and starts its force, at zero. Returns the reason if it cannot.   [main] or the sender's thread
     [[nodiscard]] std::string open() {
         if (!wheel_.found.problem.empty()) return undrivable(wheel_.found.problem);
-        if (std::string refusal = transport_->open(wheel_.device.entry.path); !refusal.empty()) return refusal;
+        if (std::string refusal = open_node(*transport_, wheel_.device.entry); !refusal.empty()) return refusal;
         motor_.emplace(*transport_, wheel_.found.layout);
         std::string refusal = motor_->begin(device_time());
         if (!refusal.empty()) {
@@ -321,7 +333,7 @@ std::vector<DeviceFound> find_wheels(hid::HidTransport* transport) {
     if (transport == nullptr) return {{.id = "any", .name = kind, .problem = hid::lacks_hidapi}};
     std::vector<DeviceFound> found;
     for (const Wheel& wheel : list_wheels(*transport)) {
-        std::string problem = transport->open(wheel.device.entry.path);
+        std::string problem = open_node(*transport, wheel.device.entry);
         transport->close();
         if (problem.empty() && !wheel.found.problem.empty()) problem = undrivable(wheel.found.problem);
         found.push_back({.id = wheel.device.id,

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -15,6 +16,7 @@
 #include <string>
 #include <thread>
 
+#include "devices/hid/hid_nodes.h"
 #include "devices/hid_force/hid_force.h"
 #include "kerf/device_exchange.hpp"
 #include "tests/devices/driver_rig.h"
@@ -219,6 +221,13 @@ TEST(WheelLink, RefusesWhatItCannotDrive) {
     liar.descriptor.resize(liar.descriptor.size() - 1);
     Rig cut(liar);
     EXPECT_TRUE(has(cut.refusal(), "is connected. Plug one in")) << "a descriptor without end is no device's";
+}
+
+TEST(WheelLink, NamesTheRuleThatAUserNeeds) {
+    Rig rig;
+    rig.table->refusal = hid::refusal_of_node("/dev/hidraw3", EACCES);
+    EXPECT_TRUE(has(rig.refusal(), "Add a udev rule for 1209:ffb0"));
+    EXPECT_LT(rig.refusal().size(), sizeof kerf_device_found::problem);
 }
 
 TEST(WheelLink, ListsADeviceOnceWithItsProblem) {
