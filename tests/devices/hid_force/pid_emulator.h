@@ -91,6 +91,10 @@ struct PidTable {
     void unplug();
     void block_writes(double seconds);
     [[nodiscard]] bool is_there(const std::string& path) const;
+    [[nodiscard]] bool is_in_use() const {
+        const std::lock_guard lock(mutex);
+        return is_open;
+    }
 };
 
 class PidTransport final : public hid::HidTransport {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The driver over the real hidapi and hidraw's ioctls, with emulated firmware below umockdev. Run by umockdev-wrapper.
+#include <dlfcn.h>
 #include <glib-object.h>
 #include <gtest/gtest.h>
 #include <linux/hidraw.h>
@@ -7,6 +8,7 @@
 #include <umockdev.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -60,6 +62,10 @@ public:
     Firmwared(const Firmwared&) = delete;
     Firmwared& operator=(const Firmwared&) = delete;
 
+    /// Lets the next write block.
+    void block_write(double seconds) noexcept { block_.store(seconds, std::memory_order_relaxed); }
+    [[nodiscard]] bool is_blocked() const noexcept { return is_blocked_.load(std::memory_order_relaxed); }
+
     void attach(UMockdevTestbed* testbed, const std::string& node) {
         GError* error = nullptr;
         umockdev_testbed_attach_ioctl(testbed, node.c_str(), base_, &error);
@@ -69,6 +75,10 @@ public:
 private:
     static gboolean take_write(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, Firmwared* self) {
         const std::vector<std::uint8_t> report = bytes_of(umockdev_ioctl_client_get_arg(client));
+        if (const double seconds = self->block_.exchange(0.0, std::memory_order_relaxed); seconds > 0.0) {
+            self->is_blocked_.store(true, std::memory_order_relaxed);
+            std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+        }
         static_cast<void>(self->device_->take_output(report));
         umockdev_ioctl_client_complete(client, static_cast<glong>(report.size()), 0);
         return TRUE;
@@ -117,6 +127,8 @@ private:
     test::PidEmulator* device_;
     UMockdevIoctlBase* base_;
     GMainLoop* loop_;
+    std::atomic<double> block_{0.0};  ///< [s]
+    std::atomic<bool> is_blocked_{false};
     std::thread thread_;
 };
 
@@ -144,6 +156,36 @@ bool comes(DeviceLink& link, double torque, const std::function<bool()>& is_so) 
         std::this_thread::sleep_for(1ms);
     }
     return false;
+}
+
+TEST(HidForceOverHidapi, OutlivesTheUnloadingOfItsPlugin) {
+    // Given a device whose driver is loaded as the host does it, with a write that blocks
+    Rig rig(test::open_ffboard());
+    void* const library = dlopen(KERF_TEST_HID_FORCE, RTLD_NOW | RTLD_LOCAL);
+    ASSERT_NE(library, nullptr) << dlerror();
+    const auto* const entry = static_cast<const kerf_entry*>(dlsym(library, KERF_ENTRY_SYMBOL));
+    ASSERT_NE(entry, nullptr);
+    const kerf_device& table = *entry->components[0].device;
+    const double params[] = {2.0, 2.0 * std::numbers::pi, 1.0, 0.5};
+    kerf_device_open_in in{};
+    in.id = "";
+    in.params = params;
+    kerf_device_open_out out{};
+    ASSERT_EQ(table.open(&in, nullptr, nullptr, &out), KERF_OK) << out.message;
+    rig.firmwared.block_write(1.0);
+    while (!rig.firmwared.is_blocked()) std::this_thread::sleep_for(1ms);
+
+    // When it is closed and unloaded
+    const double start = device_time();
+    table.close(out.device);
+    EXPECT_LT(device_time() - start, 0.2);
+    dlclose(library);
+
+    // Then its thread ends the effect when the write returns
+    EXPECT_EQ(rig.device.blocks(), 1u);
+    while (rig.device.blocks() > 0 && device_time() < start + 20.0) std::this_thread::sleep_for(1ms);
+    EXPECT_EQ(rig.device.blocks(), 0u);
+    std::this_thread::sleep_for(200ms);  // its thread ends in the code of the plugin
 }
 
 class OverHidapi : public testing::TestWithParam<test::Firmware (*)()> {};

@@ -161,7 +161,7 @@ TEST(WheelLink, ClosesWithoutTorque) {
     EXPECT_EQ(rig.torque(), 0.0);
     EXPECT_EQ(rig.table->device->blocks(), 0u);
     EXPECT_FALSE(rig.table->device->was_disabled());
-    EXPECT_FALSE(rig.table->is_open);
+    EXPECT_FALSE(rig.table->is_in_use());
 }
 
 TEST(WheelLink, DoesNotWaitForABlockedWriteWhenClosing) {
@@ -179,7 +179,7 @@ TEST(WheelLink, DoesNotWaitForABlockedWriteWhenClosing) {
     while (rig.table.use_count() > 1 && device_time() < start + 20.0) std::this_thread::sleep_for(1ms);
     EXPECT_EQ(rig.table.use_count(), 1) << "the write has returned, and its thread has ended";
     EXPECT_EQ(rig.torque(), 0.0);
-    EXPECT_FALSE(rig.table->is_open);
+    EXPECT_FALSE(rig.table->is_in_use());
 }
 
 TEST(WheelLink, IsTakenOnce) {
@@ -213,7 +213,7 @@ TEST(WheelLink, RefusesWhatItCannotDrive) {
     EXPECT_TRUE(has(rig.refusal(setup_of_test, "W9"), "there is `W1`"));
     rig.table->device->pending_loads = 1000;
     EXPECT_TRUE(has(rig.refusal(), "does not answer"));
-    EXPECT_FALSE(rig.table->is_open);
+    EXPECT_FALSE(rig.table->is_in_use());
     rig.table->unplug();
     EXPECT_TRUE(has(rig.refusal(), "is connected. Plug one in"));
 
