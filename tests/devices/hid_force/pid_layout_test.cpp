@@ -150,6 +150,13 @@ TEST(PidLayout, RefusesADescriptorThatLies) {
     EXPECT_TRUE(has(problem(time, {0x66, 0x03, 0x10, 0x55, 0x0d, 0x75, 0x10, 0x95, 0x24}), "64 bytes"));
 }
 
+TEST(PidLayout, RefusesADurationThatOutlastsAProgram) {
+    const Bytes two_seconds = with(test::open_ffboard().descriptor, {0x46, 0xff, 0x7f, 0x66, 0x03, 0x10, 0x55, 0x0d},
+                                   {0x46, 0xff, 0xff, 0x66, 0x03, 0x10, 0x55, 0x00});
+    EXPECT_NE(found_in(two_seconds).problem.find("`duration` counts in steps of 2"), std::string::npos)
+        << found_in(two_seconds).problem;
+}
+
 TEST(PidLayout, CountsADurationInTheUnitOfItsExponent) {
     const Bytes all = test::open_ffboard().descriptor;
     const auto counts = [&](std::uint8_t exponent) {

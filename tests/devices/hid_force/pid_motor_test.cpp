@@ -104,6 +104,17 @@ TEST(PidMotor, StartsInTheOrderOfTheClass) {
                          {0x0c, 4}, {0x0c, 1}, {0x0d, 0}, {0x01, 1}, {0x05, 1}, {0x0a, 1}}));
 }
 
+TEST(PidMotor, EndsWithZeroForceThenStopThenFree) {
+    Rig rig(test::open_ffboard());
+    ASSERT_EQ(rig.motor.begin(rig.now), "");
+    rig.run(1.0, 0.1);
+    const std::size_t before = rig.device->outputs().size();
+    rig.motor.end();
+    const auto all = rig.device->outputs();
+    const std::vector<std::vector<std::uint8_t>> last(all.begin() + static_cast<std::ptrdiff_t>(before), all.end());
+    EXPECT_EQ(last, (std::vector<std::vector<std::uint8_t>>{{0x05, 1, 0, 0}, {0x0a, 1, 3, 1}, {0x0b, 1}}));
+}
+
 TEST(PidMotor, StartsTheEffectAgainAboutEach30Ms) {
     Rig rig(test::open_ffboard());
     ASSERT_EQ(rig.motor.begin(rig.now), "");
