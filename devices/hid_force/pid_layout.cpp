@@ -26,7 +26,8 @@ constexpr Usage magnitude = pid(0x70), constant_force_report = pid(0x73);
 constexpr Usage operation_report = pid(0x77), start = pid(0x79), stop = pid(0x7b), loop_count = pid(0x7c);
 constexpr Usage device_gain_report = pid(0x7d), device_gain = pid(0x7e);
 constexpr Usage block_load_report = pid(0x89), load_success = pid(0x8c), load_full = pid(0x8d), load_error = pid(0x8e);
-constexpr Usage block_free_report = pid(0x90), state_report = pid(0x92), control_report = pid(0x95);
+constexpr Usage block_free_report = pid(0x90), state_report = pid(0x92), control_report = pid(0x95),
+                control = pid(0x96);
 constexpr Usage enable_actuators = pid(0x97), stop_all_effects = pid(0x99), device_reset = pid(0x9a);
 constexpr Usage device_paused = pid(0x9f), actuators_enabled = pid(0xa0), safety_switch = pid(0xa4),
                 actuator_power = pid(0xa6);
@@ -36,7 +37,12 @@ constexpr Usage axis_x = usage_of(0x01, 0x30), dial = usage_of(0x01, 0x37), whee
 
 constexpr double max_duration = 1.0;  // [s] for which a force may outlast its program
 
+/// Returns whether each element is one bit of its own. Its range counts for nothing: OpenFFBoard states 1 to 6 for the
+/// bits of its device control, and 0 to 0 for those of a single axis.
+bool is_flags(const ReportField& field) noexcept { return field.is_variable && field.bit_size == 1; }
+
 bool fits(const ReportField& field) noexcept {
+    if (is_flags(field)) return true;
     if (field.bit_size > 32 || field.logical_min >= field.logical_max) return false;
     const std::int64_t span = std::int64_t{1} << field.bit_size;
     if (field.logical_min < 0) return field.logical_min >= -span / 2 && field.logical_max < span / 2;
@@ -47,8 +53,8 @@ Spot spot_of(const ReportField& field, std::size_t element) noexcept {
     constexpr std::uint32_t id_bits = 8;
     return {.bit = id_bits + field.bit_offset + static_cast<std::uint32_t>(element) * field.bit_size,
             .bits = field.bit_size,
-            .min = field.logical_min,
-            .max = field.logical_max};
+            .min = is_flags(field) ? 0 : field.logical_min,
+            .max = is_flags(field) ? 1 : field.logical_max};
 }
 
 /// Returns the time of one count [s]; nothing if the field counts no time.
@@ -215,7 +221,9 @@ void find_force(Finder& find, PidLayout& to) {
 }
 
 void find_device(Finder& find, PidLayout& to) {
-    to.control.message = find.message(control_report, "device control");
+    // The class puts the list of device controls into a collection of the report. Some devices lack the outer one.
+    to.control.message = find.message(control_report, "device control", false, true);
+    if (!to.control.message.exists()) to.control.message = find.message(control, "device control");
     to.control.enable = find.choice(to.control.message, enable_actuators, "enable actuators of device control");
     to.control.stop_all = find.choice(to.control.message, stop_all_effects, "stop all effects of device control");
     to.control.reset = find.choice(to.control.message, device_reset, "device reset of device control", true);
@@ -243,7 +251,7 @@ void find_axis(const ReportDescriptor& descriptor, Finder& find, PidLayout& to) 
             if (index < 0 || index >= std::int64_t{field.count}) continue;
             to.axis.message = find.sized({.kind = field.kind, .id = field.report_id, .size = 0}, "axis");
             to.axis.value = spot_of(field, static_cast<std::size_t>(index));
-            if (!fits(field) || field.logical_max - field.logical_min < 15)
+            if (!fits(field) || to.axis.value.max - to.axis.value.min < 15)
                 find.refuse("axis", "has the range " + std::to_string(field.logical_min) + " to " +
                                         std::to_string(field.logical_max) + " in " + std::to_string(field.bit_size) +
                                         " bits, need 16 steps or more");

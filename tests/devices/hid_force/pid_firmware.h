@@ -60,14 +60,17 @@ struct Firmware {
     } axis{};
 };
 
-/// The layout of an OpenFFBoard with one axis: device control is a mask of bits, directions are hundredths of a degree.
-/// Source: github.com/Ultrawipf/OpenFFBoard, its table of reports.
+/// An OpenFFBoard as a wheel. Device control is a mask of bits, directions are hundredths of a degree, and there are
+/// two axes, of which a wheel uses the first. Source: github.com/Ultrawipf/OpenFFBoard, commit 160af910: the descriptor
+/// `hid_2ffb_desc`, `ffb_defs.h`, `HidFFB.cpp` and `EffectsCalculator.cpp`. The report of conditions is left out.
 [[nodiscard]] Firmware open_ffboard();
-/// A layout as of the Arduino joystick library: device control is a list from 1, there are two axes, directions have
-/// eight bits, and there is no start delay. Source: github.com/YukMingLaw/ArduinoJoystickWithFFBLibrary, issue 30.
+/// An Arduino with a library for joysticks. Device control is a list from 1, directions have eight bits, and there is
+/// no start delay. Source: github.com/YukMingLaw/ArduinoJoystickWithFFBLibrary, commit ed86e27e: `FFBDescriptor.h`,
+/// `PIDReportHandler.cpp` and `Joystick.cpp`, with two axes and eight buttons. The reports of conditions and custom
+/// forces are left out.
 [[nodiscard]] Firmware two_axes();
-/// A base that lacks much of what the class describes: no gain, free block, direction or start delay. Device control
-/// counts from 0, durations from 100 us, and blocks have four bits. Its axis is an endless knob of 24 bits.
+/// Made up: it lacks much of what the class describes, such as gain, free block, direction and start delay. Device
+/// control counts from 0, durations from 100 us, and blocks have four bits. Its axis is an endless knob of 24 bits.
 [[nodiscard]] Firmware sparse_knob();
 
 }  // namespace kerf::test

@@ -45,7 +45,8 @@ TEST(PidCodec, WritesTheReportsOfAnOpenFfboard) {
     EXPECT_EQ(bytes_of(gain_report(l, 0.5)), (Bytes{0x0d, 128}));
     EXPECT_EQ(bytes_of(create_report(l)), (Bytes{0x11, 1, 0, 0}));
     EXPECT_EQ(create_report(l).kind, hid::ReportKind::feature);
-    EXPECT_EQ(bytes_of(effect_report(l, 3)), (Bytes{0x01, 3, 1, 100, 0, 0, 0, 0, 0, 0, 0, 255, 0, 2, 0x28, 0x23, 0, 0}))
+    EXPECT_EQ(bytes_of(effect_report(l, 3)),
+              (Bytes{0x01, 3, 1, 100, 0, 0, 0, 0, 0, 0, 0, 255, 0, 4, 0x28, 0x23, 0, 0, 0, 0, 0, 0}))
         << "100 ms, full gain, direction enabled, 90 degrees";
     EXPECT_EQ(bytes_of(force_report(l, 3, -0.5)), (Bytes{0x05, 3, 0x00, 0xc0}));
     EXPECT_EQ(bytes_of(operation_report(l, 3, l.operation.start)), (Bytes{0x0a, 3, 1, 1}));
@@ -57,7 +58,7 @@ TEST(PidCodec, WritesDeviceControlAsAListWhereItIsOne) {
     const PidLayout l = layout_of(test::two_axes());
     EXPECT_EQ(bytes_of(control_report(l, l.control.enable)), (Bytes{0x0c, 1}));
     EXPECT_EQ(bytes_of(control_report(l, l.control.stop_all)), (Bytes{0x0c, 3}));
-    EXPECT_EQ(bytes_of(effect_report(l, 2)), (Bytes{0x01, 2, 1, 100, 0, 0, 0, 0, 0, 255, 0, 4, 64, 0}))
+    EXPECT_EQ(bytes_of(effect_report(l, 2)), (Bytes{0x01, 2, 1, 100, 0, 0, 0, 0, 0, 255, 0, 4, 64, 0, 0, 0, 0, 0}))
         << "a quarter of 255";
     EXPECT_EQ(bytes_of(force_report(l, 2, 1.0)), (Bytes{0x05, 2, 0x10, 0x27}));
 }
@@ -117,6 +118,15 @@ TEST(PidCodec, ReadsAxisAndState) {
     EXPECT_EQ(read_state(l, Bytes{1, 0x06}), std::nullopt);
 }
 
+TEST(PidLayout, TakesFlagsWhateverTheirRange) {
+    // The descriptor `hid_1ffb_desc` of OpenFFBoard states the range 0 to 0 for the flags of one axis.
+    const Bytes one_axis = with(test::open_ffboard().descriptor, {0x15, 0, 0x25, 1, 0x75, 1, 0x95, 2, 0x91, 2},
+                                {0x15, 0, 0x25, 0, 0x75, 1, 0x95, 2, 0x91, 2});
+    const FoundLayout found = found_in(one_axis);
+    ASSERT_EQ(found.problem, "");
+    EXPECT_EQ(effect_report(found.layout, 3).bytes[13], 4) << "direction enable";
+}
+
 TEST(PidLayout, NamesTheFieldThatIsMissing) {
     const Bytes all = test::open_ffboard().descriptor;
     const auto problem = [&](const Bytes& from, const Bytes& to) { return found_in(with(all, from, to)).problem; };
@@ -127,7 +137,10 @@ TEST(PidLayout, NamesTheFieldThatIsMissing) {
     EXPECT_TRUE(has(problem({0x09, 0x50, 0x09}, {0x09, 0x51, 0x09}), "`duration` is missing"));
     EXPECT_TRUE(has(problem({0x09, 0xab, 0xa1}, {0x09, 0xac, 0xa1}), "`create new effect` is missing"));
     EXPECT_TRUE(has(problem({0x09, 0x89, 0xa1}, {0x09, 0x8f, 0xa1}), "`block load` is missing"));
-    EXPECT_TRUE(has(problem({0x09, 0x95, 0xa1}, {0x09, 0x94, 0xa1}), "`device control` is missing"));
+    EXPECT_TRUE(
+        has(problem({0x09, 0x95, 0xa1, 0x02, 0x85, 0x0c, 0x09, 0x96}, {0x09, 0x94, 0xa1, 0x02, 0x85, 0x0c, 9, 0x94}),
+            "`device control` is missing"));
+    EXPECT_TRUE(has(problem({0x09, 0x97}, {0x09, 0x8f}), "`enable actuators of device control` is missing"));
     EXPECT_EQ(problem({0x09, 0x7d, 0xa1}, {0x09, 0x7c, 0xa1}), "") << "the device gain is optional";
     EXPECT_EQ(problem({0x09, 0x90, 0xa1}, {0x09, 0x91, 0xa1}), "") << "so is the freeing of a block";
     EXPECT_EQ(problem({0x09, 0x92, 0xa1}, {0x09, 0x93, 0xa1}), "") << "and the report of its state";
@@ -137,10 +150,10 @@ TEST(PidLayout, RefusesADescriptorThatLies) {
     const Bytes all = test::open_ffboard().descriptor;
     const auto problem = [&](const Bytes& from, const Bytes& to) { return found_in(with(all, from, to)).problem; };
     const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
-    const Bytes magnitude{0x09, 0x70, 0x16, 0x01, 0x80, 0x26, 0xff, 0x7f, 0x75, 0x10};
-    EXPECT_TRUE(has(problem(magnitude, {0x09, 0x70, 0x16, 0x01, 0x80, 0x26, 0xff, 0x7f, 0x75, 0x08}), "`magnitude`"))
+    const Bytes magnitude{0x36, 0x01, 0x80, 0x46, 0xff, 0x7f, 0x75, 0x10};
+    EXPECT_TRUE(has(problem(magnitude, {0x36, 0x01, 0x80, 0x46, 0xff, 0x7f, 0x75, 0x08}), "`magnitude`"))
         << "16 bits of range in 8 bits";
-    EXPECT_TRUE(has(problem(magnitude, {0x09, 0x70, 0x15, 0x00, 0x26, 0xff, 0x7f, 0x75, 0x10}), "need both signs"));
+    EXPECT_TRUE(has(problem({0x09, 0x70, 0x16}, {0x09, 0x70, 0x15, 0x00, 0x36}), "need both signs"));
     const Bytes time{0x66, 0x03, 0x10, 0x55, 0x0d, 0x75, 0x10, 0x95, 0x04};
     EXPECT_TRUE(has(problem(time, {0x66, 0x03, 0x10, 0x55, 0x01, 0x75, 0x10, 0x95, 0x04}), "`duration`"))
         << "a count of 10 s";
@@ -160,8 +173,8 @@ TEST(PidLayout, RefusesADurationThatOutlastsAProgram) {
 TEST(PidLayout, CountsADurationInTheUnitOfItsExponent) {
     const Bytes all = test::open_ffboard().descriptor;
     const auto counts = [&](std::uint8_t exponent) {
-        const FoundLayout found =
-            found_in(with(all, {0x66, 0x03, 0x10, 0x55, 0x0d}, {0x66, 0x03, 0x10, 0x55, exponent}));
+        const FoundLayout found = found_in(with(all, {0x46, 0xff, 0x7f, 0x66, 0x03, 0x10, 0x55, 0x0d},
+                                                {0x46, 0xff, 0x7f, 0x66, 0x03, 0x10, 0x55, exponent}));
         EXPECT_EQ(found.problem, "");
         return found.layout.effect.duration_counts;
     };
