@@ -70,7 +70,7 @@ Report create_report(const PidLayout& layout) noexcept {
 }
 
 Report effect_report(const PidLayout& layout, std::int64_t block) noexcept {
-    constexpr double east = 0.25;  // of the full circle: the force is positive along the axis
+    constexpr double east = 0.25;  // of the full circle, from north by east
     const auto& effect = layout.effect;
     Report report = begin(effect.message);
     put(report, effect.block, block);
@@ -89,7 +89,7 @@ Report force_report(const PidLayout& layout, std::int64_t block, double fraction
     const auto full = static_cast<double>(std::min(magnitude.max, -magnitude.min));
     Report report = begin(layout.force.message);
     put(report, layout.force.block, block);
-    put(report, magnitude, std::llround(sound * full));
+    put(report, magnitude, std::llround(-sound * full));
     return report;
 }
 

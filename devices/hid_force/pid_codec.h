@@ -30,9 +30,17 @@ void put(Report& report, const Spot& spot, std::int64_t value) noexcept;
 /// @param fraction  [–] of the full gain, 0 to 1
 [[nodiscard]] Report gain_report(const PidLayout& layout, double fraction) noexcept;
 [[nodiscard]] Report create_report(const PidLayout& layout) noexcept;
-/// Sets a constant force of `effect_duration` along the axis.
+/// Sets a constant force of `effect_duration` along the axis. Its direction is a quarter of the circle, so from the
+/// positive end of the axis.
 [[nodiscard]] Report effect_report(const PidLayout& layout, std::int64_t block) noexcept;
-/// @param fraction  [–] of the full torque, -1 to 1; a value that is no number counts as 0
+/// The class states where a force comes from: with the direction of `effect_report`, a positive magnitude makes the
+/// counts of the axis fall. So the magnitude has the other sign.
+/// @param fraction  [–] of the full torque, -1 to 1, positive where the counts rise; a value that is no number counts
+/// as
+///                  0
+///
+/// Source: Microsoft, DirectX 9, "Effect Direction"; `FFBoard/Src/EffectsCalculator.cpp` of OpenFFBoard negates it,
+/// too.
 [[nodiscard]] Report force_report(const PidLayout& layout, std::int64_t block, double fraction) noexcept;
 [[nodiscard]] Report operation_report(const PidLayout& layout, std::int64_t block, const Choice& operation) noexcept;
 [[nodiscard]] Report free_report(const PidLayout& layout, std::int64_t block) noexcept;

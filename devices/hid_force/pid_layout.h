@@ -105,9 +105,9 @@ struct FoundLayout {
 
 /// Finds what a constant force about the first axis of a device needs.   [any] pure
 ///
-/// Effect types and operations are positions in the descriptor's lists. Device control may be a list or a mask. Flags of
-/// one bit are 0 or 1, whatever range the descriptor states. The duration counts in the unit of its exponent; without a
-/// unit it counts milliseconds [assumed]. A device whose shortest duration is above 1 s is refused.
+/// Effect types and operations are positions in the descriptor's lists. Device control may be a list or a mask. Flags
+/// of one bit are 0 or 1, whatever range the descriptor states. The duration counts in the unit of its exponent;
+/// without a unit it counts milliseconds [assumed]. A device whose shortest duration is above 1 s is refused.
 ///
 /// Source: Linux, `drivers/hid/usbhid/hid-pidff.c`; the numbers of the usages are also those of `IOHIDUsageTables.h` of
 /// Apple.

@@ -15,7 +15,7 @@ struct WheelSetup {
     double range = 0.0;                                 ///< [rad] from the smallest to the largest count; 0: not stated
     double peak_torque = 0.0, continuous_torque = 0.0;  ///< [N·m]
     bool is_reversed = false;                           ///< counts rise counter-clockwise
-    bool is_torque_reversed = false;                    ///< a positive magnitude makes the counts fall
+    bool is_torque_reversed = false;                    ///< its magnitude has the sign that the class does not mean
 };
 
 /// Returns the connected devices with force feedback, each with its problem if it cannot be opened.   [main]

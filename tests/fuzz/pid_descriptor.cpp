@@ -38,7 +38,7 @@ void check_layout(const PidLayout& layout, std::string_view input) {
         if (layout.free.message.exists()) check_report(free_report(layout, block), layout.free.message);
     }
     fuzz::require(get(force_report(layout, 1, 0.0).data(), layout.force.magnitude) == 0, "no force is zero");
-    fuzz::require(get(force_report(layout, 1, 1.0).data(), layout.force.magnitude) > 0, "a force has its sign");
+    fuzz::require(get(force_report(layout, 1, 1.0).data(), layout.force.magnitude) < 0, "a force has its sign");
     check_report(create_report(layout), layout.create.message);
     check_report(control_report(layout, layout.control.enable), layout.control.message);
     if (layout.gain.message.exists()) check_report(gain_report(layout, 0.5), layout.gain.message);

@@ -80,11 +80,12 @@ void PidEmulator::set_effect(std::span<const std::uint8_t> report) {
     one->duration =
         counts == (std::int64_t{1} << at.duration.bits) - 1 ? -1.0 : at.count_time * static_cast<double>(counts);
     one->gain = at.gain.bits > 0 ? static_cast<double>(number_at(report, at.gain)) / 255.0 : 1.0;
+    // A direction is where a force comes from, so a positive one from the east pushes towards lower counts.
     if (at.direction.bits == 0) {
-        one->sign = number_at(report, at.axis) != 0 ? 1.0 : 0.0;
+        one->sign = number_at(report, at.axis) != 0 ? -1.0 : 0.0;
     } else {
         const double circle = static_cast<double>(number_at(report, at.direction)) / at.full_circle;
-        one->sign = number_at(report, at.direction_enable) != 0 ? std::sin(2.0 * std::numbers::pi * circle) : 0.0;
+        one->sign = number_at(report, at.direction_enable) != 0 ? -std::sin(2.0 * std::numbers::pi * circle) : 0.0;
     }
     one->is_set = true;
 }

@@ -36,7 +36,7 @@ public:
     [[nodiscard]] std::optional<std::vector<std::uint8_t>> next_input();
 
     // What the test sees and does
-    /// Returns the torque that the motor makes now [–] -1 to 1.
+    /// Returns the torque that the motor makes now [–] -1 to 1, positive where the counts of the axis rise.
     [[nodiscard]] double torque() const;
     [[nodiscard]] std::size_t blocks() const;
     [[nodiscard]] bool was_disabled() const;

@@ -48,7 +48,8 @@ TEST(PidCodec, WritesTheReportsOfAnOpenFfboard) {
     EXPECT_EQ(bytes_of(effect_report(l, 3)),
               (Bytes{0x01, 3, 1, 100, 0, 0, 0, 0, 0, 0, 0, 255, 0, 4, 0x28, 0x23, 0, 0, 0, 0, 0, 0}))
         << "100 ms, full gain, direction enabled, 90 degrees";
-    EXPECT_EQ(bytes_of(force_report(l, 3, -0.5)), (Bytes{0x05, 3, 0x00, 0xc0}));
+    EXPECT_EQ(bytes_of(force_report(l, 3, 0.5)), (Bytes{0x05, 3, 0x00, 0xc0}))
+        << "half of 32767 from the east, towards higher counts";
     EXPECT_EQ(bytes_of(operation_report(l, 3, l.operation.start)), (Bytes{0x0a, 3, 1, 1}));
     EXPECT_EQ(bytes_of(operation_report(l, 3, l.operation.stop)), (Bytes{0x0a, 3, 3, 1}));
     EXPECT_EQ(bytes_of(free_report(l, 3)), (Bytes{0x0b, 3}));
@@ -60,7 +61,7 @@ TEST(PidCodec, WritesDeviceControlAsAListWhereItIsOne) {
     EXPECT_EQ(bytes_of(control_report(l, l.control.stop_all)), (Bytes{0x0c, 3}));
     EXPECT_EQ(bytes_of(effect_report(l, 2)), (Bytes{0x01, 2, 1, 100, 0, 0, 0, 0, 0, 255, 0, 4, 64, 0, 0, 0, 0, 0}))
         << "a quarter of 255";
-    EXPECT_EQ(bytes_of(force_report(l, 2, 1.0)), (Bytes{0x05, 2, 0x10, 0x27}));
+    EXPECT_EQ(bytes_of(force_report(l, 2, -1.0)), (Bytes{0x05, 2, 0x10, 0x27}));
 }
 
 TEST(PidCodec, WritesTheReportsOfASparseKnob) {
@@ -71,14 +72,14 @@ TEST(PidCodec, WritesTheReportsOfASparseKnob) {
     EXPECT_EQ(bytes_of(control_report(l, l.control.enable)), (Bytes{0x24, 0})) << "it counts from 0";
     EXPECT_EQ(bytes_of(effect_report(l, 5)), (Bytes{0x21, 0x15, 0xe8, 0x03, 1})) << "1000 times 100 us";
     EXPECT_NEAR(l.effect.duration_time, 0.1, 1e-12);
-    EXPECT_EQ(bytes_of(force_report(l, 5, -1.0)), (Bytes{0x22, 0x15, 0x80})) << "-2047 in the upper 12 bits";
+    EXPECT_EQ(bytes_of(force_report(l, 5, 1.0)), (Bytes{0x22, 0x15, 0x80})) << "-2047 in the upper 12 bits";
     EXPECT_EQ(bytes_of(operation_report(l, 5, l.operation.start)), (Bytes{0x23, 0x15}));
 }
 
 TEST(PidCodec, LimitsAForceAndTakesNoNumberForNone) {
     const PidLayout l = layout_of(test::open_ffboard());
-    EXPECT_EQ(bytes_of(force_report(l, 1, 7.0)), (Bytes{0x05, 1, 0xff, 0x7f}));
-    EXPECT_EQ(bytes_of(force_report(l, 1, -7.0)), (Bytes{0x05, 1, 0x01, 0x80}));
+    EXPECT_EQ(bytes_of(force_report(l, 1, -7.0)), (Bytes{0x05, 1, 0xff, 0x7f}));
+    EXPECT_EQ(bytes_of(force_report(l, 1, 7.0)), (Bytes{0x05, 1, 0x01, 0x80}));
     for (const double none : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
         EXPECT_EQ(bytes_of(force_report(l, 1, none)), (Bytes{0x05, 1, 0, 0}));
 }

@@ -132,6 +132,24 @@ TEST(WheelLink, TurnsRoundWhatTheStationReverses) {
     EXPECT_TRUE(comes(*link, 1.0, [&] { return rig.torque() > 0.1; }));
 }
 
+TEST(WheelLink, TurnsWhereItsTorquePushes) {
+    for (const bool is_reversed : {false, true}) {
+        Rig rig;
+        WheelSetup setup = setup_of_test;
+        setup.is_reversed = is_reversed;
+        const auto link = rig.open(setup);
+        std::int64_t counts = 0;
+        EXPECT_TRUE(comes(*link, 1.0,
+                          [&] {
+                              counts += std::llround(100.0 * rig.torque());  // a wheel that follows its motor
+                              rig.table->device->turn_to(counts);
+                              return link->read().turn > 0.1;
+                          }))
+            << is_reversed << link->read().turn;
+        EXPECT_EQ(counts < 0, is_reversed);
+    }
+}
+
 TEST(WheelLink, IsLostWhenUnpluggedAndComesBack) {
     Rig rig;
     const auto link = rig.open();
