@@ -130,13 +130,18 @@ std::optional<std::int64_t> read_axis(const PidLayout& layout, std::span<const s
     return counts;
 }
 
-std::optional<Hindrance> read_state(const PidLayout& layout, std::span<const std::uint8_t> report) noexcept {
+bool is_safety_switch_closed(const PidLayout& layout, std::span<const std::uint8_t> report) noexcept {
+    return is_of(layout.state.message, report) && get(report, layout.state.safety) == 1;
+}
+
+std::optional<Hindrance> read_state(const PidLayout& layout, std::span<const std::uint8_t> report,
+                                    bool has_safety_switch) noexcept {
     const auto& state = layout.state;
     if (!is_of(state.message, report)) return std::nullopt;
     const auto is = [&](const Spot& spot, std::int64_t value) { return spot.exists() && get(report, spot) == value; };
     if (is(state.paused, 1)) return Hindrance::paused;
     if (is(state.power, 0)) return Hindrance::power;
-    if (is(state.safety, 0)) return Hindrance::safety_switch;
+    if (has_safety_switch && is(state.safety, 0)) return Hindrance::safety_switch;
     if (is(state.enabled, 0)) return Hindrance::disabled;
     return Hindrance::none;
 }

@@ -60,8 +60,13 @@ struct BlockLoad {
 
 /// Why a device makes no force at the moment, by its own report.
 enum class Hindrance : std::uint8_t { none, paused, disabled, safety_switch, power };
-/// Returns it; nothing if the report is another one.
-[[nodiscard]] std::optional<Hindrance> read_state(const PidLayout& layout,
-                                                  std::span<const std::uint8_t> report) noexcept;
+/// Returns whether a report states that the safety switch is closed.
+[[nodiscard]] bool is_safety_switch_closed(const PidLayout& layout, std::span<const std::uint8_t> report) noexcept;
+/// Returns the hindrance; nothing if the report is another one.
+/// @param has_safety_switch  whether the device has reported it closed. OpenFFBoard declares one and has none: it
+/// always
+///                           reports it open
+[[nodiscard]] std::optional<Hindrance> read_state(const PidLayout& layout, std::span<const std::uint8_t> report,
+                                                  bool has_safety_switch) noexcept;
 
 }  // namespace kerf::hid_force

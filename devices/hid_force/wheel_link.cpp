@@ -234,7 +234,9 @@ private:
 
     [[nodiscard]] bool take(std::span<const std::uint8_t> report) noexcept {
         const PidLayout& layout = wheel_.found.layout;
-        if (const auto hindrance = read_state(layout, report)) hindrance_.store(*hindrance, std::memory_order_relaxed);
+        has_safety_switch_ |= is_safety_switch_closed(layout, report);
+        if (const auto hindrance = read_state(layout, report, has_safety_switch_))
+            hindrance_.store(*hindrance, std::memory_order_relaxed);
         const auto counts = read_axis(layout, report);
         if (!counts) return false;
         ++state_.reports;
@@ -287,6 +289,7 @@ private:
     TurnCounter counter_;
     std::optional<PidMotor> motor_;  ///< while the device is open
     kerf_device_state state_ = open_state();
+    bool has_safety_switch_ = false;
     double turn_before_ = 0.0;  ///< [rad] when the device was opened
     double next_search_ = 0.0;  ///< [s]
     Notice notice_;

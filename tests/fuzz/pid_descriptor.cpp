@@ -53,7 +53,7 @@ void check_layout(const PidLayout& layout, std::string_view input) {
         if (const auto counts = read_axis(layout, bytes))
             fuzz::require(*counts >= layout.axis.value.min && *counts <= layout.axis.value.max,
                           "counts are in their range");
-        static_cast<void>(read_state(layout, bytes));
+        static_cast<void>(read_state(layout, bytes, is_safety_switch_closed(layout, bytes)));
     }
 }
 

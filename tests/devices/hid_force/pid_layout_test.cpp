@@ -111,12 +111,13 @@ TEST(PidCodec, ReadsAxisAndState) {
     axis[10] = 0x80;
     EXPECT_EQ(read_axis(l, axis), std::nullopt) << "-32768 is out of its range";
     EXPECT_EQ(read_axis(l, Bytes{1, 2, 3}), std::nullopt);
-    EXPECT_EQ(read_state(l, Bytes{2, 0x0e}), Hindrance::none);
-    EXPECT_EQ(read_state(l, Bytes{2, 0x0f}), Hindrance::paused);
-    EXPECT_EQ(read_state(l, Bytes{2, 0x0c}), Hindrance::disabled);
-    EXPECT_EQ(read_state(l, Bytes{2, 0x0a}), Hindrance::safety_switch);
-    EXPECT_EQ(read_state(l, Bytes{2, 0x06}), Hindrance::power);
-    EXPECT_EQ(read_state(l, Bytes{1, 0x06}), std::nullopt);
+    EXPECT_EQ(read_state(l, Bytes{2, 0x0e}, true), Hindrance::none);
+    EXPECT_EQ(read_state(l, Bytes{2, 0x0f}, true), Hindrance::paused);
+    EXPECT_EQ(read_state(l, Bytes{2, 0x0c}, true), Hindrance::disabled);
+    EXPECT_EQ(read_state(l, Bytes{2, 0x0a}, true), Hindrance::safety_switch);
+    EXPECT_EQ(read_state(l, Bytes{2, 0x1a}, false), Hindrance::none) << "OpenFFBoard while an effect plays";
+    EXPECT_EQ(read_state(l, Bytes{2, 0x06}, true), Hindrance::power);
+    EXPECT_EQ(read_state(l, Bytes{1, 0x06}, true), std::nullopt);
 }
 
 TEST(PidLayout, TakesFlagsWhateverTheirRange) {

@@ -214,10 +214,13 @@ TEST(WheelLink, IsTakenOnce) {
 TEST(WheelLink, ShowsWhatHindersTheDevice) {
     Rig rig;
     const auto link = rig.open();
-    rig.table->device->send_input({2, 0x06});
+    rig.table->device->send_input({2, 0x02});
     EXPECT_TRUE(comes(*link, 0.0, [&] { return has(link->problem(), "no power"); }));
+    rig.table->device->send_input({2, 0x1a});
+    EXPECT_TRUE(comes(*link, 0.0, [&] { return link->problem().empty(); })) << "it never had a safety switch";
     rig.table->device->send_input({2, 0x0e});
-    EXPECT_TRUE(comes(*link, 0.0, [&] { return link->problem().empty(); }));
+    rig.table->device->send_input({2, 0x0a});
+    EXPECT_TRUE(comes(*link, 0.0, [&] { return has(link->problem(), "safety switch"); }));
 }
 
 TEST(WheelLink, RefusesWhatItCannotDrive) {
