@@ -33,16 +33,8 @@ BlockLoad PidMotor::poll_block() noexcept {
 
 std::string PidMotor::create() {
     using Status = BlockLoad::Status;
-    BlockLoad load{};
-    for (const bool is_last : {false, true}) {
-        if (!send(create_report(layout_))) return not_taken("create new effect");
-        load = poll_block();
-        // A program that ended without freeing its effects may have left the device full.
-        if (load.status != Status::full || is_last || !layout_.control.reset.exists()) break;
-        if (!send(control_report(layout_, layout_.control.reset)) ||
-            !send(control_report(layout_, layout_.control.enable)))
-            return not_taken("device control");
-    }
+    if (!send(create_report(layout_))) return not_taken("create new effect");
+    const BlockLoad load = poll_block();
     switch (load.status) {
         case Status::success:
             block_ = load.block;
@@ -60,6 +52,10 @@ std::string PidMotor::create() {
 
 std::string PidMotor::begin(double now) {
     block_ = 0;
+    // Effects of a program that ended without freeing them fill the device, and those without end would play on:
+    // OpenFFBoard only pauses them when all are stopped, and continues them when the actuators are enabled.
+    if (layout_.control.reset.exists() && !send(control_report(layout_, layout_.control.reset)))
+        return not_taken("device control");
     if (!send(control_report(layout_, layout_.control.stop_all)) ||
         !send(control_report(layout_, layout_.control.enable)))
         return not_taken("device control");

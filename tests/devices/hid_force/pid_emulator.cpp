@@ -65,7 +65,9 @@ void PidEmulator::control(std::span<const std::uint8_t> report) {
         effects_.clear();
         is_enabled_ = false;
     }
-    if (is(control.stop_all))
+    if (is(control.stop_all) && control.stop_all_pauses)
+        is_enabled_ = false;
+    else if (is(control.stop_all))
         for (auto& [block, one] : effects_) one.is_playing = false;
     if (is(control.enable)) is_enabled_ = true;
     if (is(control.disable)) was_disabled_ = true;

@@ -162,7 +162,8 @@ Firmware open_ffboard() {
     f.sizes = {{{input, 0x01}, 25},  {{input, 0x02}, 2},   {{output, 0x01}, 22}, {{output, 0x05}, 4},
                {{output, 0x0a}, 4},  {{output, 0x0b}, 2},  {{output, 0x0c}, 2},  {{output, 0x0d}, 2},
                {{feature, 0x11}, 4}, {{feature, 0x12}, 5}, {{feature, 0x13}, 5}};
-    f.control = {.id = 0x0c, .is_mask = true, .enable = 0, .disable = 1, .stop_all = 2, .reset = 3};
+    f.control = {
+        .id = 0x0c, .is_mask = true, .enable = 0, .disable = 1, .stop_all = 2, .reset = 3, .stop_all_pauses = true};
     f.effect = {.id = 0x01,
                 .block = byte_at(1),
                 .type = byte_at(2),

@@ -26,6 +26,7 @@ struct Firmware {
         std::uint8_t id = 0;
         bool is_mask = false;
         unsigned enable = 0, disable = 0, stop_all = 0, reset = 0;  ///< numbers, or bits of the mask
+        bool stop_all_pauses = false;                               ///< effects continue when the actuators are enabled
     } control{};
     struct {
         std::uint8_t id = 0;

@@ -101,7 +101,7 @@ TEST(PidMotor, StartsInTheOrderOfTheClass) {
     std::vector<std::vector<std::uint8_t>> heads;
     for (const auto& report : rig.device->outputs()) heads.push_back({report[0], report[1]});
     EXPECT_EQ(heads, (std::vector<std::vector<std::uint8_t>>{
-                         {0x0c, 4}, {0x0c, 1}, {0x0d, 0}, {0x01, 1}, {0x05, 1}, {0x0a, 1}}));
+                         {0x0c, 8}, {0x0c, 4}, {0x0c, 1}, {0x0d, 0}, {0x01, 1}, {0x05, 1}, {0x0a, 1}}));
 }
 
 TEST(PidMotor, EndsWithZeroForceThenStopThenFree) {
@@ -156,6 +156,25 @@ TEST(PidMotor, ResetsADeviceThatOthersHaveFilled) {
     EXPECT_EQ(rig.device->blocks(), 1u);
     rig.device->max_blocks = 0;
     EXPECT_NE(next.begin(rig.now).find("no memory"), std::string::npos);
+}
+
+TEST(PidMotor, EndsEffectsThatOthersLeftBehind) {
+    // Given a device on which a program has left an effect without end
+    Rig rig(test::open_ffboard());
+    const PidLayout layout = find_layout(hid::parse_descriptor(rig.device->firmware().descriptor).descriptor).layout;
+    ASSERT_TRUE(rig.device->take_feature(create_report(layout).data()));
+    Report endless = effect_report(layout, 1);
+    endless.bytes[3] = endless.bytes[4] = 0xff;
+    for (const Report& report : {control_report(layout, layout.control.enable), endless, force_report(layout, 1, 1.0),
+                                 operation_report(layout, 1, layout.operation.start)})
+        ASSERT_TRUE(rig.device->take_output(report.data()));
+    ASSERT_EQ(rig.device->torque(), 1.0);
+
+    // Then it makes no torque after the start
+    ASSERT_EQ(rig.motor.begin(rig.now), "");
+    rig.run(0.0, 1.1);
+    EXPECT_EQ(rig.device->torque(), 0.0);
+    EXPECT_EQ(rig.device->blocks(), 1u);
 }
 
 TEST(PidMotor, ReportsALostDevice) {
