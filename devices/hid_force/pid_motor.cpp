@@ -84,17 +84,15 @@ bool PidMotor::send_gain(double now) noexcept {
 }
 
 bool PidMotor::step(double fraction, double now) noexcept {
-    if (layout_.gain.message.exists()) {
-        if (!send_gain(now)) return false;
-    } else {
-        fraction *= std::clamp((now - began_) / ramp, 0.0, 1.0);
-    }
-    // The force goes first: a start must never prolong an old one.
-    const Report report = force_report(layout_, block_, fraction);
-    if (report.bytes != force_.bytes) {
-        force_ = report;
-        if (!send(report)) return false;
-    }
+    if (layout_.gain.message.exists() && !send_gain(now)) return false;
+    const double risen = std::clamp((now - began_) / ramp, 0.0, 1.0);
+    const Report report = force_report(layout_, block_, risen * fraction);
+    if (report.bytes == force_.bytes) return true;
+    force_ = report;
+    return send(report);
+}
+
+bool PidMotor::renew(double now) noexcept {
     if (now - started_ < start_interval) return true;
     started_ = now;
     return send(operation_report(layout_, block_, layout_.operation.start));

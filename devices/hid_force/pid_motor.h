@@ -16,7 +16,8 @@ class PidMotor {
 public:
     /// Time between two starts of the effect [s].
     static constexpr double start_interval = 30e-3;
-    /// Time in which the gain rises from 0 after the start [s]. Some bases oscillate if it is full at once.
+    /// Time in which gain and force rise from 0 after the start [s]. Some bases oscillate if the gain is full at once,
+    /// and the Arduino library for joysticks ignores the gain.
     static constexpr double ramp = 1.0;
     /// Number of times that the block load is read before the device counts as not answering.
     static constexpr int max_polls = 60;
@@ -28,9 +29,12 @@ public:
     /// Creates and starts the effect, without force. Returns why it cannot; empty on success.
     /// @param now  of a clock that never goes back [s]
     [[nodiscard]] std::string begin(double now);
-    /// Sends what has changed. Returns false if the device does not take it: it is lost.
+    /// Sends force and gain if they have changed. Returns false if the device does not take it: it is lost.
     /// @param fraction  [–] of the full torque, -1 to 1; a value that is no number counts as 0
     [[nodiscard]] bool step(double fraction, double now) noexcept;
+    /// Starts the effect again if it is time to. Returns false if the device does not take it: it is lost.
+    /// Pre: the force of the last step is not old.
+    [[nodiscard]] bool renew(double now) noexcept;
     /// Stops and frees the effect. The actuators stay enabled: some devices turn on a spring of their own without them.
     void end() noexcept;
 

@@ -142,7 +142,7 @@ public:
                 if (!find_again()) continue;
             }
             if (!reader.joinable() && !begin_reading(reader)) continue;
-            if (!motor_->step(fraction(exchange.command().turn_torque), device_time())) {
+            if (!send_newest()) {
                 is_lost_.store(true, std::memory_order_release);
                 continue;
             }
@@ -202,6 +202,15 @@ private:
         const double limit = std::min(setup_.peak_torque, setup_.full_scale_torque);
         const double sign = setup_.is_reversed != setup_.is_torque_reversed ? -1.0 : 1.0;
         return sign * std::clamp(torque, -limit, limit) / setup_.full_scale_torque;
+    }
+
+    /// Returns whether the device has taken it.
+    [[nodiscard]] bool send_newest() noexcept {
+        const double before = device_time();
+        if (!motor_->step(fraction(exchange.command().turn_torque), before)) return false;
+        // A write that blocked has sent an old force, and the effect may have ended: it must not start with that one.
+        const double now = device_time();
+        return now - before > DeviceExchange::silence || motor_->renew(now);
     }
 
     bool begin_reading(std::thread& reader) noexcept {

@@ -157,7 +157,7 @@ double PidEmulator::torque() const {
         const bool is_over = one.duration >= 0.0 && clock_() - one.started >= one.duration;
         if (one.is_set && one.is_playing && !is_over) sum += one.gain * one.sign * one.magnitude;
     }
-    return sum * gain_.value_or(gain_at_start);
+    return firmware_.gain.is_ignored ? sum : sum * gain_.value_or(gain_at_start);
 }
 
 std::size_t PidEmulator::blocks() const {

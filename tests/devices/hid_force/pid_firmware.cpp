@@ -203,6 +203,7 @@ Firmware two_axes() {
     f.effect.direction = byte_at(12);
     f.effect.full_circle = 255;
     f.force.full = 10000;
+    f.gain.is_ignored = true;
     f.pool.create = 0x05;
     f.pool.load = 0x06;
     f.axis = {.id = 0x01, .value = word_at(2, true)};

@@ -49,6 +49,7 @@ struct Firmware {
         std::uint8_t id = 0;  ///< 0: the device has no such report
         At block{}, value{};
         double full = 0;
+        bool is_ignored = false;
     } free{}, gain{};
     struct {
         std::uint8_t create = 0, load = 0;

@@ -200,6 +200,28 @@ TEST(WheelLink, DoesNotWaitForABlockedWriteWhenClosing) {
     EXPECT_FALSE(rig.table->is_in_use());
 }
 
+TEST(WheelLink, DoesNotStartAnOldForceAfterABlockedWrite) {
+    // Given a wheel with a torque, whose writes block for longer than its effect lasts just after a start of it
+    Rig rig;
+    const auto link = rig.open();
+    ASSERT_TRUE(comes(*link, 1.0, [&] { return rig.torque() >= 0.5; }));
+    const std::size_t before = rig.table->device->outputs().size();
+    ASSERT_TRUE(comes(*link, 1.0, [&] { return rig.table->device->outputs().size() > before; }));
+    rig.table->block_writes(0.3);
+    ASSERT_TRUE(comes(*link, 0.9, [&] {
+        const std::lock_guard lock(rig.table->mutex);
+        return rig.table->writers > 0;
+    }));
+
+    // When the loop ends
+    std::this_thread::sleep_for(150ms);
+
+    // Then the effect that has ended stays so
+    for (const double start = device_time(); device_time() < start + 1.5; std::this_thread::sleep_for(1ms))
+        ASSERT_EQ(rig.torque(), 0.0) << device_time() - start;
+    rig.table->block_writes(0.0);
+}
+
 TEST(WheelLink, IsTakenOnce) {
     Rig rig;
     const auto link = rig.open();
