@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace kerf::hid_force {
@@ -12,14 +14,19 @@ public:
     TurnCounter(std::int64_t min, std::int64_t max, double angle) noexcept
         : counts_(max - min + 1), angle_(angle / static_cast<double>(counts_)) {}
 
-    /// Takes counts of the range. Of two ways round it counts the shorter one. Returns the turn [rad], 0 after the
-    /// first.
+    /// Largest turn between two reports [rad]. A hand is slower: a larger one is a new middle, set by a maker's
+    /// program.
+    static constexpr double max_step = 1.0;
+
+    /// Takes counts of the range. Of two ways round it counts the shorter one, and it ignores a jump. Returns the turn
+    /// [rad], 0 after the first.
     double take(std::int64_t counts) noexcept {
         if (has_last_) {
             std::int64_t change = counts - last_;
             if (2 * change > counts_) change -= counts_;
             if (2 * change < -counts_) change += counts_;
-            total_ += change;
+            const double step = std::abs(static_cast<double>(change) * angle_);
+            if (step <= std::max(max_step, resolution())) total_ += change;
         }
         last_ = counts;
         has_last_ = true;

@@ -199,6 +199,8 @@ TEST(TurnCounter, FollowsTheShorterPathRound) {
     EXPECT_NEAR(knob.turn(), 0.5 + 3.12 + 9 * 2.56, 1e-9);
     knob.restart();
     EXPECT_NEAR(knob.take(128), 0.5 + 3.12 + 9 * 2.56, 1e-9) << "the device was away";
+    EXPECT_NEAR(knob.take(8), 0.5 + 3.12 + 9 * 2.56, 1e-9) << "a jump by 1.2 rad";
+    EXPECT_NEAR(knob.take(7), 0.5 + 3.11 + 9 * 2.56, 1e-9);
     TurnCounter reversed(-100, 99, -2.0);
     static_cast<void>(reversed.take(0));
     EXPECT_NEAR(reversed.take(10), -0.1, 1e-12);

@@ -210,9 +210,9 @@ TEST_P(OverHidapi, MakesATorqueAndClosesWithoutIt) {
 TEST(HidForceOverHidapi, FollowsTheKnob) {
     Rig rig(test::sparse_knob());
     const auto link = test::open_device(driver);
-    rig.system.send(0, {0x07, 0x00, 0x00, 0xe0});
-    rig.system.send(0, {0x07, 0x00, 0x00, 0x20});
-    EXPECT_TRUE(comes(*link, 0.0, [&] { return std::abs(link->read().turn - 0.5 * std::numbers::pi) < 1e-3; }))
+    rig.system.send(0, {0x07, 0x00, 0x00, 0xf0});
+    rig.system.send(0, {0x07, 0x00, 0x00, 0x10});
+    EXPECT_TRUE(comes(*link, 0.0, [&] { return std::abs(link->read().turn - 0.25 * std::numbers::pi) < 1e-3; }))
         << link->read().turn;
 }
 

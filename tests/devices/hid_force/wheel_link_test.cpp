@@ -110,11 +110,11 @@ TEST(WheelLink, FollowsAKnobOverManyTurns) {
     Rig rig(test::sparse_knob());
     const auto link = rig.open(
         {.full_scale_torque = 2.0, .range = 2.0 * std::numbers::pi, .peak_torque = 1.0, .continuous_torque = 0.5});
-    constexpr std::int64_t third = 0x1000000 / 3;
-    for (int i = 0; i <= 9; ++i) rig.table->device->turn_to(i % 3 * third);
+    constexpr std::int64_t twelfth = 0x1000000 / 12;
+    for (int i = 0; i <= 36; ++i) rig.table->device->turn_to(i % 12 * twelfth);
     EXPECT_TRUE(comes(*link, 0.0, [&] { return std::abs(link->read().turn - 6.0 * std::numbers::pi) < 1e-3; }))
         << link->read().turn;
-    EXPECT_EQ(link->read().reports, 10u);
+    EXPECT_EQ(link->read().reports, 37u);
 }
 
 TEST(WheelLink, TurnsRoundWhatTheStationReverses) {
