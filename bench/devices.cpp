@@ -5,6 +5,7 @@
 //     ./dev bench devices                    the shipped operations on a virtual clock, the awl on the wall clock
 //     ./dev bench devices PROCEDURE …        those procedures on a virtual clock
 //     ./dev bench devices live PROCEDURE …   those procedures on the wall clock
+//     ./dev bench devices knob PROCEDURE …   the same with a Touch that leads the tool, and a knob that turns it
 //
 //     virtual   the run through the driver, and the same without it: whether both have the same bits
 //     wall      the verdict, late ticks, whether the replay has the same bits. `haply`: also the time between a state
@@ -18,8 +19,10 @@
 
 #include "tests/devices/force_dimension/force_dimension_stand_in.h"
 #include "tests/devices/haply/haply_stand_in.h"
+#include "tests/devices/hid_force/knob_stand_in.h"
 #include "tests/devices/openhaptics/openhaptics_stand_in.h"
 #include "tests/run/doubled_device.h"
+#include "tests/run/stylus_and_knob.h"
 
 namespace {
 
@@ -59,21 +62,41 @@ std::string answers(haply::HaplyStandIn& device) {
 }
 std::string answers(run::StandIn& /*device*/) { return ""; }
 
-template <class Device>
-void run_on_wall_clock(const std::string& driver, const std::string& procedure) {
+/// Returns the empty folder of a run's results.
+std::string results_of(const std::string& driver, const std::string& procedure) {
     const std::string folder = KERF_BUILD_DIR "/bench/devices/" + driver + "-" + procedure;
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(KERF_BUILD_DIR "/bench/devices");
-    Device device;
-    const run::LiveAndAgain runs = run::run_live_at(procedure, {}, device, device.open(), folder);
+    return folder;
+}
+
+void print_live(const std::string& driver, const std::string& procedure, const run::LiveAndAgain& runs,
+                const std::string& more) {
     const auto& clock = runs.live.summary.clock;
     std::printf("%-16s %-26s wall     %8llu ticks  %-10s  %s  late %llu%s%s\n", driver.c_str(), procedure.c_str(),
                 static_cast<unsigned long long>(runs.live.summary.ticks), to_text(runs.live.summary.verdict),
                 runs.again.summary.hash == runs.live.summary.hash ? "the same bits" : "OTHER BITS",
-                static_cast<unsigned long long>(clock ? clock->over_period : 0), answers(device).c_str(),
-                runs.live.error.c_str());
+                static_cast<unsigned long long>(clock ? clock->over_period : 0), more.c_str(), runs.live.error.c_str());
     for (const std::string& reason : runs.live.summary.reasons) std::printf("    %s\n", reason.c_str());
     std::fflush(stdout);
+}
+
+template <class Device>
+void run_on_wall_clock(const std::string& driver, const std::string& procedure) {
+    Device device;
+    const run::LiveAndAgain runs =
+        run::run_live_at(procedure, {}, device, device.open(), results_of(driver, procedure));
+    print_live(driver, procedure, runs, answers(device));
+}
+
+void run_with_knob(const std::string& procedure) {
+    openhaptics::OpenHapticsStandIn stylus;
+    hid_force::EmulatedKnob knob;
+    run::StylusAndKnob both(stylus, knob);
+    const run::LiveAndAgain runs = run::run_live_at(procedure, {}, both, openhaptics::OpenHapticsStandIn::open(),
+                                                    results_of("knob", procedure), knob.open());
+    print_live("knob", procedure, runs,
+               "  largest torque " + std::to_string(1e3 * knob.largest_torque()).substr(0, 6) + " mN m" + knob.fault());
 }
 
 void run_all_virtual(const std::string& procedure) {
@@ -93,6 +116,10 @@ int main(int argc, char** argv) {
     const std::vector<std::string> named(argv + 1, argv + argc);
     if (!named.empty() && named.front() == "live") {
         for (std::size_t i = 1; i < named.size(); ++i) run_all_on_wall_clock(named[i]);
+        return 0;
+    }
+    if (!named.empty() && named.front() == "knob") {
+        for (std::size_t i = 1; i < named.size(); ++i) run_with_knob(named[i]);
         return 0;
     }
     for (const std::string& procedure : named.empty() ? all : named) run_all_virtual(procedure);

@@ -148,11 +148,13 @@ private:
 inline const std::vector<std::string> hurried_awl = {"time_limit=3 s", "rehearsals.expert.hand.feed=10 mm/s",
                                                      "rehearsals.expert.hand.approach=30 mm/s"};
 
-/// Returns the scene of a shipped procedure on a device. Throws std::runtime_error with the diagnostics.
+/// Returns the scene of a procedure on a device: of a shipped one by its name, or of a file. Throws std::runtime_error
+/// with the diagnostics.
 inline Scene scene_on(const DeviceRecord& device, const std::string& procedure,
                       const std::vector<std::string>& settings = {}) {
     text::Diagnostics diagnostics;
-    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/" + procedure + ".yaml"};
+    DocumentRequest request{
+        .procedure = procedure.ends_with(".yaml") ? procedure : KERF_SOURCE_DIR "/procedures/" + procedure + ".yaml"};
     request.changes.settings = settings;
     auto documents = check_documents(request, test::plugins()).take(diagnostics);
     if (documents) documents->device = &device;
@@ -194,9 +196,10 @@ struct LiveAndAgain {
 
 /// Runs a procedure on the wall clock, into a folder, and replays its session.
 /// @param knob   of the tool's turn; null: the device leads that, too
+/// @param also   a further observer; may be null
 inline LiveAndAgain run_live_at(const std::string& procedure, const std::vector<std::string>& settings, StandIn& device,
                                 std::unique_ptr<DeviceLink> link, const std::string& folder,
-                                std::unique_ptr<DeviceLink> knob = nullptr) {
+                                std::unique_ptr<DeviceLink> knob = nullptr, RunObserver* also = nullptr) {
     Newest<kerf_device_command> commands;
     const auto watched = opened(std::make_unique<WatchedLink>(std::move(link), commands, false));
     if (knob != nullptr)
@@ -206,6 +209,7 @@ inline LiveAndAgain run_live_at(const std::string& procedure, const std::vector<
     RehearsedHandle hand(scene);
     RunRequest request;
     request.observers = {&hand};
+    if (also != nullptr) request.observers.push_back(also);
     request.out = folder;
     LiveAndAgain runs;
     {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "session/read_session.h"
 #include "session/recorder.h"
 #include "session/report/drawn_run.h"
+#include "tests/run/seat_a_screw.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
@@ -25,71 +25,16 @@ namespace {
 
 using namespace literals;
 
-const char* const bored_block = R"(apiVersion: kerf/v1
-kind: Anatomy
-metadata: {id: bored, title: A bored block of bone}
-phantom:
-  parts:
-    - {id: block, box: {centre: 0 0 0 mm, size: 24 24 40 mm}}
-    - {id: hole, tube: {from: 0 0 25 mm, to: 0 0 -8 mm, radius: 1.6 mm}, subtract: true}
-tissues:
-  - {id: bone, density: 0.3 g/cm3}
-landmarks:
-  axes: {way: {from: 0 0 30 mm, to: 0 0 -18 mm, tolerance: 1 mm}}
-)";
-
-// The axis meets bone at the bottom of the hole, 28 mm below the face.
-const char* const seat_a_screw = R"(apiVersion: kerf/v1
-kind: Procedure
-metadata: {id: seat, title: Seat a screw, version: 0.1.0, status: draft}
-needs: {landmarks: [way], tissues: [bone]}
-anatomy: bored.yaml
-accuracy: {spacing: 0.5 mm}
-haptics: {device: touch-driver, force_scale: 1/10}
-time_limit: 60 s
-instruments:
-  screw:
-    plugin: kerf.implant
-    tool: pedicle_screw
-    force: screw_insertion
-    parameters: {outer_diameter: 6.5 mm, thread_length: 20 mm}
-steps:
-  - id: insert
-    title: Insert the screw
-    instrument: screw
-    axis: way
-    goals: [{depth: {at_least: 5 mm}}]
-    limits: [{depth: {at_most: 20 mm}, reason: The screw is too deep.}]
-rehearsals:
-  - id: expert
-    expect: incomplete
-    hand: {push: 20 N}
-    path: [{depth: -34 mm}, {depth: -27 mm}, {depth: -9 mm, turn: {TURN}, do: release}, {depth: -9 mm}]
-)";
-
 std::optional<Scene> seat_with(const std::string& turn, const std::string& device = "touch-driver") {
     const test::TemporaryFolder folder;
-    std::string text = seat_a_screw;
-    text.replace(text.find("TURN"), 4, turn);
-    text.replace(text.find("touch-driver"), 12, device);
-    std::ofstream(folder / "bored.yaml") << bored_block;
-    std::ofstream(folder / "seat.yaml") << text;
     text::Diagnostics diagnostics;
-    auto scene = make_scene(folder / "seat.yaml", "", test::plugins()).take(diagnostics);
+    auto scene = make_scene(write_seat_a_screw(folder.path(), turn, device), "", test::plugins()).take(diagnostics);
     if (!scene) ADD_FAILURE() << to_text(diagnostics);
     return scene;
 }
 
 test::WatchedRun run_of(const Scene& scene, RunRequest request = {}) {
     return test::watched_run(scene, test::plugins(), std::move(request));
-}
-
-/// How far a pose turned about its own z over the rows [rad], many turns.
-double turned_by(const std::vector<session::TickRow>& ticks, Pose session::TickRow::*pose) {
-    double sum = 0.0;
-    for (std::size_t i = 1; i < ticks.size(); ++i)
-        sum += small_rotation_vector(conjugate((ticks[i - 1].*pose).rotation) * (ticks[i].*pose).rotation).z;
-    return sum;
 }
 
 double max_torque(const std::vector<session::TickRow>& ticks) {
