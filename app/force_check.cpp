@@ -41,7 +41,7 @@ struct Effort {
     double max_strength;      ///< [N] or [N·m]
     double max_speed;         ///< [m/s] or [rad/s]
     double max_distance;      ///< [m] or [rad] from where it was
-    double min_reaction;      ///< [m] or [rad] against the push that shows a wrong sign
+    double max_back;          ///< [m] or [rad] against the push that shows a wrong sign
     const char* unit;         ///< of the strength
     double per_distance;      ///< SI per printed unit of a distance
     const char* of_distance;  ///< that unit
@@ -58,7 +58,7 @@ constexpr Effort of_handle{
     .max_strength = 1.0,
     .max_speed = 0.5,
     .max_distance = 50e-3,
-    .min_reaction = 10e-3,
+    .max_back = 20e-3,
     .unit = "N",
     .per_distance = 1e-3,
     .of_distance = "mm",
@@ -70,7 +70,7 @@ constexpr Effort of_knob{
     .max_strength = 0.1,
     .max_speed = 2.0 * std::numbers::pi,
     .max_distance = std::numbers::pi,
-    .min_reaction = 5.0 * std::numbers::pi / 180.0,
+    .max_back = std::numbers::pi / 18.0,
     .unit = "N m",
     .per_distance = std::numbers::pi / 180.0,
     .of_distance = "deg",
@@ -79,9 +79,8 @@ constexpr Effort of_knob{
 
 /// How a push went.
 struct Pushed {
-    std::string fault{};   ///< why it was ended early, for people; empty: it was not
-    double along = 0.0;    ///< [m] or [rad] by which the handle moved along the push, at the most
-    double against = 0.0;  ///< by which it moved against it
+    std::string fault{};  ///< why it was ended early, for people; empty: it was not
+    double along = 0.0;   ///< [m] or [rad] by which the handle moved along the push, at the most
 };
 
 /// Reads a line from stdin; nothing at its end.
@@ -98,7 +97,7 @@ std::optional<std::string> read_line() {
 /// Returns the reason to end a push; empty to continue.
 class PushWatch {
 public:
-    explicit PushWatch(const Effort& effort) : effort_(effort) {}
+    PushWatch(const Effort& effort, Vec3 axis) : effort_(effort), axis_(axis) {}
     std::string check(const kerf_device_state& state, double dt) {
         const bool is_there =
             (state.flags & KERF_DEVICE_VALID) != 0 && is_usable(state.device_from_handle) && std::isfinite(state.turn);
@@ -115,12 +114,20 @@ public:
         if (length(at - start_) > effort_.max_distance)
             return formatted("it moved by more than %.0f %s. Hold it more firmly.",
                              effort_.max_distance / effort_.per_distance, effort_.of_distance);
+        if (along() < -effort_.max_back)
+            return formatted(
+                "it moved by more than %.0f %s against the %s, so the sign of its driver or of its setup is "
+                "wrong, or your hand moved it. Let it move by itself; if it still moves back, correct the "
+                "sign.",
+                effort_.max_back / effort_.per_distance, effort_.of_distance, effort_.what);
         return "";
     }
-    [[nodiscard]] Vec3 moved() const noexcept { return last_ - start_; }
+    /// Returns how far it has moved along the push.
+    [[nodiscard]] double along() const noexcept { return dot(last_ - start_, axis_); }
 
 private:
     const Effort& effort_;
+    Vec3 axis_;
     bool has_start_ = false;
     Vec3 start_{}, last_{};
     double speed_ = 0.0;
@@ -132,14 +139,13 @@ Pushed push(run::OpenedDevice& device, const Effort& effort, Vec3 axis, double s
     constexpr double dt = 1e-3;
     constexpr auto ticks = static_cast<std::uint64_t>(duration / dt);
     Pushed pushed;
-    PushWatch watch(effort);
+    PushWatch watch(effort, axis);
     auto next = std::chrono::steady_clock::now();
     for (std::uint64_t tick = 0; tick <= ticks && pushed.fault.empty() && !interruption.has_come(); ++tick) {
         std::this_thread::sleep_until(next += std::chrono::milliseconds(1));
         const kerf_device_state state = device.read();
         pushed.fault = watch.check(state, dt);
-        pushed.along = std::max(pushed.along, dot(watch.moved(), axis));
-        pushed.against = std::max(pushed.against, -dot(watch.moved(), axis));
+        pushed.along = std::max(pushed.along, watch.along());
         const double phase = std::numbers::pi * static_cast<double>(tick) / static_cast<double>(ticks);
         kerf_device_command command{};
         command.tick = tick;
@@ -170,10 +176,6 @@ ExitCode check_push(run::OpenedDevice& device, const Effort& effort, const Push&
             "the " + std::string(effort.what) + " was ended: " + pushed.fault + (problem.empty() ? "" : " " + problem),
             exit_not_passed);
     }
-    if (pushed.against > effort.min_reaction && pushed.against > pushed.along)
-        print_error(formatted("kerf: it moved by %.1f %s against the %s. If your hand did not do that, the sign of its "
-                              "driver or of its setup is wrong\n",
-                              pushed.against / effort.per_distance, effort.of_distance, effort.what));
     print(formatted("  it moved by %.1f %s along it. Was the %s %s, and gentle? Type y or n\n",
                     pushed.along / effort.per_distance, effort.of_distance, effort.what, one.direction));
     const std::optional<std::string> answer = read_line();
