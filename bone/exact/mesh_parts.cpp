@@ -10,17 +10,26 @@
 namespace kerf::bone {
 namespace {
 
-/// Returns whether one of the eight samples around a point has bone of a body.
+/// Samples of a grid within one spacing of a coordinate: two, or three if it lies on a layer of samples.
+struct Layers {
+    int first, last;
+    explicit Layers(double at) noexcept
+        : first(static_cast<int>(std::ceil(at - 1.0 - on_layer))),
+          last(static_cast<int>(std::floor(at + 1.0 + on_layer))) {}
+    static constexpr double on_layer = 1e-6;  ///< [–] of the spacing
+};
+
+/// Returns whether a sample within one spacing of a point on each axis has bone of a body.
 bool touches(const Body& bone, const CutField& cut, Vec3 point) {
     const Grid& grid = bone.grid();
     const Vec3 at = (1.0 / grid.spacing) * (point - grid.origin);
-    const int i = static_cast<int>(std::floor(at.x)), j = static_cast<int>(std::floor(at.y)),
-              k = static_cast<int>(std::floor(at.z));
-    for (int n = 0; n < 8; ++n) {
-        const LocatedPoint place =
-            locate(grid, grid.sample_position(i + (n & 1), j + (n >> 1 & 1), k + (n >> 2)) + Vec3{1e-9, 1e-9, 1e-9});
-        if (place.is_inside && std::max(uncut_distance(bone, place), cut.at(place)) < 0.0) return true;
-    }
+    const Layers x(at.x), y(at.y), z(at.z);
+    for (int k = z.first; k <= z.last; ++k)
+        for (int j = y.first; j <= y.last; ++j)
+            for (int i = x.first; i <= x.last; ++i) {
+                const LocatedPoint place = locate(grid, grid.sample_position(i, j, k) + Vec3{1e-9, 1e-9, 1e-9});
+                if (place.is_inside && std::max(uncut_distance(bone, place), cut.at(place)) < 0.0) return true;
+            }
     return false;
 }
 
@@ -59,14 +68,22 @@ void append(const TaggedMesh& more, TaggedMesh& mesh) {
 }
 
 std::optional<double> fraction_on(const MeshPart& part, const Body& bone, const std::vector<const CutField*>& bodies) {
-    std::size_t on = 0, all = 0;
-    for (const Vec3 v : part.mesh.mesh.vertices) {
-        if (!locate(bone.grid(), v).is_inside || !bone.region.contains(v)) continue;
-        ++all;
-        on += std::any_of(bodies.begin(), bodies.end(), [&](const CutField* cut) { return touches(bone, *cut, v); });
+    const SurfaceMesh& mesh = part.mesh.mesh;
+    std::vector<double> areas(mesh.vertices.size(), 0.0);  // three times a vertex's part of the surface
+    for (const Triangle& t : mesh.triangles) {
+        const auto [a, b, c] = mesh.corners(t);
+        for (const std::uint32_t corner : t) areas[corner] += 0.5 * length(cross(b - a, c - a));
     }
-    if (all == 0) return std::nullopt;
-    return static_cast<double>(on) / static_cast<double>(all);
+    double on = 0.0, all = 0.0;
+    for (std::size_t v = 0; v < areas.size(); ++v) {
+        const Vec3 at = mesh.vertices[v];
+        if (!locate(bone.grid(), at).is_inside || !bone.region.contains(at)) continue;
+        all += areas[v];
+        if (std::any_of(bodies.begin(), bodies.end(), [&](const CutField* cut) { return touches(bone, *cut, at); }))
+            on += areas[v];
+    }
+    if (all == 0.0) return std::nullopt;
+    return on / all;
 }
 
 std::vector<double> wall_areas_of(const TaggedMesh& mesh, const Body& bone) {

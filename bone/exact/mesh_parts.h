@@ -23,8 +23,8 @@ struct MeshPart {
 /// Appends the faces of one mesh to another.   [any]
 void append(const TaggedMesh& more, TaggedMesh& mesh);
 
-/// Returns the fraction of a part's vertices that have bone of any of the bodies within a voxel. Vertices beyond the
-/// field do not count; nothing if all are beyond it.   [any] pure.
+/// Returns the fraction of a part's area whose vertices have bone of any of the bodies within a voxel. Vertices beyond
+/// the field do not count; nothing if all are beyond it.   [any] pure.
 [[nodiscard]] std::optional<double> fraction_on(const MeshPart& part, const Body& bone,
                                                 const std::vector<const CutField*>& bodies);
 
