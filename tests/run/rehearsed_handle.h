@@ -47,6 +47,7 @@ public:
     /// @param force, torque  that the device makes [N, N·m], world frame
     /// @param tool           frame of the device
     void move(Vec3 force, Vec3 torque, const Pose& tool) noexcept {
+        take_tool();
         DeviceCommand rendered;
         rendered.wrench = make_vec6(force, torque);
         hand_.step(rendered, simulated_hand::SensedTool{.world_from_tool = {tool.position - offset_, tool.rotation}});
@@ -54,17 +55,19 @@ public:
     }
 
 private:
-    /// Moves the handle to where the hand now has it.
-    void lead() noexcept {
-        const Pose tool = hand_.reported();
-        const auto grip_in = [&](std::size_t step) {
-            return tool * Vec3{0, 0, scene_.tool(step).outline.handling.grip_z};
-        };
-        const std::size_t step = step_.load();
-        if (step != step_in_hand_) offset_ = offset_ + grip_in(step_in_hand_) - grip_in(step);
-        step_in_hand_ = step;
-        handle_ = {grip_in(step) + offset_, tool.rotation};
+    /// Returns where the hand grips the tool, frame of the world.
+    [[nodiscard]] Vec3 grip() const noexcept {
+        return hand_.reported() * Vec3{0, 0, scene_.tool(step_in_hand_).outline.handling.grip_z};
     }
+    /// Takes the tool that the run has given. The handle stays where it is.
+    void take_tool() noexcept {
+        const std::size_t step = step_.load();
+        if (step == step_in_hand_) return;
+        step_in_hand_ = step;
+        offset_ = handle_.position - grip();
+    }
+    /// Moves the handle to where the hand now has it.
+    void lead() noexcept { handle_ = {grip() + offset_, hand_.reported().rotation}; }
 
     const Scene& scene_;
     HandPlan plan_;
