@@ -151,7 +151,8 @@ void on_signal(int signal, siginfo_t* info, void*) {
 /// Ends the program because a state of the process was changed. In a call, it was this call; else the last one is
 /// named.
 void on_change(const StateChange& change) {
-    begin_to_end();  // which sets a timer: another thread that finds it stops here
+    while (end_of_end.load() != 0) pause();  // the timer is Kerf's own: another thread ends the program
+    begin_to_end();
     static FixedText<200> what;
     static FixedText<1300> values;
     const bool is_this_call = is_calling_plugin();
