@@ -239,9 +239,11 @@ ExitCode test_device(const DeviceTest& test, const PluginRegistry& plugins) {
     std::optional<MotionRecorder> recorder;
     if (!test.record.empty()) recorder.emplace(test.seconds);
     print(device.name() + "\n" + facts_line(device, sense));
-    print_error(sense.count > 0
-                    ? "kerf: move the handle to all ends, press each button, then hold still; no force is made\n"
-                    : "kerf: press each button\n");
+    const double weight = own.station.handle.weight();
+    print_error(sense.count == 0 ? "kerf: press each button\n"
+                                 : "kerf: move the handle to all ends, press each button, then hold still; " +
+                                       (weight > 0.0 ? formatted("the device carries %.2f N\n", weight)
+                                                     : std::string("no force is made\n")));
     const Reports reports = watch_reports(device, sense, test.seconds, recorder ? &*recorder : nullptr, interruption);
     const bool must_send = &sense == &position;
     const std::string problem = device.problem();

@@ -421,7 +421,7 @@ TEST(OpenedDevice, CarriesWhatIsFixedToTheHandle) {
     EXPECT_EQ(device->read().device_from_handle.position.z, 0.04);
 
     const auto weak = opened(std::make_unique<Stylus>(facts));
-    EXPECT_NE(weak->fit_handle({.mass = 0.9}).find("half of the force"), std::string::npos);
+    EXPECT_NE(weak->fit_handle({.mass = 0.9}).find("need at most 4.25 N, half of"), std::string::npos);
     const auto knob = opened(std::make_unique<Knob>(knob_abilities));
     EXPECT_NE(knob->fit_handle({.mass = 0.01}).find("Leave out `handle`"), std::string::npos);
 }

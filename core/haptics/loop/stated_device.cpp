@@ -2,7 +2,9 @@
 #include "core/haptics/loop/stated_device.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 
 namespace kerf {
 
@@ -157,8 +159,15 @@ StatedDevice::Values StatedDevice::values_of(const DeviceRecord& record) {
 }
 
 std::string StatedDevice::carry(double mass, double weight) {
-    if (weight > 0.5 * record_.continuous_force)
-        return "its mass weighs more than half of the force that the device can make for long";
+    const double max_weight = 0.5 * record_.continuous_force;
+    if (weight > max_weight) {
+        char text[160];
+        static_cast<void>(std::snprintf(text, sizeof text,
+                                        "its mass weighs %.2f N, need at most %.2f N, half of the continuous force: "
+                                        "write at most %.0f g",
+                                        weight, max_weight, std::floor(1e3 * mass * max_weight / weight)));
+        return text;
+    }
     record_.mass += mass;
     record_.peak_force -= weight;
     record_.continuous_force -= weight;
