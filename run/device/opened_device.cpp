@@ -2,6 +2,7 @@
 #include "run/device/opened_device.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/haptics/loop/device_record.h"
@@ -61,6 +62,9 @@ DriverSettings settings_for(const ComponentInfo& driver, const documents::Device
     }
     return settings;
 }
+
+/// Returns a force for people, to 10 mN.
+std::string in_newtons(double force) { return text::quantity_text(std::round(100.0 * force) / 100.0, "N"); }
 
 }  // namespace
 
@@ -126,8 +130,13 @@ std::unique_ptr<OpenedDevice> OpenedDevice::take(const kerf_component& driver, c
 
 std::string OpenedDevice::fit_handle(const documents::HandleFit& fit) {
     if (stated_ == nullptr) return "the device `" + name_ + "` makes no force along its axes. Leave out `handle`.";
-    if (const std::string fault = stated_->carry(fit.mass, fit.weight()); !fault.empty())
-        return "the station's `handle` of the device `" + name_ + "` cannot be used: " + fault + ".";
+    const std::string cannot = "the station's `handle` of the device `" + name_ + "` cannot be used: ";
+    if (fit.weight() > stated_->max_weight())
+        return cannot + "its mass weighs " + in_newtons(fit.weight()) + ", need at most " +
+               in_newtons(stated_->max_weight()) + ", half of the continuous force. Write at most `" +
+               text::quantity_text(1e-3 * std::floor(1e3 * fit.mass * stated_->max_weight() / fit.weight()), "g") +
+               "`.";
+    if (const std::string fault = stated_->carry(fit.mass, fit.weight()); !fault.empty()) return cannot + fault + ".";
     facts_.peak_force = stated_->record().peak_force;
     facts_.continuous_force = stated_->record().continuous_force;
     facts_.mass = stated_->record().mass;

@@ -2,9 +2,7 @@
 #include "core/haptics/loop/stated_device.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <cstdio>
 
 namespace kerf {
 
@@ -159,15 +157,6 @@ StatedDevice::Values StatedDevice::values_of(const DeviceRecord& record) {
 }
 
 std::string StatedDevice::carry(double mass, double weight) {
-    const double max_weight = 0.5 * record_.continuous_force;
-    if (weight > max_weight) {
-        char text[160];
-        static_cast<void>(std::snprintf(text, sizeof text,
-                                        "its mass weighs %.2f N, need at most %.2f N, half of the continuous force: "
-                                        "write at most %.0f g",
-                                        weight, max_weight, std::floor(1e3 * mass * max_weight / weight)));
-        return text;
-    }
     record_.mass += mass;
     record_.peak_force -= weight;
     record_.continuous_force -= weight;

@@ -36,8 +36,10 @@ public:
     /// Adds the motor of a knob about the handle's axis. Returns why it cannot; empty on success.   [main] before the
     /// record is used
     [[nodiscard]] std::string add_axis(const kerf_device_facts& knob);
+    /// Returns the largest weight that may be fixed to the handle [N]: half of the continuous force.
+    [[nodiscard]] double max_weight() const noexcept { return 0.5 * record_.continuous_force; }
     /// Adds a mass to the handle, whose weight [N] takes a part of the device's force. Returns why it cannot; empty on
-    /// success.   [main] before the record is used
+    /// success. Pre: weight ≤ max_weight().   [main] before the record is used
     [[nodiscard]] std::string carry(double mass, double weight);
     /// Returns what a session records, so that a replay has the same device.
     [[nodiscard]] static Values values_of(const DeviceRecord& record);
